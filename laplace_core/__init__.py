@@ -1,0 +1,27 @@
+"""The Laplace code: learn over discounts, decode over time, act for any horizon.
+
+from laplace_core import Settings, load_world, study
+
+found = study(load_world("two_branch"), Settings(alpha=0.2))
+found.decoded.tau_space        # (A, K, H-1): how likely each reward is at each future step
+found.decoded.horizon_values   # (A, K): column T-1 is the value of each action for the horizon T
+"""
+
+from laplace_core.errors import InputError
+from laplace_core.settings import Settings
+from laplace_core.study import GammaSpace, Study, study, study_of_gamma_space
+from laplace_core.worlds import PRESETS, World, load_world
+
+__version__ = "0.1.0"
+
+__all__ = [
+    "PRESETS",
+    "GammaSpace",
+    "InputError",
+    "Settings",
+    "Study",
+    "World",
+    "load_world",
+    "study",
+    "study_of_gamma_space",
+]

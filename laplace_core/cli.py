@@ -1,0 +1,183 @@
+"""``python -m laplace_core VERB``: exit 0, or 2 and one line on stderr for bad input."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import sys
+from collections.abc import Sequence
+from typing import NoReturn
+
+import numpy as np
+
+from laplace_core.errors import InputError
+from laplace_core.saved import read_gamma_space, save_study
+from laplace_core.settings import SCHEMA, flag, parse_settings
+from laplace_core.study import Study, study, study_of_gamma_space
+from laplace_core.worlds import PRESETS, TOY_TEXT, load_world
+
+
+class _Parser(argparse.ArgumentParser):
+    """argparse, with its errors in one line."""
+
+    def error(self, message: str) -> NoReturn:
+        raise InputError(f"{message} (see {self.prog} --help)")
+
+
+def main(argv: Sequence[str] | None = None) -> int:
+    """Run one verb; returns the exit status."""
+    try:
+        options = _parser().parse_args(argv)
+        options.run(options)
+    except InputError as error:
+        print(f"laplace: {' '.join(str(error).split())}", file=sys.stderr)
+        return 2
+    except BrokenPipeError:  # the reader of a pipe has seen enough
+        sys.stderr.close()
+    return 0
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = _Parser(
+        prog="laplace", description="The Laplace code: gamma-space, tau-space and the actions they choose."
+    )
+    verbs = parser.add_subparsers(dest="verb", required=True, metavar="VERB")
+
+    worlds = verbs.add_parser("worlds", help="list the preset worlds and their parameters")
+    worlds.add_argument("--json", action="store_true", help="print JSON")
+    worlds.set_defaults(run=_worlds)
+
+    decode = verbs.add_parser(
+        "decode",
+        help="decode one state of a world",
+        description="From a world's exact gamma-space to its tau-space and the action of every horizon. "
+        "Every option has a default that suits the world.",
+    )
+    decode.add_argument(
+        "world", metavar="WORLD", help="a preset, a world file (.json), a gamma-space (.npz) or gym:NAME"
+    )
+    decode.add_argument("--param", action="append", default=[], metavar="name=value", help="a parameter of the world")
+    for parameter in SCHEMA:
+        shown = "" if parameter.default is None else f" (default: {parameter.default})"
+        choices = f" One of {', '.join(parameter.choices)}." if parameter.choices else ""
+        metavar = {int: "N", float: "X", str: "NAME"}[parameter.type]
+        text = f"{parameter.help}{choices}{shown}".replace("%", "%%")
+        decode.add_argument(flag(parameter), dest=parameter.name, metavar=metavar, help=text)
+    decode.add_argument("--out", metavar="FILE.npz", help="write all arrays and the settings here")
+    decode.add_argument("--json", action="store_true", help="print JSON")
+    decode.set_defaults(run=_decode)
+    return parser
+
+
+def _worlds(options: argparse.Namespace) -> None:
+    if options.json:
+        listed = [
+            {
+                "name": preset.name,
+                "title": preset.title,
+                "summary": preset.summary,
+                "parameters": [
+                    {"name": p.name, "default": p.default, "low": p.low, "high": p.high, "help": p.help}
+                    for p in preset.parameters
+                ],
+            }
+            for preset in PRESETS.values()
+        ]
+        print(json.dumps({"presets": listed, "gym": list(TOY_TEXT)}, indent=1))
+        return
+    for preset in PRESETS.values():
+        print(f"{preset.name}\n    {preset.summary}")
+        for p in preset.parameters:
+            shown = str(p.default).lower() if p.type is bool else f"{p.default:g}"
+            print(f"    {p.name}={shown:8} {p.help}")
+    for name, parameters in TOY_TEXT.items():
+        print(f"gym:{name}")
+        for p in parameters:
+            print(f"    {p.name}={str(p.default).lower():8} {p.help}")
+
+
+def _params(entries: Sequence[str]) -> dict[str, str]:
+    params: dict[str, str] = {}
+    for entry in entries:
+        name, equals, value = entry.partition("=")
+        if not equals or not name:
+            raise InputError(f"--param {entry[:40]!r} must have the form name=value.")
+        if name in params:
+            raise InputError(f"--param {name[:40]} is given twice.")
+        params[name] = value
+    return params
+
+
+def _decode(options: argparse.Namespace) -> None:
+    params = _params(options.param)
+    given = {parameter.name: getattr(options, parameter.name) for parameter in SCHEMA}
+    settings = parse_settings(options.world, params, given)
+    if options.out is not None and not options.out.endswith(".npz"):
+        raise InputError(f"--out {options.out[:60]!r} must end in .npz.")
+    if options.world.endswith(".npz"):
+        found = study_of_gamma_space(read_gamma_space(options.world, settings.state), settings)
+    else:
+        found = study(load_world(options.world, params), settings)
+    if options.out is not None:
+        save_study(found, options.out)
+    print(json.dumps(summary(found), indent=1) if options.json else _report(found))
+
+
+def summary(found: Study) -> dict[str, object]:
+    """What ``decode`` prints: expected rewards, values at the longest horizon, and the chosen actions."""
+    decoded, truth = found.decoded, found.truth
+    result: dict[str, object] = {
+        "settings": {**vars(found.settings), "params": dict(found.settings.params)},
+        "actions": list(found.action_names),
+        "expected_reward": decoded.expected_reward.tolist(),
+        "survival": decoded.survival.tolist(),
+        "horizon_values": decoded.horizon_values.tolist(),
+        "chosen_action": decoded.actions.tolist(),
+    }
+    if truth is not None:
+        result |= {
+            "true_expected_reward": truth.expected_reward.tolist(),
+            "true_horizon_values": truth.horizon_values.tolist(),
+            "optimal_action": truth.optimal_action.tolist(),
+        }
+    return result
+
+
+def _report(found: Study, shown: int = 8) -> str:
+    s, decoded, truth = found.settings, found.decoded, found.truth
+    rows = min(s.steps, shown)
+    more = " ..." if s.steps > rows else ""
+    lines = [
+        f"{s.world}, state {s.state or 0}: "
+        f"{len(found.gamma_space.gammas)} discounts, {len(found.gamma_space.thetas)} sensitivities, alpha {s.alpha:g}, "
+        f"{s.steps} steps, normalise {s.normalise}",
+        f"expected reward at tau = {', '.join(f'{tau:g}' for tau in found.taus[:rows])}{more}",
+    ]
+    width = max(map(len, found.action_names))
+    for a, name in enumerate(found.action_names):
+        lines.append(f"  {name:{width}}  decoded  {_numbers(decoded.expected_reward[a, :rows])}{more}")
+        if truth is not None:
+            lines.append(f"  {'':{width}}  true     {_numbers(truth.expected_reward[a, :rows])}{more}")
+    lines.append(f"value for the horizon T = {found.horizons[-1]:g} at gamma {s.acting_gamma:g}")
+    for a, name in enumerate(found.action_names):
+        against = "" if truth is None else f"   true {truth.horizon_values[a, -1]:8.2f}"
+        lines.append(f"  {name:{width}}  decoded {decoded.horizon_values[a, -1]:8.2f}{against}")
+    lines.append(f"chosen by T   {_runs(found, decoded.actions)}")
+    if truth is not None:
+        lines.append(f"best by T     {_runs(found, truth.optimal_action)}")
+    return "\n".join(lines)
+
+
+def _numbers(values: np.ndarray) -> str:
+    return " ".join(f"{value:7.2f}" for value in values)
+
+
+def _runs(found: Study, actions: np.ndarray) -> str:
+    """Actions over the horizon as runs: ``1-2 short, 3 long``."""
+    starts = np.flatnonzero(np.diff(actions, prepend=-1))
+    ends = np.append(starts[1:], len(actions)) - 1
+    parts = [
+        f"{found.horizons[first]:g}{f'-{found.horizons[last]:g}' if last > first else ''} {found.action_names[actions[first]]}"
+        for first, last in zip(starts, ends, strict=True)
+    ]
+    return ", ".join(parts[:12]) + (", ..." if len(parts) > 12 else "")

@@ -1,0 +1,112 @@
+"""Discount grids, reward sensitivities and the activation between them.
+
+The Laplace code learns one value for every discount ``gamma`` and every reward
+threshold ``theta``; this module makes both grids and the activation
+``f_h(r) = sigmoid(slope * (r - theta_h))`` that a threshold answers a reward with
+(paper, section 3 and Eq. 9).
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from scipy.special import expit
+
+from laplace_core.errors import InputError
+
+PAPER_GAMMAS = (0.01, 0.108, 0.206, 0.304, 0.402, 0.5, 0.55, 0.6, 0.65, 0.7, 0.75, 0.81, 0.87, 0.93, 0.99)
+"""Five linearly spaced discounts in each range of the paper's multiplexer (section 3.3)."""
+
+GAMMA_SPACINGS = ("inverse-log", "log", "linear", "paper")
+THETA_SPACINGS = ("uniform", "gaussian", "asinh")
+
+
+def discount_grid(count: int, spacing: str = "inverse-log", low: float = 0.01, high: float = 0.99) -> np.ndarray:
+    """Discounts in increasing order, shape ``(count,)``, each inside (0, 1).
+
+    ``inverse-log`` is uniform in 1/log(gamma), i.e. in the time constant (paper, 2.2);
+    ``log`` has log-spaced time constants -1/log(gamma); ``linear`` is uniform in gamma;
+    ``paper`` is the fixed grid ``PAPER_GAMMAS`` and ignores the other arguments.
+
+    Raises:
+        InputError: unknown spacing, fewer than two discounts, or bounds outside 0 < low < high < 1.
+    """
+    if spacing not in GAMMA_SPACINGS:
+        raise InputError(f"spacing {spacing!r} is not one of {', '.join(GAMMA_SPACINGS)}.")
+    if spacing == "paper":
+        return np.array(PAPER_GAMMAS)
+    if count < 2:
+        raise InputError(f"gammas is {count}; a discount grid needs at least 2.")
+    if not 0.0 < low < high < 1.0:
+        raise InputError(f"discounts must satisfy 0 < gamma-min < gamma-max < 1, not {low:g} and {high:g}.")
+    if spacing == "linear":
+        grid = np.linspace(low, high, count)
+    elif spacing == "inverse-log":
+        grid = np.exp(1.0 / np.linspace(1.0 / np.log(low), 1.0 / np.log(high), count))
+    else:
+        grid = np.exp(-1.0 / np.geomspace(-1.0 / np.log(low), -1.0 / np.log(high), count))
+    grid[[0, -1]] = low, high  # the round trip through the logarithm may miss the bounds by an ulp
+    return grid
+
+
+def sensitivity_grid(count: int, low: float, high: float, spacing: str = "uniform", scale: float | None = None):
+    """Reward thresholds in increasing order, shape ``(count,)``, from ``low`` to ``high``.
+
+    ``uniform``; ``gaussian`` puts them at the quantiles of a normal law around the middle of the
+    range (paper B.3), cut at the range's ends; ``asinh`` is uniform in asinh(theta / scale), dense near zero.
+
+    Args:
+        scale: in units of reward. ``gaussian``: the standard deviation (default: a quarter of the range).
+            ``asinh``: where the spacing turns from linear to logarithmic
+            (default: a hundredth of the largest bound).
+
+    Raises:
+        InputError: unknown spacing, fewer than two thresholds, empty range, or scale <= 0.
+    """
+    if spacing not in THETA_SPACINGS:
+        raise InputError(f"theta spacing {spacing!r} is not one of {', '.join(THETA_SPACINGS)}.")
+    if count < 2:
+        raise InputError(f"thetas is {count}; at least 2 sensitivities are needed.")
+    if not (np.isfinite(low) and np.isfinite(high) and low < high):
+        raise InputError(f"theta-min must be below theta-max, both finite, not {low:g} and {high:g}.")
+    if scale is not None and not (np.isfinite(scale) and scale > 0):
+        raise InputError(f"theta scale must be positive, not {scale:g}.")
+    if spacing == "uniform":
+        return np.linspace(low, high, count)
+    if spacing == "asinh":
+        scale = scale or max(abs(low), abs(high)) / 100.0
+        grid = scale * np.sinh(np.linspace(np.arcsinh(low / scale), np.arcsinh(high / scale), count))
+    else:
+        from scipy.stats import norm
+
+        middle, scale = (low + high) / 2.0, scale or (high - low) / 4.0
+        edges = norm.cdf([low, high], middle, scale)
+        grid = norm.ppf(np.linspace(*edges, count), middle, scale)
+    grid[[0, -1]] = low, high
+    if not np.all(np.diff(grid) > 0):
+        raise InputError(f"theta scale {scale:g} is too small for the range {low:g} to {high:g}: raise it.")
+    return grid
+
+
+def theta_midpoints(thetas: np.ndarray) -> np.ndarray:
+    """Midpoints between neighbouring thresholds, shape ``(H-1,)`` (paper, below Eq. 9)."""
+    thetas = np.asarray(thetas, dtype=float)
+    return (thetas[1:] + thetas[:-1]) / 2.0
+
+
+def activation(rewards: np.ndarray, thetas: np.ndarray, slope: float) -> np.ndarray:
+    """f_h(r) = sigmoid(slope * (r - theta_h)), shape ``rewards.shape + (H,)``.
+
+    ``slope`` is in 1/reward; the paper's Heaviside step is the limit slope -> infinity (``np.inf`` is
+    accepted and gives 1/2 at r = theta, the sigmoid's own limit).
+    """
+    if not slope > 0:
+        raise InputError(f"slope must be positive, not {slope:g}.")
+    distance = np.subtract.outer(np.asarray(rewards, dtype=float), np.asarray(thetas, dtype=float))
+    if np.isinf(slope):
+        return np.heaviside(distance, 0.5)
+    return expit(slope * distance)
+
+
+def bin_masses(rewards: np.ndarray, thetas: np.ndarray, slope: float) -> np.ndarray:
+    """f_h(r) - f_{h+1}(r): the mass a reward leaves at each midpoint, shape ``rewards.shape + (H-1,)``."""
+    return -np.diff(activation(rewards, thetas, slope), axis=-1)

@@ -1,0 +1,87 @@
+"""Reading a tau-space (or, by readout weights, a gamma-space) for a horizon.
+
+V_T(s, a) = sum_{tau < T} gamma^tau E[r_tau] (paper, Eq. 7, cut at T). Time is counted in steps of the world;
+row k of a tau-space lies at k * time_step, and a horizon T covers the rows before it.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from scipy.special import expit
+
+from laplace_core.errors import InputError
+from laplace_core.inverse.tikhonov import filter_factors
+from laplace_core.inverse.transform import transform_factors, transform_matrix
+from laplace_core.ties import greedy_action
+
+
+def expected_rewards(tau_space: np.ndarray, midpoints: np.ndarray) -> np.ndarray:
+    """E[r_tau] = sum_h theta_mid[h] P[tau, h], shape ``(..., K)`` (paper, above Eq. 9)."""
+    return tau_space @ midpoints
+
+
+def deadline_weights(horizon: float, steps: int, softness: float = 0.0, time_step: float = 1.0) -> np.ndarray:
+    """How much each row counts under a deadline, shape ``(steps,)``, in [0, 1].
+
+    sigmoid((T - 1/2 - tau) / width) with width = softness * T; softness 0 is the hard deadline, tau < T.
+
+    Raises:
+        InputError: negative or non-finite softness or horizon.
+    """
+    if not (np.isfinite(softness) and softness >= 0):
+        raise InputError(f"softness is {softness:g}; it must be zero or a positive number.")
+    if not (np.isfinite(horizon) and horizon > 0):
+        raise InputError(f"the horizon is {horizon:g}; it must be a positive number of steps.")
+    tau = np.arange(steps) * time_step
+    if softness == 0:
+        return (tau < horizon - 1e-9).astype(float)
+    return expit((horizon - 0.5 - tau) / (softness * horizon))
+
+
+def horizon_values(rewards: np.ndarray, gamma: float, softness: float = 0.0, time_step: float = 1.0) -> np.ndarray:
+    """V_T for every horizon at once: ``(..., K)`` expected rewards to ``(..., K)`` values.
+
+    Column k is the horizon T = (k + 1) * time_step.
+    """
+    steps = rewards.shape[-1]
+    discounted = rewards * gamma ** (np.arange(steps) * time_step)
+    if softness == 0:
+        return np.cumsum(discounted, axis=-1)
+    weights = [deadline_weights((k + 1) * time_step, steps, softness, time_step) for k in range(steps)]
+    return discounted @ np.array(weights).T
+
+
+def target_discounts(
+    horizon: float, steps: int, gamma: float, softness: float = 0.0, time_step: float = 1.0
+) -> np.ndarray:
+    """d(tau) = gamma^tau * deadline weight, shape ``(steps,)``: what a value for horizon T should weigh."""
+    weights = deadline_weights(horizon, steps, softness, time_step)
+    return weights * gamma ** (np.arange(steps) * time_step)
+
+
+def readout_weights(gammas: np.ndarray, target: np.ndarray, alpha: float, time_step: float = 1.0) -> np.ndarray:
+    """w = (F F^T + alpha^2 I)^-1 F d, shape ``(..., G)``: V = sum_g w_g Q_g without a tau-space.
+
+    Equal to decoding and summing with the same steps and alpha. |w| is the noise gain.
+
+    Args:
+        target: the discount function d(tau) wanted, shape ``(..., K)``.
+    """
+    steps = target.shape[-1]
+    U, s, Vt = transform_factors(gammas, steps, time_step)
+    return (target @ Vt.T * filter_factors(s, alpha, max(len(gammas), steps))) @ U.T
+
+
+def discount_kernel(gammas: np.ndarray, weights: np.ndarray, steps: int, time_step: float = 1.0) -> np.ndarray:
+    """F^T w, shape ``(..., steps)``: what a readout REALLY weighs each future step with."""
+    return weights @ transform_matrix(gammas, steps, time_step)
+
+
+def choose_actions(values: np.ndarray) -> np.ndarray:
+    """The action chosen at each horizon, int ``(K,)``, from ``(A, K)`` values; ties go to the lowest index."""
+    return greedy_action(values, axis=0)
+
+
+def regret(optimum: np.ndarray, actions: np.ndarray) -> np.ndarray:
+    """max_a Q*_T(a) - Q*_T(chosen), shape ``(K,)``, >= 0, for ``(A, K)`` optimal values and ``(K,)`` actions."""
+    return optimum.max(axis=0) - np.take_along_axis(optimum, actions[None], axis=0)[0]

@@ -1,0 +1,19 @@
+"""From gamma-space to tau-space."""
+
+from laplace_core.inverse.normalise import NORMALISATIONS, SURVIVAL_FLOOR, normalise_rows
+from laplace_core.inverse.tikhonov import decode, decode_matrix, filter_factors, residual, resolution_matrix
+from laplace_core.inverse.transform import MAX_STEPS, transform_factors, transform_matrix
+
+__all__ = [
+    "MAX_STEPS",
+    "NORMALISATIONS",
+    "SURVIVAL_FLOOR",
+    "decode",
+    "decode_matrix",
+    "filter_factors",
+    "normalise_rows",
+    "residual",
+    "resolution_matrix",
+    "transform_factors",
+    "transform_matrix",
+]

@@ -1,0 +1,162 @@
+"""Studies as ``.npz`` files, and gamma-spaces from files that somebody else wrote."""
+
+from __future__ import annotations
+
+import json
+import math
+import os
+import tempfile
+import zipfile
+from dataclasses import asdict
+from pathlib import Path
+
+import numpy as np
+
+from laplace_core.errors import InputError
+from laplace_core.study import GammaSpace, Study
+
+MAX_MEMBER_BYTES = 400_000_000
+_WANTED = ("gamma_space", "gammas", "thetas", "constant_channel")
+
+
+def study_arrays(study: Study) -> dict[str, np.ndarray]:
+    """Every array of a study by its name in the file (design: ``decode``), float64, and ``settings`` as JSON."""
+    decoded, truth = study.decoded, study.truth
+    arrays = {
+        "gamma_space": study.gamma_space.values,
+        "constant_channel": study.gamma_space.constant,
+        "tau_space": decoded.tau_space,
+        "survival": decoded.survival,
+        "expected_reward": decoded.expected_reward,
+        "horizon_values": decoded.horizon_values,
+        "gammas": study.gamma_space.gammas,
+        "thetas": study.gamma_space.thetas,
+        "theta_midpoints": study.midpoints,
+    }
+    if truth is not None:
+        arrays |= {
+            "true_tau_space": truth.tau_space,
+            "true_survival": truth.survival,
+            "true_expected_reward": truth.expected_reward,
+            "true_horizon_values": truth.horizon_values,
+        }
+    arrays = {name: np.ascontiguousarray(array, dtype=np.float64) for name, array in arrays.items()}
+    if truth is not None:
+        arrays["optimal_action"] = truth.optimal_action
+    settings = asdict(study.settings) | {"params": dict(study.settings.params)}
+    settings |= {"actions": study.action_names, "command": study.settings.to_command()}
+    return arrays | {"settings": np.array(json.dumps(settings))}
+
+
+def save_study(study: Study, path: str | Path) -> None:
+    """Write ``study_arrays`` to ``path``: whole or not at all.
+
+    Raises:
+        InputError: the folder is missing or not writable.
+    """
+    path = Path(path)
+    try:
+        handle, temporary = tempfile.mkstemp(suffix=".tmp", prefix=path.name, dir=path.parent)
+    except OSError as error:
+        raise InputError(f"{path} cannot be written: {(error.strerror or 'unknown error').lower()}.") from None
+    try:
+        with os.fdopen(handle, "wb") as file:
+            np.savez_compressed(file, **study_arrays(study))
+        os.chmod(temporary, 0o644)
+        os.replace(temporary, path)
+    except OSError as error:
+        Path(temporary).unlink(missing_ok=True)
+        raise InputError(f"{path} cannot be written: {(error.strerror or 'unknown error').lower()}.") from None
+    except BaseException:
+        Path(temporary).unlink(missing_ok=True)
+        raise
+
+
+def read_gamma_space(path: str | Path, state: str | None = None) -> GammaSpace:
+    """A gamma-space from an ``.npz`` with ``gamma_space``, ``gammas`` and ``thetas``.
+
+    ``gamma_space`` is ``(A, G, H)``, or ``(G, H)`` for one action, or ``(S, A, G, H)`` with ``state`` as an
+    index. Without a ``constant_channel`` ``(A, G)`` the tail at the lowest sensitivity stands in for it: it
+    is the same thing as long as no reward lies below that sensitivity.
+
+    Raises:
+        InputError: not such a file; the sentence names the array.
+    """
+    arrays = _read_arrays(Path(path))
+    for name in ("gamma_space", "gammas", "thetas"):
+        if name not in arrays:
+            raise InputError(f"{Path(path).name} holds no array {name!r}; it needs gamma_space, gammas and thetas.")
+    gammas, thetas, values = arrays["gammas"], arrays["thetas"], arrays["gamma_space"]
+    if gammas.ndim != 1 or gammas.size < 2 or not np.all((gammas > 0) & (gammas < 1)):
+        raise InputError("'gammas' must be a list of at least 2 numbers between 0 and 1.")
+    if thetas.ndim != 1 or thetas.size < 2 or not np.all(np.diff(thetas) > 0):
+        raise InputError("'thetas' must be a list of at least 2 increasing numbers.")
+    if np.unique(gammas).size < gammas.size:
+        raise InputError("'gammas' holds the same discount twice.")
+    constant = arrays.get("constant_channel")
+    if values.ndim == 2:
+        values = values[None]
+    if values.ndim == 4:
+        index = _state_index(state, len(values))
+        values = values[index]
+        constant = constant[index] if constant is not None and constant.ndim == 3 else constant
+    elif state not in (None, "0"):
+        raise InputError(f"state {state[:40]!r} does not exist: this gamma-space holds a single state, 0.")
+    if values.ndim != 3 or not values.shape[0] or values.shape[1:] != (gammas.size, thetas.size):
+        raise InputError(
+            f"'gamma_space' has shape {arrays['gamma_space'].shape}; with {gammas.size} gammas and {thetas.size} "
+            f"thetas it must be (actions, {gammas.size}, {thetas.size})."
+        )
+    if constant is None:
+        constant = values[:, :, 0]
+    if constant.shape != values.shape[:2]:
+        raise InputError(f"'constant_channel' has shape {constant.shape}; it must be {values.shape[:2]}.")
+    return GammaSpace(values, constant, gammas, thetas)
+
+
+def _state_index(state: str | None, count: int) -> int:
+    text = state or "0"
+    if not text.isdecimal() or len(text) > 9 or int(text) >= count:
+        raise InputError(f"state {text[:40]!r} is not in this gamma-space: use an index from 0 to {count - 1}.")
+    return int(text)
+
+
+def _read_arrays(path: Path) -> dict[str, np.ndarray]:
+    """The wanted members as finite float64 arrays, each measured before it is read; nothing is unpickled."""
+    try:
+        with zipfile.ZipFile(path) as archive:
+            arrays = {}
+            for name in _WANTED:
+                if f"{name}.npy" not in archive.namelist():
+                    continue
+                if archive.getinfo(f"{name}.npy").file_size > MAX_MEMBER_BYTES:
+                    raise InputError(f"{name!r} in {path.name} is larger than {MAX_MEMBER_BYTES // 10**6} MB.")
+                arrays[name] = _as_float(name, _read_member(archive, f"{name}.npy"))
+            return arrays
+    except InputError:
+        raise
+    except OSError as error:
+        raise InputError(f"{path.name} cannot be read: {(error.strerror or 'unknown error').lower()}.") from None
+    except Exception:  # noqa: BLE001 - a hostile zip or npy header may raise anything; none of it is ours
+        raise InputError(f"{path.name} is not an .npz file of plain number arrays.") from None
+
+
+def _read_member(archive: zipfile.ZipFile, member: str) -> np.ndarray:
+    """One array, after its header has been held against the bytes that are really there."""
+    with archive.open(member) as file:
+        version = np.lib.format.read_magic(file)
+        header = np.lib.format.read_array_header_1_0 if version == (1, 0) else np.lib.format.read_array_header_2_0
+        shape, _, dtype = header(file)
+        if dtype.itemsize * math.prod(shape) > archive.getinfo(member).file_size:
+            raise InputError(f"{member!r} claims the shape {shape} but is too short for it.")
+    with archive.open(member) as file:
+        return np.lib.format.read_array(file, allow_pickle=False)
+
+
+def _as_float(name: str, array: np.ndarray) -> np.ndarray:
+    if array.dtype.kind not in "fiu":
+        raise InputError(f"{name!r} holds {array.dtype}, not real numbers.")
+    array = array.astype(np.float64)
+    if not np.all(np.abs(array) <= 1e12):
+        raise InputError(f"{name!r} holds a value that is not a number within +-1e12.")
+    return array

@@ -1,0 +1,193 @@
+"""Every choice that leads from a world to a tau-space, as one frozen, typed object.
+
+The command line, the URL of the app and the saved files all read and write these settings through the one
+schema below; None means "what suits the world" and is filled in by :func:`resolve`.
+"""
+
+from __future__ import annotations
+
+import json
+import shlex
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass, replace
+
+import numpy as np
+
+from laplace_core.encoding import GAMMA_SPACINGS, PAPER_GAMMAS, THETA_SPACINGS
+from laplace_core.inverse import MAX_STEPS, NORMALISATIONS
+from laplace_core.learning import TARGET_POLICIES
+from laplace_core.parameters import Parameter
+from laplace_core.worlds import World
+
+SOLVERS = ("tikhonov",)
+SLOPE_TIMES_SPACING = 2.35
+"""Default slope in units of 1/spacing: neighbouring sigmoids overlap, so that the midpoint proxy is unbiased
+(error below .1% of the spacing) and the blur stays near two spacings. It makes the paper's 25 on 150
+thresholds over [-2, 12]."""
+OVERHANG = 0.2
+"""Default overhang of the sensitivities beyond the rewards, as a fraction of their range."""
+
+
+@dataclass(frozen=True)
+class Settings:
+    """Settings of one study; see ``SCHEMA`` for the meaning and range of each."""
+
+    world: str = "two_branch"
+    params: tuple[tuple[str, object], ...] = ()
+    state: str | None = None
+    gammas: int | None = None
+    spacing: str | None = None
+    gamma_min: float | None = None
+    gamma_max: float | None = None
+    thetas: int | None = None
+    theta_spacing: str | None = None
+    theta_min: float | None = None
+    theta_max: float | None = None
+    slope: float | None = None
+    alpha: float | None = None
+    steps: int | None = None
+    time_step: float | None = None
+    normalise: str | None = None
+    policy: str | None = None
+    acting_gamma: float | None = None
+    softness: float | None = None
+    solver: str | None = None
+
+    def to_json(self) -> str:
+        return json.dumps(asdict(self) | {"params": dict(self.params)})
+
+    def to_command(self, out: str | None = None) -> str:
+        """The ``decode`` command that reproduces this study."""
+        words = ["python", "-m", "laplace_core", "decode", self.world]
+        for name, value in self.params:
+            words += ["--param", f"{name}={_text(value)}"]
+        for parameter in SCHEMA:
+            value = getattr(self, parameter.name)
+            if value is not None:
+                words += [flag(parameter), _text(value)]
+        return shlex.join(words + (["--out", out] if out else []))
+
+
+def _text(value: object) -> str:
+    return (
+        str(value).lower() if isinstance(value, bool) else f"{value:.12g}" if isinstance(value, float) else str(value)
+    )
+
+
+SCHEMA: tuple[Parameter, ...] = (
+    Parameter("state", None, 0, 0, "State to look from, by name or index (default: the likeliest start).", str),
+    Parameter("gammas", None, 2, 500, "Number of discounts.", int),
+    Parameter("spacing", "inverse-log", 0, 0, "How the discounts are spaced.", str, GAMMA_SPACINGS),
+    Parameter("gamma_min", 0.01, 1e-6, 0.999999, "Smallest discount."),
+    Parameter("gamma_max", 0.99, 1e-6, 0.999999, "Largest discount."),
+    Parameter("thetas", 150, 2, 2000, "Number of reward sensitivities."),
+    Parameter("theta_spacing", "uniform", 0, 0, "How the sensitivities are spaced.", str, THETA_SPACINGS),
+    Parameter("theta_min", None, -1e9, 1e9, "Smallest sensitivity, in reward.", float),
+    Parameter("theta_max", None, -1e9, 1e9, "Largest sensitivity, in reward.", float),
+    Parameter("slope", None, 1e-6, 1e9, "Steepness of the reward activation, in 1/reward.", float),
+    Parameter("alpha", 0.01, 0, 1e6, "Regularisation of the inverse, in singular values of the transform."),
+    Parameter("steps", None, 1, MAX_STEPS, "Rows of tau-space: the longest timeline it can hold.", int),
+    Parameter("time_step", 1.0, 1e-3, 1, "Time from one row of tau-space to the next, in steps of the world."),
+    Parameter("normalise", "none", 0, 0, "What is done to the rows of tau-space.", str, NORMALISATIONS),
+    Parameter("policy", "shared", 0, 0, "Whose policy every discount evaluates.", str, TARGET_POLICIES),
+    Parameter("acting_gamma", 0.99, 1e-6, 0.999999, "Discount of the policy and of the values over the horizon."),
+    Parameter("softness", 0.0, 0, 10, "Width of the deadline, as a fraction of the horizon; 0 is a hard one."),
+    Parameter("solver", "tikhonov", 0, 0, "How the transform is inverted.", str, SOLVERS),
+)
+"""One entry a setting, in the order of the line from world to action."""
+
+BY_NAME: Mapping[str, Parameter] = {parameter.name: parameter for parameter in SCHEMA}
+
+
+def flag(parameter: Parameter) -> str:
+    return "--" + parameter.name.replace("_", "-")
+
+
+def parse_settings(world: str, params: Mapping[str, object], given: Mapping[str, object]) -> Settings:
+    """Settings from text values by name.
+
+    Raises:
+        InputError: a value out of its range; the sentence begins with the setting's name.
+    """
+    values = {name: BY_NAME[name].parse(value) for name, value in given.items() if value is not None}
+    return Settings(world=world, params=tuple(params.items()), **values)
+
+
+def resolve(settings: Settings, world: World) -> Settings:
+    """Fill every None with what suits the world; the result reproduces the study whatever the defaults become.
+
+    Rewards decide the sensitivities (the range plus 20% at each end) and the slope (2.35 / spacing); how long
+    a random walk survives decides the steps.
+    """
+    given = {parameter.name: getattr(settings, parameter.name) for parameter in SCHEMA}
+    suggested = dict(world.suggested)
+    if settings.spacing is not None or settings.gamma_min is not None or settings.gamma_max is not None:
+        for name in ("spacing", "gamma_min", "gamma_max"):  # a suggested grid comes whole or not at all
+            suggested.pop(name, None)
+    values = {
+        parameter.name: suggested.get(parameter.name, parameter.default) if value is None else value
+        for parameter in SCHEMA
+        for value in [given[parameter.name]]
+    }
+    if values["spacing"] == "paper":
+        values |= {"gammas": len(PAPER_GAMMAS), "gamma_min": PAPER_GAMMAS[0], "gamma_max": PAPER_GAMMAS[-1]}
+    values["gammas"] = values["gammas"] or 15
+    low, high = float(world.reward_values[0]), float(world.reward_values[-1])
+    overhang = OVERHANG * ((high - low) or max(1.0, abs(low)))
+    values["theta_min"] = _round(low - overhang) if values["theta_min"] is None else values["theta_min"]
+    values["theta_max"] = _round(high + overhang) if values["theta_max"] is None else values["theta_max"]
+    if values["slope"] is None:
+        spacing = (values["theta_max"] - values["theta_min"]) / (values["thetas"] - 1)
+        values["slope"] = float(f"{SLOPE_TIMES_SPACING / spacing:.2g}") if spacing > 0 else 1.0
+    if values["steps"] is None:
+        values["steps"] = _random_walk_length(world)
+    if settings.steps is None:  # the same stretch of time, whatever the resolution
+        values["steps"] = min(MAX_STEPS, int(np.ceil(values["steps"] / values["time_step"] - 1e-9)))
+    state = int(np.argmax(world.start)) if values["state"] is None else world.state_index(values["state"])
+    values["state"] = world.states[state]
+    return replace(settings, **values)
+
+
+ENCODING_NAMES = (
+    "gammas", "spacing", "gamma_min", "gamma_max", "thetas", "theta_spacing", "theta_min", "theta_max", "slope", "policy",
+)  # fmt: skip
+"""Settings that a gamma-space from a file brings along and that cannot be chosen for it."""
+
+
+def resolve_for_gamma_space(settings: Settings, gammas: np.ndarray) -> Settings:
+    """Like :func:`resolve` for a gamma-space learned elsewhere: only decoding and reading are left to choose.
+
+    The default length is three time constants of the largest discount, at most 200 steps.
+
+    Raises:
+        InputError: a setting that the file itself decides.
+    """
+    for name in ENCODING_NAMES:
+        if getattr(settings, name) is not None:
+            raise InputError(f"{flag(BY_NAME[name])} cannot be chosen for a saved gamma-space: the file decides it.")
+    if settings.params:
+        raise InputError("a saved gamma-space has no parameters: leave out --param.")
+    length = int(np.clip(np.ceil(-3.0 / np.log(np.max(gammas))), 3, 200))
+    values = {
+        parameter.name: parameter.default
+        for parameter in SCHEMA
+        if parameter.name not in ENCODING_NAMES and getattr(settings, parameter.name) is None
+    }
+    values["steps"] = settings.steps or int(np.ceil(length / (settings.time_step or 1.0)))
+    return replace(settings, **values)
+
+
+def _round(bound: float) -> float:
+    """Six significant digits, so that a command with the bound in it stays readable."""
+    return float(f"{bound:.6g}")
+
+
+def _random_walk_length(world: World, most: int = 200) -> int:
+    """Steps until a random walk is still running with a chance below 1e-3, between 3 and ``most``."""
+    moves = world.transition_matrix / world.n_actions
+    distribution = world.start
+    for tau in range(most):
+        if distribution.sum() < 1e-3:
+            return max(3, tau)
+        distribution = np.repeat(distribution, world.n_actions) @ moves
+    return most

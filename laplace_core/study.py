@@ -1,0 +1,236 @@
+"""The one line from a world (or a saved gamma-space) to the action it chooses.
+
+    world --exact--> gamma-space --decode--> tau-space --read--> horizon values --> action
+
+Each stage is a function of just what it depends on, in a small bounded cache, so that moving alpha costs a
+matrix product and never a solve.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+
+from laplace_core.encoding import activation, bin_masses, discount_grid, sensitivity_grid, theta_midpoints
+from laplace_core.errors import InputError
+from laplace_core.horizon import choose_actions, expected_rewards, horizon_values
+from laplace_core.inverse import decode, normalise_rows
+from laplace_core.learning import (
+    finite_horizon_optimum,
+    greedy_policy,
+    reward_indicator_basis,
+    reward_timeline,
+    target_policies,
+)
+from laplace_core.settings import Settings, resolve, resolve_for_gamma_space
+from laplace_core.worlds import World
+
+MAX_VALUES = 50_000_000
+"""Largest array a study may hold, in numbers; 50 million are 400 MB."""
+
+
+@dataclass(frozen=True, eq=False)
+class GammaSpace:
+    """What was learned for one state: Q[a, g, h] and the constant channel Q[a, g].
+
+    Attributes:
+        values: ``(A, G, H)``, never increasing with h if exact.
+        constant: ``(A, G)``, the constant channel: discounted steps still to come.
+    """
+
+    values: np.ndarray
+    constant: np.ndarray
+    gammas: np.ndarray
+    thetas: np.ndarray
+
+    @property
+    def differences(self) -> np.ndarray:
+        """Z[a, g, h] = Q[a, g, h] - Q[a, g, h+1], at the midpoints, shape ``(A, G, H-1)``."""
+        return -np.diff(self.values, axis=-1)
+
+
+@dataclass(frozen=True, eq=False)
+class Decoded:
+    """A tau-space and what is read from it; A actions, K rows.
+
+    ``survival`` is the decoded constant channel before any rescaling; everything else comes after it. Rows
+    are densities over time: with ``time_step`` < 1 a probability is a row divided by ``time_step``.
+    """
+
+    tau_space: np.ndarray
+    survival: np.ndarray
+    expected_reward: np.ndarray
+    horizon_values: np.ndarray
+
+    @property
+    def actions(self) -> np.ndarray:
+        """Action chosen at each horizon, int ``(K,)``."""
+        return choose_actions(self.horizon_values)
+
+    @property
+    def mass(self) -> np.ndarray:
+        """Row sums of the tau-space, ``(A, K)``."""
+        return self.tau_space.sum(axis=-1)
+
+
+@dataclass(frozen=True, eq=False)
+class Truth(Decoded):
+    """The same arrays without an inverse, and the optimum: Q*_T(a), ``(A, K)``.
+
+    The timeline is that of the policy; rewards count as themselves, not as midpoints; the deadline is hard.
+    """
+
+    optimum: np.ndarray
+
+    @property
+    def optimal_action(self) -> np.ndarray:
+        """Best action for each horizon, int ``(K,)``."""
+        return choose_actions(self.optimum)
+
+
+@dataclass(frozen=True, eq=False)
+class Study:
+    """One state, looked at through one choice of settings."""
+
+    settings: Settings
+    action_names: tuple[str, ...]
+    gamma_space: GammaSpace
+    midpoints: np.ndarray
+    decoded: Decoded
+    world: World | None = None
+    state: int | None = None
+    truth: Truth | None = None
+
+    @property
+    def horizons(self) -> np.ndarray:
+        """T of each column of the horizon values, in steps of the world, ``(K,)``."""
+        return (np.arange(self.settings.steps) + 1) * self.settings.time_step
+
+    @property
+    def taus(self) -> np.ndarray:
+        """Time of each row of the tau-space, in steps of the world, ``(K,)``."""
+        return np.arange(self.settings.steps) * self.settings.time_step
+
+
+def study(world: World, settings: Settings) -> Study:
+    """Run the whole line for one state of a world.
+
+    Raises:
+        InputError: settings that do not fit the world or each other.
+    """
+    settings = resolve(settings, world)
+    state = world.state_index(settings.state)
+    gammas, thetas = grids(settings)
+    _check_size(world.n_actions, len(gammas), len(thetas), settings.steps)
+    basis = _basis(world, state, gammas.tobytes(), settings.policy, settings.acting_gamma)
+    gamma_space = encode(basis, world.reward_values, gammas, thetas, settings.slope)
+    truth = _truth(
+        world, state, thetas.tobytes(), settings.slope, settings.acting_gamma, settings.steps, settings.time_step
+    )
+    decoded = decode_and_read(gamma_space, settings)
+    return Study(settings, world.actions, gamma_space, theta_midpoints(thetas), decoded, world, state, truth)
+
+
+def study_of_gamma_space(gamma_space: GammaSpace, settings: Settings) -> Study:
+    """Decode a gamma-space learned elsewhere: there is no world and no truth."""
+    settings = resolve_for_gamma_space(settings, gamma_space.gammas)
+    _check_size(*gamma_space.values.shape, settings.steps)
+    names = tuple(f"action {a}" for a in range(len(gamma_space.values)))
+    decoded = decode_and_read(gamma_space, settings)
+    return Study(settings, names, gamma_space, theta_midpoints(gamma_space.thetas), decoded)
+
+
+def grids(settings: Settings) -> tuple[np.ndarray, np.ndarray]:
+    """Discounts ``(G,)`` and sensitivities ``(H,)`` of resolved settings."""
+    s = settings
+    gammas = discount_grid(s.gammas, s.spacing, s.gamma_min, s.gamma_max)
+    return gammas, sensitivity_grid(s.thetas, s.theta_min, s.theta_max, s.theta_spacing)
+
+
+def encode(basis: np.ndarray, rewards: np.ndarray, gammas: np.ndarray, thetas: np.ndarray, slope: float) -> GammaSpace:
+    """gamma_space = W @ f for a reward-indicator basis ``(A, G, V)``; all that a change of slope costs."""
+    return GammaSpace(basis @ activation(rewards, thetas, slope), basis.sum(axis=-1), gammas, thetas)
+
+
+def decode_and_read(gamma_space: GammaSpace, settings: Settings) -> Decoded:
+    """From gamma-space to the values of every horizon."""
+    s = settings
+    gammas = gamma_space.gammas
+    tau_space = decode(gamma_space.differences, gammas, s.steps, s.alpha, s.time_step)
+    survival = decode(gamma_space.constant[..., None], gammas, s.steps, s.alpha, s.time_step)[..., 0]
+    tau_space = normalise_rows(tau_space, survival, s.normalise, s.time_step)
+    rewards = expected_rewards(tau_space, theta_midpoints(gamma_space.thetas))
+    values = horizon_values(rewards, s.acting_gamma, s.softness, s.time_step)
+    return Decoded(tau_space, survival, rewards, values)
+
+
+def policies_of(world: World, gammas: np.ndarray, kind: str, acting_gamma: float) -> list[np.ndarray]:
+    """Cached :func:`laplace_core.learning.target_policies`."""
+    return _policies(world, gammas.tobytes(), kind, acting_gamma)
+
+
+@lru_cache(maxsize=16)
+def _policies(world: World, gammas: bytes, kind: str, acting_gamma: float) -> list[np.ndarray]:
+    return target_policies(world, np.frombuffer(gammas), kind, acting_gamma)
+
+
+@lru_cache(maxsize=16)
+def _acting_policy(world: World, acting_gamma: float) -> np.ndarray:
+    return greedy_policy(world, acting_gamma)
+
+
+@lru_cache(maxsize=16)
+def _basis(world: World, state: int, gammas: bytes, kind: str, acting_gamma: float) -> np.ndarray:
+    basis = reward_indicator_basis(world, state, np.frombuffer(gammas), _policies(world, gammas, kind, acting_gamma))
+    basis.setflags(write=False)
+    return basis
+
+
+@lru_cache(maxsize=16)
+def _optimum(world: World, state: int, acting_gamma: float, horizon: int) -> np.ndarray:
+    return finite_horizon_optimum(world, horizon, acting_gamma, state)
+
+
+@lru_cache(maxsize=16)
+def _timeline(world: World, state: int, acting_gamma: float, length: int) -> np.ndarray:
+    return reward_timeline(world, state, _acting_policy(world, acting_gamma), length)
+
+
+def _truth(
+    world: World, state: int, thetas: bytes, slope: float, acting_gamma: float, steps: int, time_step: float
+) -> Truth:
+    length = int(np.ceil(steps * time_step - 1e-9))
+    timeline = _timeline(world, state, acting_gamma, length)  # (A, length, V)
+    rewards = timeline @ world.reward_values
+    spread = time_overlap(steps, length, time_step)
+    discounted = rewards * acting_gamma ** np.arange(length)
+    optimum = _optimum(world, state, acting_gamma, length).T  # (A, length)
+    covered = np.ceil((np.arange(steps) + 1) * time_step - 1e-9).astype(int)
+    return Truth(
+        tau_space=spread @ (timeline @ bin_masses(world.reward_values, np.frombuffer(thetas), slope)),
+        survival=timeline.sum(axis=-1) @ spread.T,
+        expected_reward=rewards @ spread.T,
+        horizon_values=np.cumsum(discounted @ spread.T, axis=-1),
+        optimum=optimum[:, covered - 1],
+    )
+
+
+def time_overlap(steps: int, length: int, time_step: float) -> np.ndarray:
+    """How much of row k's time, [k dt, (k+1) dt), lies in step n, [n, n+1): shape ``(steps, length)``.
+
+    It spreads a true timeline evenly over the rows of a finer grid and keeps its mass; the identity at dt = 1.
+    """
+    edges = np.arange(steps + 1) * time_step
+    whole = np.arange(length)
+    return np.clip(np.minimum(edges[1:, None], whole + 1) - np.maximum(edges[:-1, None], whole), 0.0, None)
+
+
+def _check_size(actions: int, gammas: int, thetas: int, steps: int) -> None:
+    size = actions * thetas * max(gammas, steps)
+    if size > MAX_VALUES:
+        raise InputError(
+            f"{actions} actions x {thetas} thetas x {max(gammas, steps)} rows are {size:,} numbers, above "
+            f"{MAX_VALUES:,}: lower thetas, gammas or steps."
+        )

@@ -1,0 +1,50 @@
+"""Worlds: tabular MDPs as presets, files and gymnasium environments."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from laplace_core.errors import InputError
+from laplace_core.parameters import Parameter
+from laplace_core.worlds.files import dump_world, parse_world, read_world
+from laplace_core.worlds.model import END, Outcome, World
+from laplace_core.worlds.presets import PRESETS, Preset
+from laplace_core.worlds.toy_text import TOY_TEXT, toy_text_name, toy_text_world
+
+__all__ = [
+    "END",
+    "PRESETS",
+    "TOY_TEXT",
+    "Outcome",
+    "Preset",
+    "World",
+    "dump_world",
+    "load_world",
+    "parameters_of",
+    "parse_world",
+    "read_world",
+]
+
+
+def parameters_of(source: str) -> tuple[Parameter, ...]:
+    """What can be set in a preset or a ``gym:`` environment; files have no parameters."""
+    if source.startswith("gym:"):
+        return TOY_TEXT[toy_text_name(source.removeprefix("gym:"))]
+    return PRESETS[source].parameters if source in PRESETS else ()
+
+
+def load_world(source: str, params: Mapping[str, object] | None = None) -> World:
+    """A world from a preset's name, ``gym:NAME``, or the path of a JSON file.
+
+    Raises:
+        InputError: unknown source, or parameters that do not fit it.
+    """
+    if source.startswith("gym:"):
+        return toy_text_world(source.removeprefix("gym:"), params)
+    if source in PRESETS:
+        return PRESETS[source].make(params)
+    if not source.endswith(".json"):
+        raise InputError(f"world {source[:60]!r} is none of: {', '.join(PRESETS)}, a .json file, or gym:NAME.")
+    if params:
+        raise InputError(f"{source[:60]} is a file: it has no parameters, edit the file instead.")
+    return read_world(source)

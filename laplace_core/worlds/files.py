@@ -1,0 +1,226 @@
+"""World files: a tabular MDP as JSON, read with suspicion and written in full.
+
+The format is shown in the README. A file is refused with one sentence that names the entry at fault.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+from pathlib import Path
+
+import numpy as np
+
+from laplace_core.errors import InputError
+from laplace_core.worlds.model import END, MAX_OUTCOMES, MAX_REWARD, PROBABILITY_TOLERANCE, Outcome, World
+
+MAX_BYTES = 50_000_000
+_NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d{1,4})?")
+_KEYS = {"name", "states", "actions", "start", "transitions"}
+
+
+def read_world(path: str | Path) -> World:
+    """Read a world file.
+
+    Raises:
+        InputError: missing, too large, not UTF-8, or not a world.
+    """
+    path = Path(path)
+    try:
+        if path.stat().st_size > MAX_BYTES:
+            raise InputError(f"{path.name} is larger than {MAX_BYTES // 1_000_000} MB; a world file is not.")
+        text = path.read_text(encoding="utf-8")
+    except OSError as error:
+        raise InputError(f"{path.name} cannot be read: {(error.strerror or 'unknown error').lower()}.") from None
+    except UnicodeDecodeError:
+        raise InputError(f"{path.name} is not UTF-8 text, so it is no world file.") from None
+    return parse_world(text)
+
+
+def parse_world(text: str) -> World:
+    """Build a world from the text of a world file.
+
+    Raises:
+        InputError: the first entry that makes no sense, by name.
+    """
+    document = _load_json(text)
+    if not isinstance(document, dict):
+        raise InputError("the world file must hold one JSON object, with states, actions and transitions.")
+    for key in document:
+        if key not in _KEYS:
+            raise InputError(f"the world file has an unknown entry {key[:40]!r}; known are {', '.join(sorted(_KEYS))}.")
+    for key in ("states", "actions", "transitions"):
+        if not isinstance(document.get(key), list) or not document[key]:
+            raise InputError(f"{key!r} must be a list with at least one entry.")
+    name = document.get("name", "my_world")
+    if not isinstance(name, str) or not 1 <= len(name) <= 100 or not name.isprintable():
+        raise InputError("'name' must be 1 to 100 printable characters.")
+    states, actions = document["states"], document["actions"]
+    for key, entries in (("states", states), ("actions", actions)):
+        for entry in entries:
+            if not isinstance(entry, str):
+                raise InputError(f"{key!r} holds {_show(entry)}; every entry must be a name in quotes.")
+    return World.from_outcomes(
+        name,
+        states,
+        actions,
+        _parse_transitions(document["transitions"], states, actions),
+        _parse_start(document["start"], states) if "start" in document else None,
+    )
+
+
+def dump_world(world: World) -> str:
+    """The text of a world file that :func:`parse_world` turns into the same world."""
+    transitions = []
+    for s, state in enumerate(world.states):
+        for a, action in enumerate(world.actions):
+            outcomes = [
+                {"p": row.probability, "next": "END" if row.next_state == END else world.states[row.next_state],
+                 "reward": row.reward}
+                for row in world.outcomes(s, a)
+            ]  # fmt: skip
+            transitions.append({"state": state, "action": action, "outcomes": outcomes})
+    start = {world.states[s]: float(world.start[s]) for s in np.flatnonzero(world.start)}
+    head = {"name": world.name, "states": world.states, "actions": world.actions, "start": start}
+    return json.dumps({**head, "transitions": transitions}, indent=1, allow_nan=False)
+
+
+def _load_json(text: str) -> object:
+    def refuse_constant(constant: str):
+        raise InputError(f"the world file contains {constant}; every number must be finite.")
+
+    def refuse_duplicates(pairs: list[tuple[str, object]]) -> dict:
+        found = dict(pairs)
+        if len(found) < len(pairs):
+            names = [name for name, _ in pairs]
+            twice = next(name for name in names if names.count(name) > 1)
+            raise InputError(f"the entry {twice[:40]!r} stands twice in one object of the world file.")
+        return found
+
+    try:
+        return json.loads(text, parse_constant=refuse_constant, object_pairs_hook=refuse_duplicates)
+    except json.JSONDecodeError as error:
+        raise InputError(f"the world file is not JSON: {error.msg} at line {error.lineno}.") from None
+    except RecursionError:
+        raise InputError("the world file is nested too deeply to be a world.") from None
+    except ValueError:  # int() refuses numbers of thousands of digits
+        raise InputError("the world file contains a number with too many digits.") from None
+
+
+def _show(value: object) -> str:
+    return repr(value if isinstance(value, str | int | float | bool | None) else type(value).__name__)[:40]
+
+
+def _number(value: object, where: str) -> float:
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        raise InputError(f"{where} is {_show(value)}; it must be a number.")
+    if not abs(value) <= MAX_REWARD:
+        raise InputError(f"{where} is {_show(value)}; it must be a number within +-{MAX_REWARD:g}.")
+    return float(value)
+
+
+def _probability(value: object, where: str) -> float:
+    number = _number(value, where)
+    if not 0.0 <= number <= 1.0 + PROBABILITY_TOLERANCE:
+        raise InputError(f"{where} is {number:g}; a probability lies between 0 and 1.")
+    return number
+
+
+def _distribution(table: object, where: str) -> dict[str, float]:
+    if not isinstance(table, dict) or not table:
+        raise InputError(f"{where} must be an object of probabilities, such as {{...: 1.0}}.")
+    found = {key: _probability(value, f"{where}, {key[:40]!r}") for key, value in table.items()}
+    if abs(sum(found.values()) - 1.0) > PROBABILITY_TOLERANCE:
+        raise InputError(f"the probabilities of {where} add up to {sum(found.values()):.9g}; they must add up to 1.")
+    return found
+
+
+def _state(name: object, index: dict[str, int], where: str) -> int:
+    if not isinstance(name, str) or name not in index:
+        raise InputError(f"{where} names the state {_show(name)}, which is not in 'states'.")
+    return index[name]
+
+
+def _successor(name: object, index: dict[str, int], where: str) -> int:
+    return END if name == "END" else _state(name, index, where)
+
+
+def _parse_start(table: object, states: list[str]) -> np.ndarray:
+    index = {name: i for i, name in enumerate(states)}
+    start = np.zeros(len(states))
+    for name, probability in _distribution(table, "'start'").items():
+        start[_state(name, index, "'start'")] = probability
+    return start
+
+
+def _parse_transitions(entries: list, states: list[str], actions: list[str]) -> list[Outcome]:
+    """Outcomes of every (state, action); ``*`` fills the actions that no entry of that state names."""
+    state_index = {name: i for i, name in enumerate(states)}
+    action_index = {name: i for i, name in enumerate(actions)}
+    covered: dict[tuple[int, int], list[tuple[float, int, float]]] = {}
+    fillers: dict[int, list[tuple[float, int, float]]] = {}
+    size = 0
+    for number, entry in enumerate(entries):
+        where = f"transitions[{number}]"
+        if not isinstance(entry, dict):
+            raise InputError(f"{where} is {_show(entry)}; it must be an object with state, action, next and reward.")
+        joint = "outcomes" in entry
+        wanted = {"state", "action", "outcomes"} if joint else {"state", "action", "next", "reward"}
+        if missing := wanted - set(entry):
+            raise InputError(f"{where} lacks {sorted(missing)[0]!r}.")
+        if unknown := set(entry) - wanted:
+            raise InputError(f"{where} has an unknown entry {sorted(unknown)[0][:40]!r}.")
+        s = _state(entry["state"], state_index, where)
+        rows = (_joint if joint else _independent)(entry, state_index, where)
+        action = entry["action"]
+        if not isinstance(action, str) or (action != "*" and action not in action_index):
+            raise InputError(f"{where} names the action {_show(action)}, which is not in 'actions'.")
+        place, key = (fillers, s) if action == "*" else (covered, (s, action_index[action]))
+        if key in place:
+            raise InputError(f"{where} covers state {states[s]!r}, action {action!r} a second time.")
+        place[key] = rows
+        size += len(rows)
+        if size > MAX_OUTCOMES:  # stop before a small file of products fills the memory
+            raise InputError(f"{where} brings the world above {MAX_OUTCOMES:,} outcomes.")
+    outcomes = []
+    for s, state in enumerate(states):
+        for a, action in enumerate(actions):
+            rows = covered.get((s, a), fillers.get(s))
+            if rows is None:
+                raise InputError(f"no transition covers state {state!r}, action {action!r}; add it or use '*'.")
+            outcomes += [Outcome(s, a, *row) for row in rows]
+            if len(outcomes) > MAX_OUTCOMES:
+                raise InputError(f"the world has more than {MAX_OUTCOMES:,} outcomes.")
+    return outcomes
+
+
+def _independent(entry: dict, state_index: dict[str, int], where: str) -> list[tuple[float, int, float]]:
+    successors = _distribution(entry["next"], f"{where}, 'next'")
+    rewards = {}
+    for text, p in _distribution(entry["reward"], f"{where}, 'reward'").items():
+        if not _NUMBER.fullmatch(text):
+            raise InputError(f"{where} has the reward {text[:40]!r}; it must be a number in quotes.")
+        value = _number(float(text), f"{where}, reward {text[:40]!r}")
+        rewards[value] = rewards.get(value, 0.0) + p
+    if len(successors) * len(rewards) > MAX_OUTCOMES:
+        raise InputError(f"{where} has more than {MAX_OUTCOMES:,} combinations of next state and reward.")
+    reached = [(_successor(name, state_index, where), p) for name, p in successors.items() if p > 0]
+    return [(p * q, successor, reward) for successor, p in reached for reward, q in rewards.items() if q > 0]
+
+
+def _joint(entry: dict, state_index: dict[str, int], where: str) -> list[tuple[float, int, float]]:
+    if not isinstance(entry["outcomes"], list) or not entry["outcomes"]:
+        raise InputError(f"{where}, 'outcomes' must be a list of objects with p, next and reward.")
+    rows = []
+    for number, outcome in enumerate(entry["outcomes"]):
+        here = f"{where}, outcomes[{number}]"
+        if not isinstance(outcome, dict) or set(outcome) != {"p", "next", "reward"}:
+            raise InputError(f"{here} must have exactly p, next and reward.")
+        p = _probability(outcome["p"], f"{here}, 'p'")
+        rows.append(
+            (p, _successor(outcome["next"], state_index, here), _number(outcome["reward"], f"{here}, 'reward'"))
+        )
+    total = sum(row[0] for row in rows)
+    if abs(total - 1.0) > PROBABILITY_TOLERANCE:
+        raise InputError(f"the probabilities of {where} add up to {total:.9g}; they must add up to 1.")
+    return [row for row in rows if row[0] > 0]
