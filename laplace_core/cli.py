@@ -176,8 +176,8 @@ def _runs(found: Study, actions: np.ndarray) -> str:
     """Actions over the horizon as runs: ``1-2 short, 3 long``."""
     starts = np.flatnonzero(np.diff(actions, prepend=-1))
     ends = np.append(starts[1:], len(actions)) - 1
-    parts = [
-        f"{found.horizons[first]:g}{f'-{found.horizons[last]:g}' if last > first else ''} {found.action_names[actions[first]]}"
-        for first, last in zip(starts, ends, strict=True)
-    ]
+    parts = []
+    for first, last in zip(starts, ends, strict=True):
+        until = f"-{found.horizons[last]:g}" if last > first else ""
+        parts.append(f"{found.horizons[first]:g}{until} {found.action_names[actions[first]]}")
     return ", ".join(parts[:12]) + (", ..." if len(parts) > 12 else "")

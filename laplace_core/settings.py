@@ -14,6 +14,7 @@ from dataclasses import asdict, dataclass, replace
 import numpy as np
 
 from laplace_core.encoding import GAMMA_SPACINGS, PAPER_GAMMAS, THETA_SPACINGS
+from laplace_core.errors import InputError
 from laplace_core.inverse import MAX_STEPS, NORMALISATIONS
 from laplace_core.learning import TARGET_POLICIES
 from laplace_core.parameters import Parameter
@@ -148,9 +149,8 @@ def resolve(settings: Settings, world: World) -> Settings:
     return replace(settings, **values)
 
 
-ENCODING_NAMES = (
-    "gammas", "spacing", "gamma_min", "gamma_max", "thetas", "theta_spacing", "theta_min", "theta_max", "slope", "policy",
-)  # fmt: skip
+_GRIDS = ("gammas", "spacing", "gamma_min", "gamma_max", "thetas", "theta_spacing", "theta_min", "theta_max")
+ENCODING_NAMES = (*_GRIDS, "slope", "policy")
 """Settings that a gamma-space from a file brings along and that cannot be chosen for it."""
 
 

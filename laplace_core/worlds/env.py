@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import ClassVar
+
 import gymnasium
 import numpy as np
 from gymnasium.spaces import Discrete
@@ -16,7 +18,7 @@ class TabularEnv(gymnasium.Env):
     There is no time limit: wrap in ``gymnasium.wrappers.TimeLimit`` where the world may run for ever.
     """
 
-    metadata = {"render_modes": ["ansi"]}
+    metadata: ClassVar[dict] = {"render_modes": ["ansi"]}
 
     def __init__(self, world: World, render_mode: str | None = None):
         if render_mode not in (None, "ansi"):
