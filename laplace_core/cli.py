@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import io
 import json
 import sys
 from collections.abc import Sequence
@@ -26,8 +27,10 @@ class _Parser(argparse.ArgumentParser):
 
 def main(argv: Sequence[str] | None = None) -> int:
     """Run one verb; returns the exit status."""
+    if isinstance(sys.stdout, io.TextIOWrapper):  # a terminal without the letters of a name shows their numbers
+        sys.stdout.reconfigure(errors="backslashreplace")
     try:
-        options = _parser().parse_args(argv)
+        options = _parser().parse_args(_joined(sys.argv[1:] if argv is None else argv))
         options.run(options)
     except InputError as error:
         print(f"laplace: {' '.join(str(error).split())}", file=sys.stderr)
@@ -35,6 +38,18 @@ def main(argv: Sequence[str] | None = None) -> int:
     except BrokenPipeError:  # the reader of a pipe has seen enough
         sys.stderr.close()
     return 0
+
+
+def _joined(words: Sequence[str]) -> list[str]:
+    """``--theta-min -1e-5`` as ``--theta-min=-1e-5``: argparse would take the value for an option."""
+    valued = {flag(parameter) for parameter in SCHEMA} | {"--param", "--out"}
+    joined: list[str] = []
+    for word in words:
+        if joined and joined[-1] in valued and word.startswith("-") and not word.startswith("--"):
+            joined[-1] += f"={word}"
+        else:
+            joined.append(word)
+    return joined
 
 
 def _parser() -> argparse.ArgumentParser:

@@ -36,9 +36,12 @@ class Parameter:
         Raises:
             InputError: wrong type or out of range.
         """
-        text = str(value).strip()
+        text = str(value)
+        if self.type is str and not self.choices:
+            return text
+        text = text.strip()
         if self.type is str:
-            if self.choices and text not in self.choices:
+            if text not in self.choices:
                 raise InputError(f"{self.name} must be one of {', '.join(self.choices)}, not {text[:40]!r}.")
             return text
         if self.type is bool:
@@ -69,3 +72,10 @@ def parse_named(
             listed = ", ".join(known) or "none"
             raise InputError(f"{owner} has no parameter {str(name)[:40]!r}; it has: {listed}.")
     return {name: known[name].parse(value) for name, value in given.items()}
+
+
+def as_text(value: object) -> str:
+    """A value as commands and links write it; :meth:`Parameter.parse` reads it back."""
+    if isinstance(value, bool):
+        return str(value).lower()
+    return f"{value:.12g}" if isinstance(value, float) else str(value)

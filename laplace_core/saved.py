@@ -6,6 +6,7 @@ import json
 import math
 import os
 import tempfile
+import warnings
 import zipfile
 from dataclasses import asdict
 from pathlib import Path
@@ -15,7 +16,8 @@ import numpy as np
 from laplace_core.errors import InputError
 from laplace_core.study import GammaSpace, Study
 
-MAX_MEMBER_BYTES = 400_000_000
+MAX_BYTES = 400_000_000
+"""Most that a file's arrays may take together, as float64."""
 _WANTED = ("gamma_space", "gammas", "thetas", "constant_channel")
 
 
@@ -59,6 +61,8 @@ def save_study(study: Study, path: str | Path) -> None:
         handle, temporary = tempfile.mkstemp(suffix=".tmp", prefix=path.name, dir=path.parent)
     except OSError as error:
         raise InputError(f"{path} cannot be written: {(error.strerror or 'unknown error').lower()}.") from None
+    except ValueError:  # a zero byte, or a character that the file system cannot hold
+        raise InputError(f"{path.name!r} cannot be the name of a file.") from None
     try:
         with os.fdopen(handle, "wb") as file:
             np.savez_compressed(file, **study_arrays(study))
@@ -93,24 +97,24 @@ def read_gamma_space(path: str | Path, state: str | None = None) -> GammaSpace:
         raise InputError("'thetas' must be a list of at least 2 increasing numbers.")
     if np.unique(gammas).size < gammas.size:
         raise InputError("'gammas' holds the same discount twice.")
-    constant = arrays.get("constant_channel")
+    shape = values.shape
     if values.ndim == 2:
         values = values[None]
-    if values.ndim == 4:
-        index = _state_index(state, len(values))
-        values = values[index]
-        constant = constant[index] if constant is not None and constant.ndim == 3 else constant
-    elif state not in (None, "0"):
-        raise InputError(f"state {state[:40]!r} does not exist: this gamma-space holds a single state, 0.")
-    if values.ndim != 3 or not values.shape[0] or values.shape[1:] != (gammas.size, thetas.size):
+    if values.ndim not in (3, 4) or not values.size or values.shape[-2:] != (gammas.size, thetas.size):
         raise InputError(
-            f"'gamma_space' has shape {arrays['gamma_space'].shape}; with {gammas.size} gammas and {thetas.size} "
+            f"'gamma_space' has shape {_shown(shape)}; with {gammas.size} gammas and {thetas.size} "
             f"thetas it must be (actions, {gammas.size}, {thetas.size})."
         )
-    if constant is None:
-        constant = values[:, :, 0]
-    if constant.shape != values.shape[:2]:
-        raise InputError(f"'constant_channel' has shape {constant.shape}; it must be {values.shape[:2]}.")
+    constant = arrays.get("constant_channel", values[..., 0])
+    if constant.ndim == 1:
+        constant = constant[None]
+    if constant.shape != values.shape[:-1]:
+        raise InputError(f"'constant_channel' has shape {_shown(constant.shape)}; it must be {values.shape[:-1]}.")
+    if values.ndim == 4:
+        index = _state_index(state, len(values))
+        values, constant = values[index], constant[index]
+    elif state not in (None, "0"):
+        raise InputError(f"state {state[:40]!r} does not exist: this gamma-space holds a single state, 0.")
     return GammaSpace(values, constant, gammas, thetas)
 
 
@@ -124,39 +128,43 @@ def _state_index(state: str | None, count: int) -> int:
 def _read_arrays(path: Path) -> dict[str, np.ndarray]:
     """The wanted members as finite float64 arrays, each measured before it is read; nothing is unpickled."""
     try:
-        with zipfile.ZipFile(path) as archive:
-            arrays = {}
+        with zipfile.ZipFile(path) as archive, warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # what numpy remarks on odd headers is not for the user
+            arrays: dict[str, np.ndarray] = {}
             for name in _WANTED:
-                if f"{name}.npy" not in archive.namelist():
-                    continue
-                if archive.getinfo(f"{name}.npy").file_size > MAX_MEMBER_BYTES:
-                    raise InputError(f"{name!r} in {path.name} is larger than {MAX_MEMBER_BYTES // 10**6} MB.")
-                arrays[name] = _as_float(name, _read_member(archive, f"{name}.npy"))
+                if f"{name}.npy" in archive.namelist():
+                    room = MAX_BYTES - sum(array.nbytes for array in arrays.values())
+                    arrays[name] = _read_member(archive, name, room)
             return arrays
     except InputError:
         raise
     except OSError as error:
         raise InputError(f"{path.name} cannot be read: {(error.strerror or 'unknown error').lower()}.") from None
     except Exception:  # noqa: BLE001 - a hostile zip or npy header may raise anything; none of it is ours
-        raise InputError(f"{path.name} is not an .npz file of plain number arrays.") from None
+        raise InputError(f"{path.name!r} is not an .npz file of plain number arrays.") from None
 
 
-def _read_member(archive: zipfile.ZipFile, member: str) -> np.ndarray:
-    """One array, after its header has been held against the bytes that are really there."""
+def _read_member(archive: zipfile.ZipFile, name: str, room: int) -> np.ndarray:
+    """One array of at most ``room`` bytes, its header held against the bytes that are really there."""
+    member = f"{name}.npy"
     with archive.open(member) as file:
         version = np.lib.format.read_magic(file)
         header = np.lib.format.read_array_header_1_0 if version == (1, 0) else np.lib.format.read_array_header_2_0
         shape, _, dtype = header(file)
-        if dtype.itemsize * math.prod(shape) > archive.getinfo(member).file_size:
-            raise InputError(f"{member!r} claims the shape {shape} but is too short for it.")
+    if dtype.kind not in "fiu":
+        raise InputError(f"{name!r} holds {str(dtype)[:40]}, not real numbers.")
+    stored = archive.getinfo(member).file_size
+    if dtype.itemsize * math.prod(shape) > stored:
+        raise InputError(f"{name!r} claims the shape {_shown(shape)} but is too short for it; save it again.")
+    if 8 * math.prod(shape) > room:
+        raise InputError(f"{name!r} brings the arrays above {MAX_BYTES // 10**6} MB; save fewer states or thetas.")
     with archive.open(member) as file:
-        return np.lib.format.read_array(file, allow_pickle=False)
-
-
-def _as_float(name: str, array: np.ndarray) -> np.ndarray:
-    if array.dtype.kind not in "fiu":
-        raise InputError(f"{name!r} holds {array.dtype}, not real numbers.")
-    array = array.astype(np.float64)
-    if not np.all(np.abs(array) <= 1e12):
+        array = np.lib.format.read_array(file, allow_pickle=False).astype(np.float64, copy=False)
+    if not (array.min(initial=0.0) >= -1e12 and array.max(initial=0.0) <= 1e12):  # NaN fails both
         raise InputError(f"{name!r} holds a value that is not a number within +-1e12.")
     return array
+
+
+def _shown(shape: tuple[int, ...]) -> str:
+    text = str(shape)
+    return text if len(text) <= 60 else f"{text[:60]}...)"

@@ -17,7 +17,7 @@ from laplace_core.encoding import GAMMA_SPACINGS, PAPER_GAMMAS, THETA_SPACINGS
 from laplace_core.errors import InputError
 from laplace_core.inverse import MAX_STEPS, NORMALISATIONS
 from laplace_core.learning import TARGET_POLICIES
-from laplace_core.parameters import Parameter
+from laplace_core.parameters import Parameter, as_text
 from laplace_core.worlds import World
 
 SOLVERS = ("tikhonov",)
@@ -61,18 +61,12 @@ class Settings:
         """The ``decode`` command that reproduces this study."""
         words = ["python", "-m", "laplace_core", "decode", self.world]
         for name, value in self.params:
-            words += ["--param", f"{name}={_text(value)}"]
+            words += ["--param", f"{name}={as_text(value)}"]
         for parameter in SCHEMA:
             value = getattr(self, parameter.name)
             if value is not None:
-                words += [flag(parameter), _text(value)]
+                words += [flag(parameter), as_text(value)]
         return shlex.join(words + (["--out", out] if out else []))
-
-
-def _text(value: object) -> str:
-    return (
-        str(value).lower() if isinstance(value, bool) else f"{value:.12g}" if isinstance(value, float) else str(value)
-    )
 
 
 SCHEMA: tuple[Parameter, ...] = (

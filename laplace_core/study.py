@@ -166,6 +166,21 @@ def decode_and_read(gamma_space: GammaSpace, settings: Settings) -> Decoded:
     return Decoded(tau_space, survival, rewards, values)
 
 
+def basis_of(study: Study, policy: str | None = None) -> np.ndarray:
+    """The reward-indicator basis behind a study of a world, ``(A, G, V)``, under its own or another target policy."""
+    s = study.settings
+    return _basis(study.world, study.state, study.gamma_space.gammas.tobytes(), policy or s.policy, s.acting_gamma)
+
+
+def encoded_under(study: Study, policy: str) -> GammaSpace:
+    """The gamma-space of the same state under another target policy."""
+    if policy == study.settings.policy:
+        return study.gamma_space
+    space = study.gamma_space
+    basis = basis_of(study, policy)
+    return encode(basis, study.world.reward_values, space.gammas, space.thetas, study.settings.slope)
+
+
 def policies_of(world: World, gammas: np.ndarray, kind: str, acting_gamma: float) -> list[np.ndarray]:
     """Cached :func:`laplace_core.learning.target_policies`."""
     return _policies(world, gammas.tobytes(), kind, acting_gamma)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import lru_cache
 
 from laplace_core.errors import InputError
 from laplace_core.parameters import Parameter
@@ -39,12 +40,18 @@ def load_world(source: str, params: Mapping[str, object] | None = None) -> World
     Raises:
         InputError: unknown source, or parameters that do not fit it.
     """
-    if source.startswith("gym:"):
-        return toy_text_world(source.removeprefix("gym:"), params)
-    if source in PRESETS:
-        return PRESETS[source].make(params)
+    if source.startswith("gym:") or source in PRESETS:
+        return _built(source, tuple(sorted((params or {}).items())))
     if not source.endswith(".json"):
         raise InputError(f"world {source[:60]!r} is none of: {', '.join(PRESETS)}, a .json file, or gym:NAME.")
     if params:
         raise InputError(f"{source[:60]} is a file: it has no parameters, edit the file instead.")
     return read_world(source)
+
+
+@lru_cache(maxsize=32)
+def _built(source: str, params: tuple[tuple[str, object], ...]) -> World:
+    """The same world object for the same words, so that what is cached per world is found again."""
+    if source.startswith("gym:"):
+        return toy_text_world(source.removeprefix("gym:"), dict(params))
+    return PRESETS[source].make(dict(params))

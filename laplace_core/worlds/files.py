@@ -7,6 +7,8 @@ from __future__ import annotations
 
 import json
 import re
+from collections import Counter
+from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
@@ -15,7 +17,7 @@ from laplace_core.errors import InputError
 from laplace_core.worlds.model import END, MAX_OUTCOMES, MAX_REWARD, PROBABILITY_TOLERANCE, Outcome, World
 
 MAX_BYTES = 50_000_000
-_NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d{1,4})?")
+_NUMBER = re.compile(r"[+-]?(\d+(\.\d*)?|\.\d+)([eE][+-]?\d{1,4})?", re.ASCII)
 _KEYS = {"name", "states", "actions", "start", "transitions"}
 
 
@@ -29,11 +31,13 @@ def read_world(path: str | Path) -> World:
     try:
         if path.stat().st_size > MAX_BYTES:
             raise InputError(f"{path.name} is larger than {MAX_BYTES // 1_000_000} MB; a world file is not.")
-        text = path.read_text(encoding="utf-8")
+        text = path.read_text(encoding="utf-8-sig")
     except OSError as error:
         raise InputError(f"{path.name} cannot be read: {(error.strerror or 'unknown error').lower()}.") from None
     except UnicodeDecodeError:
         raise InputError(f"{path.name} is not UTF-8 text, so it is no world file.") from None
+    except ValueError:  # a zero byte, or a character that the file system cannot hold
+        raise InputError(f"{path.name!r} cannot be the name of a file.") from None
     return parse_world(text)
 
 
@@ -92,8 +96,7 @@ def _load_json(text: str) -> object:
     def refuse_duplicates(pairs: list[tuple[str, object]]) -> dict:
         found = dict(pairs)
         if len(found) < len(pairs):
-            names = [name for name, _ in pairs]
-            twice = next(name for name in names if names.count(name) > 1)
+            twice = Counter(name for name, _ in pairs).most_common(1)[0][0]
             raise InputError(f"the entry {twice[:40]!r} stands twice in one object of the world file.")
         return found
 
@@ -103,6 +106,8 @@ def _load_json(text: str) -> object:
         raise InputError(f"the world file is not JSON: {error.msg} at line {error.lineno}.") from None
     except RecursionError:
         raise InputError("the world file is nested too deeply to be a world.") from None
+    except InputError:
+        raise
     except ValueError:  # int() refuses numbers of thousands of digits
         raise InputError("the world file contains a number with too many digits.") from None
 
@@ -122,7 +127,7 @@ def _number(value: object, where: str) -> float:
 def _probability(value: object, where: str) -> float:
     number = _number(value, where)
     if not 0.0 <= number <= 1.0 + PROBABILITY_TOLERANCE:
-        raise InputError(f"{where} is {number:g}; a probability lies between 0 and 1.")
+        raise InputError(f"{where} is {number:.9g}; a probability lies between 0 and 1.")
     return number
 
 
@@ -153,8 +158,11 @@ def _parse_start(table: object, states: list[str]) -> np.ndarray:
     return start
 
 
-def _parse_transitions(entries: list, states: list[str], actions: list[str]) -> list[Outcome]:
-    """Outcomes of every (state, action); ``*`` fills the actions that no entry of that state names."""
+def _parse_transitions(entries: list, states: list[str], actions: list[str]) -> Iterator[Outcome]:
+    """Outcomes of every (state, action); ``*`` fills the actions that no entry of that state names.
+
+    A generator, so that the world checks the names of states and actions before the first entry is read.
+    """
     state_index = {name: i for i, name in enumerate(states)}
     action_index = {name: i for i, name in enumerate(actions)}
     covered: dict[tuple[int, int], list[tuple[float, int, float]]] = {}
@@ -169,7 +177,8 @@ def _parse_transitions(entries: list, states: list[str], actions: list[str]) -> 
         if missing := wanted - set(entry):
             raise InputError(f"{where} lacks {sorted(missing)[0]!r}.")
         if unknown := set(entry) - wanted:
-            raise InputError(f"{where} has an unknown entry {sorted(unknown)[0][:40]!r}.")
+            listed = ", ".join(sorted(wanted))
+            raise InputError(f"{where} has an unknown entry {sorted(unknown)[0][:40]!r}; it takes {listed}.")
         s = _state(entry["state"], state_index, where)
         rows = (_joint if joint else _independent)(entry, state_index, where)
         action = entry["action"]
@@ -182,16 +191,16 @@ def _parse_transitions(entries: list, states: list[str], actions: list[str]) -> 
         size += len(rows)
         if size > MAX_OUTCOMES:  # stop before a small file of products fills the memory
             raise InputError(f"{where} brings the world above {MAX_OUTCOMES:,} outcomes.")
-    outcomes = []
+    size = 0
     for s, state in enumerate(states):
         for a, action in enumerate(actions):
             rows = covered.get((s, a), fillers.get(s))
             if rows is None:
                 raise InputError(f"no transition covers state {state!r}, action {action!r}; add it or use '*'.")
-            outcomes += [Outcome(s, a, *row) for row in rows]
-            if len(outcomes) > MAX_OUTCOMES:
+            size += len(rows)
+            if size > MAX_OUTCOMES:
                 raise InputError(f"the world has more than {MAX_OUTCOMES:,} outcomes.")
-    return outcomes
+            yield from (Outcome(s, a, *row) for row in rows)
 
 
 def _independent(entry: dict, state_index: dict[str, int], where: str) -> list[tuple[float, int, float]]:
@@ -204,8 +213,8 @@ def _independent(entry: dict, state_index: dict[str, int], where: str) -> list[t
         rewards[value] = rewards.get(value, 0.0) + p
     if len(successors) * len(rewards) > MAX_OUTCOMES:
         raise InputError(f"{where} has more than {MAX_OUTCOMES:,} combinations of next state and reward.")
-    reached = [(_successor(name, state_index, where), p) for name, p in successors.items() if p > 0]
-    return [(p * q, successor, reward) for successor, p in reached for reward, q in rewards.items() if q > 0]
+    reached = [(_successor(name, state_index, where), p) for name, p in successors.items()]
+    return [(p * q, successor, reward) for successor, p in reached for reward, q in rewards.items() if p * q > 0]
 
 
 def _joint(entry: dict, state_index: dict[str, int], where: str) -> list[tuple[float, int, float]]:

@@ -1,0 +1,174 @@
+"""Groups of widgets. Each shows what holds now and keeps what the person sets."""
+
+from __future__ import annotations
+
+import numpy as np
+import streamlit as st
+
+from app import state
+from laplace_core import PRESETS, Settings, Study, World
+from laplace_core.parameters import Parameter
+from laplace_core.settings import BY_NAME
+from laplace_core.worlds import parameters_of
+
+_TITLES = {
+    "gammas": "Discounts",
+    "spacing": "Spacing",
+    "gamma_min": "Smallest gamma",
+    "gamma_max": "Largest gamma",
+    "thetas": "Sensitivities",
+    "theta_spacing": "Spacing",
+    "theta_min": "Smallest theta",
+    "theta_max": "Largest theta",
+    "steps": "Rows K",
+    "time_step": "Time step",
+    "acting_gamma": "Acting gamma",
+    "policy": "Target policy",
+    "normalise": "Row normalisation",
+    "alpha": "alpha, regularisation",
+    "slope": "slope (1/reward)",
+    "softness": "softness of the deadline",
+}
+WORDS = {
+    "none": "none: keep survival",
+    "survival": "by survival",
+    "paper": "paper: every row to 1",
+    "shared": "shared: one policy",
+    "per_gamma": "per gamma: each its own",
+}
+_MOST_NAMES = 1000
+
+
+def world_group() -> None:
+    """World and its parameters."""
+    key = state.show("world", state.world_name())
+    st.selectbox("World", state.WORLDS, key=key, on_change=state.choose_world, format_func=_world_title)
+    world = state.world_name()
+    if world in PRESETS:
+        st.caption(PRESETS[world].summary)
+    parameters = parameters_of(world)
+    columns = st.columns(2) if parameters else []
+    for i, parameter in enumerate(parameters):
+        with columns[i % 2]:
+            _number(f"p.{parameter.name}", parameter, parameter.default, parameter.name)
+
+
+def _world_title(name: str) -> str:
+    return PRESETS[name].title if name in PRESETS else name.replace("gym:", "gymnasium ")
+
+
+def look_group(world: World, settings: Settings, action: str) -> None:
+    """State and action looked at."""
+    if world.n_states <= _MOST_NAMES:
+        key = state.show("state", settings.state)
+        st.selectbox("State", world.states, key=key, on_change=state.keep, args=(key,), help=BY_NAME["state"].help)
+    else:
+        index = world.state_index(settings.state)
+        st.session_state["state_index"] = index
+        st.number_input("State", 0, world.n_states - 1, key="state_index", on_change=_keep_state, args=(world,))
+        st.caption(settings.state)
+    key = state.show("action", action)
+    st.selectbox("Action", world.actions, key=key, on_change=state.keep, args=(key,), help=state.VIEW[0].help)
+
+
+def _keep_state(world: World) -> None:
+    state.chosen()["state"] = world.states[int(st.session_state["state_index"])]
+
+
+def grid_group(settings: Settings) -> None:
+    """Discounts, sensitivities, target policy, length: what is learned."""
+    _choice("policy", settings.policy)
+    _field("acting_gamma", settings.acting_gamma)
+    st.caption("Discount grid")
+    _choice("spacing", settings.spacing)
+    if settings.spacing != "paper":
+        _field("gammas", settings.gammas)
+        _pair("gamma_min", "gamma_max", settings)
+    st.caption("Reward sensitivities")
+    _choice("theta_spacing", settings.theta_spacing)
+    _field("thetas", settings.thetas)
+    _pair("theta_min", "theta_max", settings)
+    st.caption("Timeline")
+    _pair("steps", "time_step", settings)
+
+
+def live_group(found: Study, horizon: float) -> None:
+    """The controls that move the picture, right under it."""
+    settings = found.settings
+    first, second, third, fourth, fifth = st.columns([1, 1, 1, 1, 1.1], gap="medium")
+    with first:
+        _logarithmic("alpha", settings.alpha, 1e-6, 10.0)
+    with second:
+        low, high = settings.slope, settings.slope
+        _logarithmic("slope", settings.slope, min(0.1, low), max(1000.0, high))
+    with third:
+        _horizon(found, horizon)
+    with fourth:
+        key = state.show("softness", settings.softness)
+        high = max(1.0, settings.softness)
+        st.slider(
+            _TITLES[key], 0.0, high, step=0.05, key=key, on_change=state.keep, args=(key,), help=BY_NAME[key].help
+        )
+    with fifth:
+        _choice("normalise", settings.normalise)
+
+
+def _horizon(found: Study, horizon: float) -> None:
+    key = state.show("horizon", horizon)
+    step, last = found.settings.time_step, float(found.horizons[-1])
+    shown = "%d" if step == 1 else "%.3g"
+    if len(found.horizons) == 1:
+        st.slider("horizon T", 0.0, last, key=key, disabled=True, format=shown)
+        return
+    st.slider(
+        "horizon T (steps)", float(found.horizons[0]), last, step=float(step), key=key, format=shown,
+        on_change=state.keep, args=(key,), help=state.VIEW[1].help,
+    )  # fmt: skip
+
+
+def _logarithmic(name: str, value: float, low: float, high: float) -> None:
+    """A slider over a logarithmic scale of two significant digits; a value from elsewhere joins the scale."""
+    stops = {float(f"{stop:.2g}") for stop in np.geomspace(low, high, int(20 * np.log10(high / low)) + 1)}
+    extra = st.session_state.setdefault(f"_stops_{name}", set())
+    extra.add(value)
+    options = sorted(stops | extra)
+    key = state.show(name, value)
+    st.select_slider(
+        _TITLES[name], options, key=key, on_change=state.keep, args=(key,), help=BY_NAME[name].help, format_func=_short
+    )
+
+
+def _short(value: float) -> str:
+    return f"{value:g}"
+
+
+def _choice(name: str, value: str) -> None:
+    key = state.show(name, value)
+    st.selectbox(
+        _TITLES[name], BY_NAME[name].choices, key=key, on_change=state.keep, args=(key,), help=BY_NAME[name].help,
+        format_func=lambda word: WORDS.get(word, word),
+    )  # fmt: skip
+
+
+def _pair(first: str, second: str, settings: Settings) -> None:
+    left, right = st.columns(2)
+    with left:
+        _field(first, getattr(settings, first))
+    with right:
+        _field(second, getattr(settings, second))
+
+
+def _field(name: str, value: object) -> None:
+    _number(name, BY_NAME[name], value, _TITLES[name])
+
+
+def _number(key: str, parameter: Parameter, value: object, label: str) -> None:
+    state.show(key, value)
+    kept = {"key": key, "on_change": state.keep, "args": (key,), "help": parameter.help}
+    if parameter.type is bool:
+        st.checkbox(label, **kept)
+    elif parameter.type is int:
+        st.number_input(label, int(parameter.low), int(parameter.high), step=1, **kept)
+    else:
+        step = 0.01 if parameter.high <= 1 else 0.5
+        st.number_input(label, float(parameter.low), float(parameter.high), step=step, format="%g", **kept)

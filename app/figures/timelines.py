@@ -1,0 +1,116 @@
+"""Expected rewards and survival over tau; values of all actions over the horizon."""
+
+from __future__ import annotations
+
+import numpy as np
+import plotly.graph_objects as go
+
+from app.figures.theme import NEUTRAL, action_colour, axis, build
+from laplace_core import Study
+
+
+def rewards_and_survival(study: Study, action: int) -> go.Figure:
+    """E[r_tau] and the chance that the episode still runs, decoded against true, for one action."""
+    step, taus, decoded, truth = study.settings.time_step, study.taus, study.decoded, study.truth
+    few = len(taus) <= 60
+    traces: list[dict] = []
+
+    def line(name: str, values: np.ndarray, mode: str = "lines", **style: object) -> dict:
+        hover = f"tau %{{x:g}}<br>{name} %{{y:.3g}}<extra></extra>"
+        return {"type": "scatter", "x": taus, "y": values[action] / step, "name": name, "mode": mode,
+                "hovertemplate": hover, **style}  # fmt: skip
+
+    if truth is not None:
+        bars = line("true reward", truth.expected_reward)
+        del bars["mode"]
+        marker = {"color": "rgba(138,143,152,0.30)", "line": {"color": NEUTRAL, "width": 1}}
+        traces.append({**bars, "type": "bar", "width": 0.8 * step, "marker": marker})
+        shape = {"color": NEUTRAL, "width": 1, "shape": "hvh" if few else "linear"}
+        traces.append(line("true survival", truth.survival, line=shape, yaxis="y2"))
+    colour = {"color": action_colour(action), "width": 2}
+    traces.append(line("decoded reward", decoded.expected_reward, "lines+markers" if few else "lines", line=colour))
+    dots = {"color": NEUTRAL, "width": 2, "dash": "dot"}
+    traces.append(line("decoded survival", decoded.survival, line=dots, yaxis="y2"))
+    rewards, survival = _aligned_ranges(study, action)
+    return build(
+        "rewards and survival",
+        traces,
+        margin={"r": 44, "t": 66},
+        xaxis=axis("future step tau"),
+        yaxis=axis("expected reward", range=rewards, zeroline=True),
+        yaxis2=axis("survival", range=survival, tickvals=[0, 0.5, 1], showgrid=False, overlaying="y", side="right"),
+    )
+
+
+def _aligned_ranges(study: Study, action: int) -> tuple[list[float], list[float]]:
+    """Ranges of the two axes whose zeros lie at the same height."""
+    rewards, survival = [study.decoded.expected_reward[action]], [study.decoded.survival[action]]
+    if study.truth is not None:
+        rewards.append(study.truth.expected_reward[action])
+        survival.append(study.truth.survival[action])
+    step = study.settings.time_step
+    top = max(float(np.max(rewards)) / step, 0.0)
+    bottom = min(float(np.min(rewards)) / step, 0.0)
+    size = (top - bottom) or 1.0
+    alive_top, alive_bottom = max(1.0, float(np.max(survival)) / step), min(0.0, float(np.min(survival)) / step)
+    below = max(-bottom / size, -alive_bottom / (alive_top - alive_bottom), 0.05)  # share of the height under zero
+    above = max(top / size, 0.35 if below < 0.6 else 0.2)
+    height = max(top / above if top else 0.0, -bottom / below if bottom else 0.0) * 1.08 or 1.0
+    alive_height = max(alive_top / above, -alive_bottom / below) * 1.08
+    return [-below * height, above * height], [-below * alive_height, above * alive_height]
+
+
+def values_over_horizon(study: Study, row: int) -> go.Figure:
+    """V_T of every action over T, and a strip that shows the chosen and the best action."""
+    horizons, names, decoded, truth = study.horizons, study.action_names, study.decoded, study.truth
+    mode = "lines+markers" if len(horizons) <= 40 else "lines"
+    traces: list[dict] = []
+    for a, name in enumerate(names):
+        line = {"type": "scatter", "x": horizons, "name": name, "legendgroup": name}
+        colour = action_colour(a)
+        if truth is not None:
+            hover = f"T %{{x:g}}<br>true {name} %{{y:.3f}}<extra></extra>"
+            style = {"mode": "lines", "line": {"color": colour, "width": 1.5, "dash": "dot"}, "showlegend": False}
+            traces.append({**line, **style, "y": truth.horizon_values[a], "hovertemplate": hover})
+        hover = f"T %{{x:g}}<br>decoded {name} %{{y:.3f}}<extra></extra>"
+        style = {"mode": mode, "line": {"color": colour, "width": 2}, "marker": {"size": 5}}
+        traces.append({**line, **style, "y": decoded.horizon_values[a], "hovertemplate": hover})
+    strips = {"chosen": decoded.actions} if truth is None else {"best": truth.optimal_action, "chosen": decoded.actions}
+    traces.append(_strip(horizons, names, strips))
+    at = float(horizons[row])
+    cursor = {"type": "line", "x0": at, "x1": at, "y0": 0, "y1": 1, "xref": "x", "yref": "paper"}
+    return build(
+        "value of each action over the horizon",
+        traces,
+        margin={"l": 56, "t": 40 + 19 * _legend_rows(names)},
+        shapes=[{**cursor, "line": {"color": NEUTRAL, "width": 1.5, "dash": "dash"}}],
+        xaxis=axis("horizon T (steps)", anchor="y2"),
+        yaxis=axis("value V<sub>T</sub>", domain=[0.24, 1.0]),
+        yaxis2=axis(domain=[0.0, 0.19], showgrid=False),
+    )
+
+
+def _legend_rows(names: tuple[str, ...], width: int = 290) -> int:
+    """Rows that a legend of these names fills at about ``width`` pixels."""
+    return int(np.ceil(sum(50 + 6.5 * len(name) for name in names) / width))
+
+
+def _strip(horizons: np.ndarray, names: tuple[str, ...], strips: dict[str, np.ndarray]) -> dict:
+    """One coloured cell a horizon and strip."""
+    count = max(2, len(names))
+    scale = [[edge, action_colour(i)] for i in range(count) for edge in (i / count, (i + 1) / count)]
+    return {
+        "type": "heatmap",
+        "x": horizons,
+        "y": list(strips),
+        "z": np.array(list(strips.values())),
+        "zmin": -0.5,
+        "zmax": count - 0.5,
+        "colorscale": scale,
+        "showscale": False,
+        "customdata": [[names[a] for a in actions] for actions in strips.values()],
+        "hovertemplate": "T %{x:g}<br>%{y}: %{customdata}<extra></extra>",
+        "xgap": 1 if len(horizons) <= 60 else 0,
+        "ygap": 2,
+        "yaxis": "y2",
+    }

@@ -1,0 +1,150 @@
+"""The tabular workbench: one state of a world, from its gamma-space to the action of every horizon."""
+
+from __future__ import annotations
+
+from html import escape
+
+import numpy as np
+import streamlit as st
+
+from app import compute, controls, explain, figures, state
+from laplace_core import InputError, Settings, Study, load_world
+from laplace_core.learning import greedy_policy
+from laplace_core.settings import resolve
+
+CHART = {"displaylogo": False, "modeBarButtonsToRemove": ["select2d", "lasso2d", "autoScale2d"]}
+TONES = {"right": ("ok", "Right"), "lucky": ("warn", "Right, for the wrong reason"), "wrong": ("bad", "Wrong"),
+         "unknown": ("warn", "No truth to compare with")}  # fmt: skip
+
+
+def page() -> None:
+    state.load_url()
+    for note in state.notes():
+        st.warning(note)
+    with st.sidebar:
+        st.html('<div class="brand">Laplace code workbench</div>')
+        controls.world_group()
+        try:
+            world = load_world(state.world_name(), state.world_params())
+            wanted = resolve(state.settings(), world)
+        except InputError as error:
+            st.error(str(error))
+            return
+        action_name = state.chosen().get("action")
+        action = world.actions.index(action_name) if action_name in world.actions else 0
+        controls.look_group(world, wanted, world.actions[action])
+        with st.expander("Learning: discounts, sensitivities, policy"):
+            controls.grid_group(wanted)
+        st.button("Reset to the world's own settings", on_click=state.reset, width="stretch")
+    state.write_url()
+    try:
+        found = compute.study_for(wanted)
+    except InputError as error:
+        st.error(str(error))
+        return
+    row = _row(found, state.chosen().get("horizon"))
+    _verdict(wanted, row)
+    _panels(found, wanted, action, row)
+
+
+def _row(found: Study, horizon: float | None) -> int:
+    last = len(found.horizons) - 1
+    return last if horizon is None else int(np.clip(round(horizon / found.settings.time_step) - 1, 0, last))
+
+
+def _verdict(settings: Settings, row: int) -> None:
+    verdict = compute.verdict_for(settings, row)
+    tone, word = TONES[verdict.kind]
+    text, *buttons = st.columns([3.8, *[1.0] * len(verdict.remedies)], vertical_alignment="center")
+    text.html(f'<div class="verdict {tone}" role="status"><p><b>{word}.</b> {escape(verdict.sentence)}</p></div>')
+    for column, remedy in zip(buttons, verdict.remedies, strict=True):
+        column.button(
+            remedy.label, key=f"verdict {remedy.label}", on_click=state.apply_changes, args=(remedy.changes,),
+            width="stretch", type="primary",
+        )  # fmt: skip
+
+
+def _panels(found: Study, settings: Settings, action: int, row: int) -> None:
+    surface = state.chosen().get("look") == "surface"
+    policy = greedy_policy(found.world, settings.acting_gamma)
+    top = st.columns(3, gap="small")
+    with top[0]:
+        picked = _chart(figures.world_graph(found.world, found.state, action, policy), "world", on_select="rerun")
+        _pick_state(found, picked)
+    with top[1]:
+        _chart(figures.gamma_space(found, action, surface), "gamma")
+    with top[2]:
+        _chart(figures.tau_space(found, action, surface), "tau")
+    bottom = st.columns(3, gap="small")
+    with bottom[0]:
+        _chart(figures.values_over_horizon(found, row), "values")
+    with bottom[1]:
+        _chart(figures.rewards_and_survival(found, action), "rewards")
+    with bottom[2]:
+        _artefacts(settings, action, found.action_names[action])
+    controls.live_group(found, float(found.horizons[row]))
+    _footer(settings, row)
+
+
+def _chart(figure, key: str, **options):
+    return st.plotly_chart(figure, key=f"chart {key}", width="stretch", config=CHART, **options)
+
+
+def _pick_state(found: Study, picked) -> None:
+    points = picked.selection.points if picked else []
+    if points and isinstance(points[0].get("customdata"), list):
+        name = found.world.states[int(points[0]["customdata"][0])]
+        if name != found.settings.state:
+            state.chosen()["state"] = name
+            st.rerun()
+
+
+def _artefacts(settings: Settings, action: int, name: str) -> None:
+    st.html(f'<div class="panel-title">artefacts in the tau-space of {escape(name)}</div>')
+    found = compute.artefacts_for(settings, action)
+    if not found:
+        st.html('<div class="artefact">None found for this action.</div>')
+    with st.container(key="artefacts"):
+        for artefact in found:
+            text, button = st.columns([2.0, 1], vertical_alignment="center")
+            text.html(
+                f'<div class="artefact"><b>{escape(artefact.name)}</b> · {escape(artefact.shown)}<br>'
+                f"<span>{escape(artefact.sentence)}</span></div>"
+            )
+            for remedy in artefact.remedies[:1]:
+                button.button(
+                    remedy.label, key=f"fix {artefact.name}", on_click=state.apply_changes, args=(remedy.changes,),
+                    width="stretch", wrap=True,
+                )  # fmt: skip
+
+
+def _footer(settings: Settings, row: int) -> None:
+    look, regret, reading, command, download = st.columns([1, 2.0, 1, 1, 1], vertical_alignment="center")
+    with look:
+        key = state.show("look", "heatmap")
+        st.segmented_control(
+            "Drawing",
+            state.VIEW[2].choices,
+            key=key,
+            on_change=state.keep,
+            args=(key,),
+            label_visibility="collapsed",
+            required=True,
+        )
+    lost = compute.episode_regrets(settings)
+    if lost is not None:
+        whole = int(np.clip(round((row + 1) * settings.time_step), 1, len(lost)))
+        regret.caption(
+            f"Acting by these values for a whole episode of {whole} steps loses {lost[whole - 1]:.3g} against the best."
+        )
+    with reading.popover("How to read this", width="stretch"):
+        st.markdown(explain.READING)
+    with command.popover("decode command", width="stretch"):
+        st.code(settings.to_command("view.npz"), language="bash", wrap_lines=True)
+    download.download_button(
+        "Download NPZ", lambda: compute.npz_bytes(settings), file_name=f"{settings.world.replace(':', '_')}.npz",
+        mime="application/octet-stream", width="stretch", on_click="ignore",
+    )  # fmt: skip
+
+
+page()

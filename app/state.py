@@ -1,0 +1,136 @@
+"""What the person has set on a page: kept in the session, written to and read from the URL.
+
+Only values that were set by hand (or by a link, a remedy, a preset view) are kept; everything else follows the
+world. So a link holds what matters, and a changed world brings its own defaults along.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import streamlit as st
+
+from laplace_core import PRESETS, InputError, Settings, load_world
+from laplace_core.parameters import Parameter, as_text, parse_named
+from laplace_core.settings import BY_NAME
+from laplace_core.worlds import TOY_TEXT, parameters_of
+
+OPENING = {"world": "two_branch", "normalise": "paper"}
+"""The paper's Fig. 4c: what a visitor without a link sees."""
+
+WORLDS = (*PRESETS, *(f"gym:{name}" for name in TOY_TEXT))
+
+VIEW = (
+    Parameter("action", None, 0, 0, "Action whose spaces are shown.", str),
+    Parameter("horizon", None, 1e-3, 2000, "Deadline T, in steps of the world.", float),
+    Parameter("look", "heatmap", 0, 0, "How the spaces are drawn.", str, ("heatmap", "surface")),
+)
+"""What is looked at, beside the settings of the study."""
+
+_KEPT_ACROSS_WORLDS = {"normalise", "policy", "softness", "look"}
+_PARAM = "p."  # prefix of world parameters, in the session and in the URL
+
+
+def chosen() -> dict[str, object]:
+    """Values set by hand, by name; ``p.NAME`` for a parameter of the world."""
+    return st.session_state.setdefault("_chosen", {})
+
+
+def world_name() -> str:
+    return chosen().get("world", OPENING["world"])
+
+
+def settings() -> Settings:
+    """The study settings that were set by hand; the rest is None."""
+    values = {name: value for name, value in chosen().items() if name in BY_NAME}
+    return Settings(world=world_name(), params=tuple(sorted(world_params().items())), **values)
+
+
+def world_params() -> dict[str, object]:
+    return {name.removeprefix(_PARAM): value for name, value in chosen().items() if name.startswith(_PARAM)}
+
+
+def keep(name: str) -> None:
+    """Callback of the widget with key ``name``: its value is now set by hand."""
+    chosen()[name] = st.session_state[name]
+
+
+def choose_world() -> None:
+    """Callback of the world widget: what belonged to the old world is dropped."""
+    kept = {name: value for name, value in chosen().items() if name in _KEPT_ACROSS_WORLDS}
+    st.session_state["_chosen"] = {"world": st.session_state["world"], **kept}
+
+
+def apply_changes(changes: Mapping[str, object]) -> None:
+    """Callback of a remedy: set fields, ``param:NAME`` for a parameter of the world."""
+    for name, value in changes.items():
+        chosen()[name.replace("param:", _PARAM)] = value
+
+
+def reset() -> None:
+    """Callback: back to the world's own settings."""
+    st.session_state["_chosen"] = {"world": world_name()}
+
+
+def show(name: str, value: object) -> str:
+    """Put into the widget ``name`` what holds now: the value set by hand, else ``value``. Returns the key."""
+    st.session_state[name] = chosen().get(name, value)
+    return name
+
+
+def load_url() -> None:
+    """Once a session: take the state from the URL; what does not fit is left out and noted."""
+    if "_chosen" in st.session_state:
+        return
+    query = {name: st.query_params[name] for name in st.query_params}
+    st.session_state["_chosen"], st.session_state["_notes"] = parse_query(query) if query else (dict(OPENING), [])
+
+
+def parse_query(query: Mapping[str, str]) -> tuple[dict[str, object], list[str]]:
+    """State and notes from URL values; the values are checked as strictly as those of the command line."""
+    found: dict[str, object] = {}
+    notes: list[str] = []
+    world = query.get("world", OPENING["world"])
+    if world not in WORLDS:
+        notes.append(f"The link asks for an unknown world, {world[:40]!r}; this is {OPENING['world']} instead.")
+        return {"world": OPENING["world"]}, notes
+    found["world"] = world
+    known = {**BY_NAME, **{parameter.name: parameter for parameter in VIEW}}
+    for name, text in query.items():
+        try:
+            if name.startswith(_PARAM):
+                bare = name.removeprefix(_PARAM)
+                found[name] = parse_named(world, parameters_of(world), {bare: text})[bare]
+            elif name in known:
+                found[name] = known[name].parse(text)
+            elif name != "world":
+                notes.append(f"The link has an entry {name[:40]!r} that means nothing here.")
+        except InputError as error:
+            notes.append(f"Left out of the link: {error}")
+    params = {name.removeprefix(_PARAM): value for name, value in found.items() if name.startswith(_PARAM)}
+    try:
+        built = load_world(world, params)
+        for name, members in (("state", built.states), ("action", built.actions)):
+            if name in found and found[name] not in members:
+                notes.append(f"Left out of the link: {name} {str(found.pop(name))[:40]!r} is not in {world}.")
+    except InputError as error:
+        notes.append(f"Left out of the link: {error}")
+        found = {name: value for name, value in found.items() if not name.startswith(_PARAM)}
+    return found, notes
+
+
+def notes() -> list[str]:
+    return st.session_state.get("_notes", [])
+
+
+def write_url() -> None:
+    """Make the address bar a link to what is seen."""
+    query = {name: as_text(value) for name, value in chosen().items()}
+    if dict(st.query_params) != query:
+        st.query_params.from_dict(query)
+
+
+def _text(value: object) -> str:
+    return (
+        str(value).lower() if isinstance(value, bool) else f"{value:.12g}" if isinstance(value, float) else str(value)
+    )
