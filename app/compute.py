@@ -3,13 +3,17 @@
 from __future__ import annotations
 
 import io
+from dataclasses import replace
 from functools import lru_cache
 
 import numpy as np
+import plotly.graph_objects as go
 
-from laplace_core import InputError, Settings, Study, load_world, study
+from app import figures
+from laplace_core import InputError, Settings, Study, World, load_world, study
 from laplace_core.artifacts import Artefact, find_artefacts
 from laplace_core.control import episode_regret_of
+from laplace_core.learning import greedy_policy
 from laplace_core.saved import study_arrays
 from laplace_core.verdict import Verdict, judge
 
@@ -43,3 +47,21 @@ def npz_bytes(settings: Settings) -> bytes:
     buffer = io.BytesIO()
     np.savez_compressed(buffer, **study_arrays(study_for(settings)))
     return buffer.getvalue()
+
+
+@lru_cache(maxsize=32)
+def world_graph(world: World, state: int, action: int, acting_gamma: float) -> go.Figure:
+    return figures.world_graph(world, state, action, greedy_policy(world, acting_gamma))
+
+
+def gamma_figure(settings: Settings, action: int, surface: bool) -> go.Figure:
+    """The picture of gamma-space, drawn once for all settings that only concern decoding."""
+    return _gamma_figure(replace(settings, **_ANY_DECODING), action, surface)
+
+
+_ANY_DECODING = {"alpha": 1.0, "steps": 1, "time_step": 1.0, "normalise": "none", "softness": 0.0}
+
+
+@lru_cache(maxsize=32)
+def _gamma_figure(settings: Settings, action: int, surface: bool) -> go.Figure:
+    return figures.gamma_space(study_for(settings), action, surface)

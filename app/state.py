@@ -65,6 +65,17 @@ def apply_changes(changes: Mapping[str, object]) -> None:
     """Callback of a remedy: set fields, ``param:NAME`` for a parameter of the world."""
     for name, value in changes.items():
         chosen()[name.replace("param:", _PARAM)] = value
+    st.session_state["_sidebar_stale"] = True
+
+
+def sidebar_is_stale() -> bool:
+    """Whether something that the sidebar shows was changed from the main area."""
+    return st.session_state.get("_sidebar_stale", False)
+
+
+def settled() -> None:
+    """The whole page is drawn anew: nothing is stale."""
+    st.session_state["_sidebar_stale"] = False
 
 
 def reset() -> None:

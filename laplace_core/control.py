@@ -6,6 +6,8 @@ backward induction over the world, so that a regret is never a matter of samplin
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 import numpy as np
 
 from laplace_core.encoding import bin_masses, theta_midpoints
@@ -18,8 +20,8 @@ from laplace_core.study import decode_and_read, encode, grids, policies_of
 from laplace_core.ties import greedy_action
 from laplace_core.worlds import World
 
-MAX_WORK = 400_000_000
-"""Numbers decoded for all states together before :func:`values_everywhere` refuses (a few seconds of work)."""
+MAX_WORK = 100_000_000
+"""Numbers decoded for all states together before :func:`values_everywhere` refuses (a second or two of work)."""
 
 
 def values_everywhere(world: World, settings: Settings) -> np.ndarray:
@@ -33,8 +35,8 @@ def values_everywhere(world: World, settings: Settings) -> np.ndarray:
     """
     s = settings
     gammas, thetas = grids(s)
-    policies = policies_of(world, gammas, s.policy, s.acting_gamma)
-    work = world.n_states * world.n_actions * s.steps * (1 if s.normalise == "none" else s.thetas)
+    width = 1 if s.normalise == "none" else max(s.thetas, world.reward_values.size)
+    work = world.n_states * world.n_actions * max(s.steps, s.gammas) * width
     if work > MAX_WORK:
         raise InputError(
             f"a whole episode in {world.n_states:,} states at {s.steps} steps is {work:,} numbers, above "
@@ -42,15 +44,35 @@ def values_everywhere(world: World, settings: Settings) -> np.ndarray:
         )
     if s.normalise == "none":
         proxy = bin_masses(world.reward_values, thetas, s.slope) @ theta_midpoints(thetas)
-        values = proxy_gamma_space(world, proxy, gammas, policies)
+        values = _proxies(world, proxy.tobytes(), gammas.tobytes(), s.policy, s.acting_gamma)
         rewards = decode(values[..., None], gammas, s.steps, s.alpha, s.time_step)[..., 0]
         return horizon_values(rewards, s.acting_gamma, s.softness, s.time_step)
-    decoded = np.empty((world.n_states, world.n_actions, s.steps))
-    for state in range(world.n_states):
-        basis = reward_indicator_basis(world, state, gammas, policies)
-        gamma_space = encode(basis, world.reward_values, gammas, thetas, s.slope)
-        decoded[state] = decode_and_read(gamma_space, s).horizon_values
-    return decoded
+    bases = _bases(world, gammas.tobytes(), s.policy, s.acting_gamma)
+    decoded = [
+        decode_and_read(encode(basis, world.reward_values, gammas, thetas, s.slope), s).horizon_values
+        for basis in bases
+    ]
+    return np.array(decoded)
+
+
+@lru_cache(maxsize=4)
+def _proxies(world: World, rewards: bytes, gammas: bytes, policy: str, acting_gamma: float) -> np.ndarray:
+    """Cached :func:`laplace_core.learning.proxy_gamma_space`, ``(S, A, G)``."""
+    grid = np.frombuffer(gammas)
+    return proxy_gamma_space(world, np.frombuffer(rewards), grid, policies_of(world, grid, policy, acting_gamma))
+
+
+@lru_cache(maxsize=4)
+def _optimum(world: World, horizon: int, gamma: float) -> np.ndarray:
+    return finite_horizon_optimum(world, horizon, gamma)
+
+
+@lru_cache(maxsize=4)
+def _bases(world: World, gammas: bytes, policy: str, acting_gamma: float) -> np.ndarray:
+    """The reward-indicator basis of every state, ``(S, A, G, V)``, so that alpha and slope cost no solve."""
+    grid = np.frombuffer(gammas)
+    policies = policies_of(world, grid, policy, acting_gamma)
+    return np.array([reward_indicator_basis(world, state, grid, policies) for state in range(world.n_states)])
 
 
 def rule_actions(values: np.ndarray, time_step: float = 1.0) -> np.ndarray:
@@ -79,5 +101,5 @@ def episode_regret(
 def episode_regret_of(world: World, settings: Settings, constant_horizon: int | None = None) -> np.ndarray:
     """:func:`episode_regret` of acting by the study's decoded values, ``(T, S)``."""
     actions = rule_actions(values_everywhere(world, settings), settings.time_step)
-    optimum = finite_horizon_optimum(world, len(actions), settings.acting_gamma)
+    optimum = _optimum(world, len(actions), settings.acting_gamma)
     return episode_regret(world, actions, settings.acting_gamma, optimum, constant_horizon)

@@ -78,4 +78,7 @@ def as_text(value: object) -> str:
     """A value as commands and links write it; :meth:`Parameter.parse` reads it back."""
     if isinstance(value, bool):
         return str(value).lower()
-    return f"{value:.12g}" if isinstance(value, float) else str(value)
+    if not isinstance(value, float):
+        return str(value)
+    short = f"{value:.12g}"
+    return short if float(short) == value else repr(value)

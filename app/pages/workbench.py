@@ -8,8 +8,7 @@ import numpy as np
 import streamlit as st
 
 from app import compute, controls, explain, figures, state
-from laplace_core import InputError, Settings, Study, load_world
-from laplace_core.learning import greedy_policy
+from laplace_core import InputError, Settings, Study, World, load_world
 from laplace_core.settings import resolve
 
 CHART = {"displaylogo": False, "modeBarButtonsToRemove": ["select2d", "lasso2d", "autoScale2d"]}
@@ -19,24 +18,33 @@ TONES = {"right": ("ok", "Right"), "lucky": ("warn", "Right, for the wrong reaso
 
 def page() -> None:
     state.load_url()
+    state.settled()
     for note in state.notes():
         st.warning(note)
     with st.sidebar:
         st.html('<div class="brand">Laplace code workbench</div>')
         controls.world_group()
+        st.button("Reset to the world's own settings", on_click=state.reset, width="stretch")
         try:
             world = load_world(state.world_name(), state.world_params())
             wanted = resolve(state.settings(), world)
         except InputError as error:
             st.error(str(error))
             return
-        action_name = state.chosen().get("action")
-        action = world.actions.index(action_name) if action_name in world.actions else 0
-        controls.look_group(world, wanted, world.actions[action])
+        controls.look_group(world, wanted, world.actions[_action(world)])
         with st.expander("Learning: discounts, sensitivities, policy"):
             controls.grid_group(wanted)
-        st.button("Reset to the world's own settings", on_click=state.reset, width="stretch")
+    _view()
+
+
+@st.fragment
+def _view() -> None:
+    """The main area. Its own controls rerun only this, and leave the sidebar alone."""
+    if state.sidebar_is_stale():
+        st.rerun()
     state.write_url()
+    world = load_world(state.world_name(), state.world_params())
+    wanted = resolve(state.settings(), world)
     try:
         found = compute.study_for(wanted)
     except InputError as error:
@@ -44,7 +52,12 @@ def page() -> None:
         return
     row = _row(found, state.chosen().get("horizon"))
     _verdict(wanted, row)
-    _panels(found, wanted, action, row)
+    _panels(found, wanted, _action(world), row)
+
+
+def _action(world: World) -> int:
+    name = state.chosen().get("action")
+    return world.actions.index(name) if name in world.actions else 0
 
 
 def _row(found: Study, horizon: float | None) -> int:
@@ -66,13 +79,13 @@ def _verdict(settings: Settings, row: int) -> None:
 
 def _panels(found: Study, settings: Settings, action: int, row: int) -> None:
     surface = state.chosen().get("look") == "surface"
-    policy = greedy_policy(found.world, settings.acting_gamma)
     top = st.columns(3, gap="small")
     with top[0]:
-        picked = _chart(figures.world_graph(found.world, found.state, action, policy), "world", on_select="rerun")
+        graph = compute.world_graph(found.world, found.state, action, settings.acting_gamma)
+        picked = _chart(graph, "world", on_select="rerun")
         _pick_state(found, picked)
     with top[1]:
-        _chart(figures.gamma_space(found, action, surface), "gamma")
+        _chart(compute.gamma_figure(settings, action, surface), "gamma")
     with top[2]:
         _chart(figures.tau_space(found, action, surface), "tau")
     bottom = st.columns(3, gap="small")

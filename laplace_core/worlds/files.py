@@ -36,6 +36,8 @@ def read_world(path: str | Path) -> World:
         raise InputError(f"{path.name} cannot be read: {(error.strerror or 'unknown error').lower()}.") from None
     except UnicodeDecodeError:
         raise InputError(f"{path.name} is not UTF-8 text, so it is no world file.") from None
+    except InputError:
+        raise
     except ValueError:  # a zero byte, or a character that the file system cannot hold
         raise InputError(f"{path.name!r} cannot be the name of a file.") from None
     return parse_world(text)
@@ -103,7 +105,7 @@ def _load_json(text: str) -> object:
     try:
         return json.loads(text, parse_constant=refuse_constant, object_pairs_hook=refuse_duplicates)
     except json.JSONDecodeError as error:
-        raise InputError(f"the world file is not JSON: {error.msg} at line {error.lineno}.") from None
+        raise InputError(f"the world file is not JSON: {error.msg.removesuffix(' at')}, line {error.lineno}.") from None
     except RecursionError:
         raise InputError("the world file is nested too deeply to be a world.") from None
     except InputError:
@@ -113,7 +115,9 @@ def _load_json(text: str) -> object:
 
 
 def _show(value: object) -> str:
-    return repr(value if isinstance(value, str | int | float | bool | None) else type(value).__name__)[:40]
+    if isinstance(value, list | dict):
+        return "a list" if isinstance(value, list) else "an object"
+    return repr(value[:40]) if isinstance(value, str) else json.dumps(value)[:40]
 
 
 def _number(value: object, where: str) -> float:

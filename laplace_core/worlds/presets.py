@@ -84,11 +84,11 @@ def two_decisions(length=3, r1=5.0, r2=10.0, auxiliary=False, slip=0.0, r0=4.0) 
     """The same branch behind a first decision: take r0 and end, or go on to the branch.
 
     Diagnoses mixed policies: after "go on", low discounts take r1 and high ones wait for r2, so that the
-    values over gamma belong to no single process.
+    values over gamma belong to no single process. With the defaults they part at gamma = (r1/r2)^(1/2) = .707.
     """
     rows, names = _branch(1, length, r1, r2, auxiliary, slip, lambda i: i + 2)
     rows += [Outcome(0, 0, 1.0, END, r0), Outcome(0, 1, 1.0, 1, 0.0)]
-    suggested = {"gammas": 15, "alpha": 0.2, "steps": length + 1}
+    suggested = {"gammas": 15, "spacing": "log", "gamma_min": 0.3, "gamma_max": 0.99, "alpha": 0.2, "steps": length + 1}
     states, actions = ["first", "branch", *names], ["leave / short", "go on / long"]
     return World.from_outcomes("two_decisions", states, actions, rows, suggested=suggested)
 

@@ -1,0 +1,13 @@
+"""Every figure of the library, one subject after the other."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from bench import decoding, growth, importing, solving
+from bench.report import Figure
+
+
+def main() -> Iterator[Figure]:
+    for subject in (decoding, solving, growth, importing):
+        yield from subject.figures()

@@ -1,0 +1,105 @@
+"""What a person does on the workbench, in a real browser."""
+
+from __future__ import annotations
+
+import re
+import shlex
+
+import numpy as np
+import pytest
+from playwright.sync_api import expect
+
+from laplace_core.cli import main
+
+pytestmark = pytest.mark.browser
+
+
+def open_at(page, address, query=""):
+    page.goto(f"{address}/?{query}" if query else address)
+    page.wait_for_function("() => document.querySelectorAll('.js-plotly-plot .main-svg').length >= 5")
+    return page.locator(".verdict")
+
+
+def test_the_first_view_and_both_remedies(page, address):
+    verdict = open_at(page, address)
+    expect(verdict).to_have_class(re.compile("bad"))
+    expect(verdict).to_contain_text("14.85 v 9.74")
+    page.get_by_role("button", name="Add auxiliary states").click()
+    expect(verdict).to_have_class(re.compile("ok"))
+    expect(verdict).to_contain_text("choose long")
+    expect(page).to_have_url(re.compile(r"p\.auxiliary=true"))
+    verdict = open_at(page, address)
+    page.get_by_role("button", name="Keep survival").first.click()
+    expect(verdict).to_have_class(re.compile("ok"))
+    expect(verdict).to_contain_text("choose long")
+
+
+def test_a_slider_moves_the_picture_and_the_link(page, address):
+    open_at(page, address, "world=two_branch&action=long")
+    before = tau_space(page)
+    slider = page.get_by_role("slider", name="alpha")
+    slider.focus()
+    for _ in range(8):
+        page.keyboard.press("ArrowLeft")
+    expect(page).to_have_url(re.compile(r"alpha=0\.0[0-9]+"))
+    for _ in range(50):  # the picture follows the link by one draw
+        if tau_space(page) not in (None, before):
+            break
+        page.wait_for_timeout(100)
+    assert tau_space(page) not in (None, before)
+
+
+def tau_space(page) -> str | None:
+    """The decoded values that the tau-space chart really draws, as text; None while it is drawn anew."""
+    return page.evaluate(
+        """() => { const plots = [...document.querySelectorAll('.js-plotly-plot')];
+        const tau = plots.find((p) => p.layout && p.layout.title.text.includes('tau-space'));
+        return tau && JSON.stringify(Array.from(tau._fullData[0].z, (row) => Array.from(row))); }"""
+    )
+
+
+def test_the_download_equals_what_the_shown_command_computes(page, address, tmp_path):
+    open_at(page, address, "world=two_branch&normalise=paper&alpha=0.1")
+    with page.expect_download() as waiting:
+        page.get_by_role("button", name="Download NPZ").click()
+    waiting.value.save_as(tmp_path / "page.npz")
+    page.get_by_role("button", name="decode command").click()
+    command = page.locator("code", has_text="laplace_core decode").inner_text()
+    words = shlex.split(command)[3:]
+    words[words.index("--out") + 1] = str(tmp_path / "command.npz")
+    assert main(words) == 0
+    seen, told = np.load(tmp_path / "page.npz"), np.load(tmp_path / "command.npz")
+    assert set(seen.files) == set(told.files)
+    for name in seen.files:
+        if name != "settings":
+            np.testing.assert_array_equal(seen[name], told[name])
+
+
+def test_a_click_on_a_state_looks_from_there(page, address):
+    open_at(page, address, "world=two_branch")
+    point = page.locator(".js-plotly-plot").first.locator(".scatterlayer .trace .points path.point").nth(1)
+    box = point.bounding_box()
+    page.mouse.move(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
+    page.mouse.click(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
+    expect(page).to_have_url(re.compile("state=long"))
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+@pytest.mark.parametrize(("width", "height"), [(1440, 900), (390, 844)])
+def test_nothing_is_wider_than_the_screen_and_the_verdict_comes_first(chromium, address, scheme, width, height):
+    context = chromium.new_context(viewport={"width": width, "height": height}, color_scheme=scheme)
+    page = context.new_page()
+    verdict = open_at(page, address)
+    expect(verdict).to_be_visible()
+    assert page.evaluate("() => document.documentElement.scrollWidth <= window.innerWidth + 1")
+    assert verdict.bounding_box()["y"] < height / 3
+    context.close()
+
+
+def test_the_page_does_not_jump_between_verdicts(page, address):
+    verdict = open_at(page, address)
+    chart = page.locator(".js-plotly-plot").first
+    before = chart.bounding_box()["y"]
+    page.get_by_role("button", name="Keep survival").first.click()
+    expect(verdict).to_have_class(re.compile("ok"))
+    assert chart.bounding_box()["y"] == pytest.approx(before, abs=1)

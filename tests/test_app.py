@@ -1,0 +1,110 @@
+"""The pages through Streamlit's AppTest: what opens, what the controls do, what a bad link says."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from streamlit.testing.v1 import AppTest
+
+from app.state import WORLDS
+
+MAIN = str(Path(__file__).resolve().parent.parent / "app" / "main.py")
+
+
+def opened(**query: str) -> AppTest:
+    page = AppTest.from_file(MAIN, default_timeout=60)
+    for name, value in query.items():
+        page.query_params[name] = value
+    page.run()
+    assert not page.exception
+    return page
+
+
+def verdict(page: AppTest) -> str:
+    return next(block.proto.body for block in page.get("html") if 'class="verdict' in block.proto.body)
+
+
+def press(page: AppTest, label: str) -> AppTest:
+    next(button for button in page.button if button.label == label).click()
+    page.run()
+    assert not page.exception
+    return page
+
+
+def test_it_opens_on_the_paper_s_figure_with_the_verdict_red():
+    text = verdict(opened())
+    assert "verdict bad" in text
+    assert "choose short (14.85 v 9.74); the best is long" in text
+    assert "repeated reward" in text
+
+
+@pytest.mark.parametrize("remedy", ["Keep survival", "Add auxiliary states"])
+def test_each_remedy_turns_the_verdict_green_by_flipping_the_action(remedy):
+    text = verdict(press(opened(), remedy))
+    assert "verdict ok" in text
+    assert "choose long" in text
+
+
+@pytest.mark.parametrize("world", WORLDS)
+def test_every_world_opens(world):
+    page = opened(world=world)
+    assert verdict(page)
+    assert not page.error
+    assert not page.warning
+
+
+def test_the_link_follows_the_controls_and_reproduces_the_view():
+    page = opened()
+    page.select_slider(key="alpha").set_value(0.05)
+    page.slider(key="horizon").set_value(2.0)
+    page.selectbox(key="normalise").set_value("survival")
+    page.number_input(key="p.r2").set_value(7.5)
+    page.run()
+    link = dict(page.query_params)
+    assert link == {
+        "world": "two_branch", "alpha": "0.05", "horizon": "2", "normalise": "survival", "p.r2": "7.5",
+    }  # fmt: skip
+    again = opened(**link)
+    assert verdict(again) == verdict(page)
+    assert again.select_slider(key="alpha").value == 0.05
+
+
+def test_a_bad_link_opens_with_a_note_and_the_defaults():
+    page = opened(world="two_branch", alpha="-3", steps="many")
+    assert len(page.warning) == 2
+    assert page.select_slider(key="alpha").value == 0.2
+
+
+def test_settings_that_contradict_each_other_are_one_sentence_and_no_trace():
+    page = opened(world="two_branch", gamma_min="0.9", gamma_max="0.5")
+    assert len(page.error) == 1
+    assert "gamma-min" in page.error[0].value
+
+
+def test_another_world_brings_its_own_settings_but_keeps_the_normalisation():
+    page = opened()
+    page.selectbox(key="world").set_value("fig6_chain")
+    page.run()
+    assert page.number_input(key="gammas").value == 100
+    assert page.selectbox(key="normalise").value == "paper"
+    assert page.number_input(key="theta_min").value == pytest.approx(-2.8)
+
+
+def test_what_was_not_set_by_hand_follows_the_world():
+    page = opened()
+    page.number_input(key="p.r2").set_value(20.0)
+    page.run()
+    assert page.number_input(key="theta_max").value == pytest.approx(24.0)
+
+
+def test_reset_returns_to_the_world_s_own_settings():
+    page = press(opened(alpha="5", normalise="paper"), "Reset to the world's own settings")
+    assert page.select_slider(key="alpha").value == 0.2
+    assert dict(page.query_params) == {"world": "two_branch"}
+
+
+def test_the_command_shown_reproduces_the_view():
+    code = opened(alpha="0.05").code[0].value
+    assert code.startswith("python -m laplace_core decode two_branch")
+    assert "--alpha 0.05" in code

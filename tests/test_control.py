@@ -1,0 +1,155 @@
+"""Acting for whole episodes: values in every state, the rule they make, and what it loses."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from laplace_core import InputError, Settings, control, load_world, study
+from laplace_core.control import episode_regret, episode_regret_of, rule_actions, values_everywhere
+from laplace_core.inverse import NORMALISATIONS
+from laplace_core.learning import finite_horizon_optimum
+from laplace_core.settings import resolve
+from tests.random_worlds import worlds
+from tests.slow_twins import rule_by_recursion
+
+GAMMA = 0.9
+
+
+def optimal_rule(optimum: np.ndarray) -> np.ndarray:
+    """The rule that reads the optimum itself, ``(T, S)``, from ``(T, S, A)``."""
+    return rule_actions(np.moveaxis(optimum, 0, -1))
+
+
+# --- values in every state ---
+
+
+@pytest.mark.parametrize("softness", [0.0, 0.2])
+@pytest.mark.parametrize("time_step", [1.0, 0.25])
+@pytest.mark.parametrize("normalise", NORMALISATIONS)
+@pytest.mark.parametrize(
+    ("name", "params"),
+    [
+        ("two_decisions", {"auxiliary": True}),
+        ("double_chain", {}),
+        ("cliff_grid", {"width": 3, "height": 3, "slip": 0.2}),
+    ],
+)
+def test_values_everywhere_equal_one_study_a_state(name, params, normalise, time_step, softness):
+    world = load_world(name, params)
+    settings = Settings(
+        gammas=12, thetas=30, steps=16, normalise=normalise, time_step=time_step, softness=softness, alpha=0.05
+    )
+    fast = values_everywhere(world, resolve(settings, world))
+    for state in range(world.n_states):
+        one = study(world, replace(settings, state=str(state)))
+        np.testing.assert_allclose(fast[state], one.decoded.horizon_values, rtol=0, atol=1e-9)
+
+
+@given(worlds(), st.sampled_from(NORMALISATIONS), st.sampled_from(["shared", "per_gamma"]))
+def test_values_everywhere_equal_one_study_a_state_in_random_worlds(world, normalise, policy):
+    settings = Settings(gammas=8, thetas=12, steps=6, alpha=0.05, normalise=normalise, policy=policy)
+    fast = values_everywhere(world, resolve(settings, world))
+    for state in range(world.n_states):
+        one = study(world, replace(settings, state=str(state)))
+        np.testing.assert_allclose(fast[state], one.decoded.horizon_values, rtol=0, atol=1e-9)
+
+
+def test_too_much_work_is_refused(monkeypatch):
+    world = load_world("two_branch")
+    settings = resolve(Settings(gammas=3), world)
+    monkeypatch.setattr(control, "MAX_WORK", 3 * 2 * 3 - 1)  # states, actions, steps
+    with pytest.raises(InputError, match="lower steps or thetas"):
+        values_everywhere(world, settings)
+    monkeypatch.setattr(control, "MAX_WORK", 3 * 2 * 3)
+    assert values_everywhere(world, settings).shape == (3, 2, 3)
+
+
+# --- the rule ---
+
+
+def test_a_rule_reads_the_column_of_each_time_to_go():
+    # Two actions, one state: the better one by column.
+    values = np.zeros((1, 2, 8))
+    values[0, 1] = [-1, -1, -1, 1, -1, -1, -1, 1]
+    np.testing.assert_array_equal(rule_actions(values)[:, 0], [0, 0, 0, 1, 0, 0, 0, 1])
+    # Rows of 1/4: T = 1 and 2 are columns 3 and 7.
+    np.testing.assert_array_equal(rule_actions(values, 0.25)[:, 0], [1, 1])
+    # Rows of .3: T = 1 is nearest to column 2 (at .9), T = 2 to column 6 (at 2.1).
+    assert rule_actions(values, 0.3).shape == (2, 1)
+    values[0, 1, [2, 3, 5, 6]] = 1, -1, -1, 1
+    np.testing.assert_array_equal(rule_actions(values, 0.3)[:, 0], [1, 1])
+
+
+def test_ties_in_a_rule_go_to_the_lowest_action():
+    values = np.zeros((2, 3, 1))
+    values[0, :, 0], values[1, :, 0] = [1.0, 1.0 + 5e-10, 0.0], [0.0, 1.0, 1.0]
+    np.testing.assert_array_equal(rule_actions(values), [[0, 1]])
+
+
+# --- regret ---
+
+
+@given(worlds())
+def test_the_optimal_rule_regrets_nothing(world):
+    optimum = finite_horizon_optimum(world, 8, GAMMA)
+    np.testing.assert_allclose(episode_regret(world, optimal_rule(optimum), GAMMA, optimum), 0.0, atol=1e-8)
+
+
+@given(st.data())
+def test_no_rule_beats_the_optimum_and_regret_is_what_it_lacks(data):
+    world = data.draw(worlds(max_states=4))
+    size = 4 * world.n_states
+    chosen = data.draw(st.lists(st.integers(0, world.n_actions - 1), min_size=size, max_size=size))
+    rule = np.array(chosen).reshape(4, world.n_states)
+    optimum = finite_horizon_optimum(world, 6, GAMMA)  # may be longer than the rule
+    regrets = episode_regret(world, rule, GAMMA, optimum)
+    assert np.all(regrets >= -1e-12)
+    for t, s in np.ndindex(4, world.n_states):
+        collected = rule_by_recursion(world, rule, s, t + 1, GAMMA)
+        assert regrets[t, s] == pytest.approx(optimum[t, s].max() - collected, abs=1e-12)
+
+
+@given(worlds(max_states=4), st.integers(1, 4))
+def test_a_constant_horizon_repeats_one_row_of_the_rule(world, horizon):
+    optimum = finite_horizon_optimum(world, 4, GAMMA)
+    rule = optimal_rule(optimum)
+    repeated = np.array([rule[horizon - 1]] * 4)
+    np.testing.assert_array_equal(
+        episode_regret(world, rule, GAMMA, optimum, constant_horizon=horizon),
+        episode_regret(world, repeated, GAMMA, optimum),
+    )
+
+
+def test_acting_for_a_constant_horizon_costs_the_reward_that_no_longer_comes():
+    # two_branch with three steps to go and always acting for T = 1 takes 5 instead of .81 * 10 = 8.1. Acting
+    # for T = 3 throughout waits for a reward that comes too late when only one or two steps are left.
+    world = load_world("two_branch")
+    optimum = finite_horizon_optimum(world, 3, GAMMA)
+    rule = optimal_rule(optimum)
+    np.testing.assert_allclose(episode_regret(world, rule, GAMMA, optimum, 1)[:, 0], [0, 0, 3.1], atol=1e-12)
+    np.testing.assert_allclose(episode_regret(world, rule, GAMMA, optimum, 3)[:, 0], [5.0, 5.0, 0.0], atol=1e-12)
+
+
+def test_rescaled_rows_cost_what_the_repeated_reward_promises():
+    # Table of the toy MDP: rescaled rows read 14.85 for the short branch, whose episode pays 5; the long one
+    # pays .99^2 * 10 = 9.801 with three steps to go. Rows left alone choose it.
+    world = load_world("two_branch")
+    common = {"gammas": 15, "alpha": 0.2, "thetas": 150, "theta_min": -2.0, "theta_max": 12.0, "slope": 25.0}
+    found = {
+        how: episode_regret_of(world, resolve(Settings(normalise=how, **common), world)) for how in ("none", "paper")
+    }
+    np.testing.assert_allclose(found["none"][:, 0], 0.0, atol=1e-12)
+    np.testing.assert_allclose(found["paper"][:, 0], [0.0, 0.0, 4.801], atol=1e-12)
+
+
+@pytest.mark.parametrize("time_step", [1.0, 0.25])
+def test_regret_of_a_study_covers_the_whole_steps_it_decodes(time_step):
+    world = load_world("two_branch")
+    settings = resolve(Settings(time_step=time_step), world)
+    assert settings.steps == 3 / time_step
+    regrets = episode_regret_of(world, settings)
+    assert regrets.shape == (3, world.n_states)
+    assert np.all(regrets >= -1e-12)

@@ -1,0 +1,219 @@
+"""The whole line: the toy MDP's table, the Fig. 6 chain, and the truth beside the decoded."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from laplace_core import InputError, Settings, load_world, study, study_of_gamma_space
+from laplace_core.encoding import activation, bin_masses
+from laplace_core.inverse import residual
+from laplace_core.learning import finite_horizon_optimum, greedy_policy, reward_indicator_basis, reward_timeline
+from laplace_core.settings import resolve
+from laplace_core.study import time_overlap
+from laplace_core.worlds import END, Outcome, World
+from tests.random_worlds import worlds
+
+TOY = {"gammas": 15, "alpha": 0.2, "thetas": 150, "theta_min": -2.0, "theta_max": 12.0, "slope": 25.0, "steps": 3}
+"""The paper's toy MDP: 15 inverse-log discounts, 150 sensitivities on [-2, 12], slope 25, K = 3."""
+
+SMALL = Settings(gammas=6, gamma_min=0.2, gamma_max=0.95, spacing="linear", thetas=9, alpha=0.05)
+
+
+def truth_of(world, **changes):
+    return study(world, replace(SMALL, **changes)).truth
+
+
+# --- golden values ---
+
+
+@pytest.mark.parametrize(
+    ("auxiliary", "normalise", "rewards", "short", "long", "picks"),
+    [
+        # Rows rescaled to 1: whatever is left after the end becomes a 5 again, 5 (1 + .99 + .9801) = 14.85.
+        (False, "paper", [5.0, 5.0, 5.0], 14.85, 9.74, 0),
+        # The paper's remedy: zero rewards until both branches are equally long, so every row has its mass.
+        (True, "paper", [4.81, 0.15, 0.04], 5.00, 9.74, 1),
+        # Rows left alone: a vanishing row says that the episode is over, and no remedy is needed.
+        (False, "none", [4.81, 0.16, 0.04], 5.00, 9.70, 1),
+    ],
+)
+def test_toy_table(auxiliary, normalise, rewards, short, long, picks):
+    found = study(load_world("two_branch", {"auxiliary": auxiliary}), Settings(normalise=normalise, **TOY)).decoded
+    np.testing.assert_allclose(found.expected_reward[0], rewards, atol=0.0051)
+    np.testing.assert_allclose(found.horizon_values[:, 2], [short, long], atol=0.005)
+    assert found.actions[2] == picks
+
+
+def test_mass_and_survival_vanish_after_the_end():
+    # The short branch is over after one step: .96, .03, .01 of probability are decoded, and .04 is leakage.
+    found = study(load_world("two_branch"), Settings(**TOY)).decoded
+    np.testing.assert_allclose(found.survival[0], [0.96, 0.03, 0.01], atol=0.005)
+    np.testing.assert_allclose(found.mass, found.survival, atol=1e-9)  # the sensitivities overhang every reward
+
+
+def test_gamma_space_of_two_branch_in_closed_form():
+    # Short: f(5). Long: (1 + g) f(0) + g^2 f(10). Constant channel: 1 and 1 + g + g^2.
+    space = study(load_world("two_branch"), Settings(**TOY)).gamma_space
+    g = space.gammas[:, None]
+    f0, f5, f10 = activation([0.0, 5.0, 10.0], space.thetas, 25.0)
+    np.testing.assert_allclose(space.values, [0 * g + f5, (1 + g) * f0 + g**2 * f10], atol=1e-12)
+    np.testing.assert_allclose(space.constant, [1 + 0 * g[:, 0], (1 + g + g**2)[:, 0]], atol=1e-12)
+    np.testing.assert_allclose(space.differences, space.values[..., :-1] - space.values[..., 1:])
+
+
+def test_fig6_chain_is_recovered_within_one_percent_of_its_peak():
+    found = study(load_world("fig6_chain"), Settings())
+    off = np.abs(found.decoded.tau_space - found.truth.tau_space).max()
+    assert off < 0.01 * found.truth.tau_space.max()
+
+
+@pytest.mark.parametrize("params", [{}, {"r1": 9.9}, {"auxiliary": True}, {"slip": 0.2}])
+def test_default_settings_choose_the_best_action_for_every_horizon(params):
+    found = study(load_world("two_branch", params), Settings())
+    np.testing.assert_array_equal(found.decoded.actions, found.truth.optimal_action)
+
+
+def test_a_shared_policy_decides_later_steps_for_its_own_discount_not_for_the_horizon():
+    # With two steps to go, going on and taking 5 is worth .99 * 5 = 4.95, above leaving with 4. The policy of
+    # gamma .99 waits for 10 at the branch, so that its own timeline holds nothing in two steps.
+    found = study(load_world("two_decisions"), Settings())
+    assert found.truth.optimum[1, 1] == pytest.approx(4.95)
+    assert found.truth.horizon_values[1, 1] == 0.0
+    assert (found.truth.optimal_action[1], found.decoded.actions[1]) == (1, 0)
+
+
+def test_default_settings_suit_the_rewards():
+    # Rewards 0 to 10: 20% overhang, [-2, 12]; 150 thresholds are 14 / 149 apart; slope 2.35 / spacing = 25.0.
+    settings = resolve(Settings(), load_world("two_branch"))
+    assert (settings.theta_min, settings.theta_max, settings.slope) == (-2.0, 12.0, 25.0)
+    assert (settings.policy, settings.normalise, settings.acting_gamma, settings.steps) == ("shared", "none", 0.99, 3)
+    assert resolve(settings, load_world("two_branch")) == settings
+    assert resolve(Settings(time_step=0.25), load_world("two_branch")).steps == 12  # the same stretch of time
+
+
+# --- the truth ---
+
+
+@given(worlds(), st.sampled_from([0.5, 0.9]))
+def test_truth_at_whole_steps(world, gamma):
+    found = truth_of(world, steps=7, acting_gamma=gamma)
+    timeline = reward_timeline(world, 0, greedy_policy(world, gamma), 7)
+    space = study(world, replace(SMALL, steps=7, acting_gamma=gamma))
+    masses = bin_masses(world.reward_values, space.gamma_space.thetas, space.settings.slope)
+    np.testing.assert_allclose(found.tau_space, timeline @ masses, atol=1e-12)
+    np.testing.assert_allclose(found.survival, timeline.sum(axis=2), atol=1e-12)
+    np.testing.assert_allclose(found.expected_reward, timeline @ world.reward_values, atol=1e-12)
+    for a, k in np.ndindex(world.n_actions, 7):
+        value = sum(gamma**tau * found.expected_reward[a, tau] for tau in range(k + 1))
+        assert found.horizon_values[a, k] == pytest.approx(value, abs=1e-12)
+    np.testing.assert_array_equal(found.optimum, finite_horizon_optimum(world, 7, gamma, 0).T)
+
+
+@given(worlds(ends=True))
+def test_the_transform_of_the_true_timeline_is_the_gamma_space(world):
+    # After 60 steps less than 2^-60 of any episode is left, so that 60 rows hold it all.
+    found = study(world, replace(SMALL, steps=60))
+    space, truth = found.gamma_space, found.truth
+    assert np.abs(residual(truth.tau_space, space.differences, space.gammas)).max() < 1e-9
+    assert np.abs(residual(truth.survival[..., None], space.constant[..., None], space.gammas)).max() < 1e-9
+
+
+@given(worlds(), st.sampled_from([1.0, 0.5, 0.25, 0.3]))
+def test_true_survival_is_a_probability_that_never_rises(world, time_step):
+    survival = truth_of(world, steps=20, time_step=time_step).survival / time_step
+    assert np.all((survival >= 0) & (survival <= 1 + 1e-12))
+    assert np.all(np.diff(survival, axis=1) <= 1e-12)
+
+
+@given(worlds(), st.sampled_from([(0.5, 1), (0.25, 1), (0.2, 1), (0.3, 3)]))
+def test_finer_time_keeps_the_true_mass(world, finer):
+    # Rows of .25 meet the whole steps every 4 rows, rows of .3 only every 10 rows = 3 steps.
+    time_step, whole = finer
+    rows = round(whole / time_step)
+    coarse, fine = truth_of(world, steps=6), truth_of(world, steps=6 // whole * rows, time_step=time_step)
+    for name in ("tau_space", "survival", "expected_reward"):
+        one, other = (np.moveaxis(getattr(truth, name), 1, -1) for truth in (coarse, fine))
+        sums = [x.reshape(*x.shape[:-1], -1, n).sum(axis=-1) for x, n in ((one, whole), (other, rows))]
+        np.testing.assert_allclose(*sums, atol=1e-12)
+    # Values meet at the same horizons too: column k stands for T = (k + 1) * time_step.
+    np.testing.assert_allclose(
+        fine.horizon_values[:, rows - 1 :: rows], coarse.horizon_values[:, whole - 1 :: whole], atol=1e-12
+    )
+    np.testing.assert_array_equal(fine.optimum[:, rows - 1 :: rows], coarse.optimum[:, whole - 1 :: whole])
+
+
+def test_time_overlap_by_hand():
+    np.testing.assert_array_equal(time_overlap(3, 3, 1.0), np.eye(3))
+    # Rows [0, .4), [.4, .8), [.8, 1.2): the last is half in step 0 and half in step 1.
+    np.testing.assert_allclose(time_overlap(3, 2, 0.4), [[0.4, 0], [0.4, 0], [0.2, 0.2]], atol=1e-15)
+
+
+def test_optimum_of_a_fractional_horizon_is_that_of_the_next_whole_step():
+    truth = study(load_world("two_branch"), Settings(time_step=0.25)).truth
+    # Long is worth 9.801 from T = 3 on, and T = 2.25 already reaches into the third step.
+    np.testing.assert_allclose(truth.optimum[1], [0.0] * 8 + [9.801] * 4)
+
+
+def test_the_truth_reaches_into_a_last_step_that_is_only_partly_covered():
+    # Seven rows of .4 cover 2.8 steps; the long branch lives for three and pays 10 in the third.
+    truth = study(load_world("two_branch"), Settings(steps=7, time_step=0.4)).truth
+    assert truth.survival[1].sum() == pytest.approx(2.8)
+    assert truth.expected_reward[1].sum() == pytest.approx(8.0)
+    assert truth.optimum[1, -1] == pytest.approx(9.801)
+
+
+# --- settings ---
+
+
+def test_per_gamma_takes_each_discounts_own_policy_and_the_truth_stays_with_the_acting_one():
+    world, settings = load_world("two_decisions"), Settings(gammas=8, thetas=20, spacing="linear")
+    own = study(world, replace(settings, policy="per_gamma"))
+    for g, gamma in enumerate(own.gamma_space.gammas):
+        basis = reward_indicator_basis(world, 0, np.array([gamma]), [greedy_policy(world, float(gamma))])
+        expected = basis[:, 0] @ activation(world.reward_values, own.gamma_space.thetas, own.settings.slope)
+        np.testing.assert_allclose(own.gamma_space.values[:, g], expected, atol=1e-12)
+    shared = study(world, settings)
+    assert np.abs(own.gamma_space.values - shared.gamma_space.values).max() > 0.1
+    np.testing.assert_array_equal(own.truth.tau_space, shared.truth.tau_space)
+
+
+@pytest.mark.parametrize("normalise", ["none", "survival", "paper"])
+def test_a_gamma_space_from_elsewhere_is_decoded_in_the_same_way(normalise):
+    chosen = {"normalise": normalise, "alpha": 0.2, "steps": 4, "time_step": 0.5, "softness": 0.1}
+    found = study(load_world("two_branch"), Settings(gammas=15, **chosen))
+    alone = study_of_gamma_space(found.gamma_space, Settings(world="saved.npz", **chosen))
+    assert alone.truth is None
+    for name in ("tau_space", "survival", "expected_reward", "horizon_values"):
+        np.testing.assert_array_equal(getattr(alone.decoded, name), getattr(found.decoded, name))
+    with pytest.raises(InputError, match="gammas cannot be chosen"):
+        study_of_gamma_space(found.gamma_space, Settings(gammas=3))
+
+
+def test_rows_and_columns_know_their_time():
+    found = study(load_world("two_branch"), Settings(time_step=0.25))
+    np.testing.assert_allclose(found.taus[:3], [0, 0.25, 0.5])
+    np.testing.assert_allclose(found.horizons[[0, 3, 11]], [0.25, 1.0, 3.0])
+
+
+@pytest.mark.parametrize(
+    ("settings", "named"),
+    [
+        (Settings(state="nowhere"), "nowhere"),
+        (Settings(gamma_min=0.9, gamma_max=0.1), "gamma-min"),
+        (Settings(theta_min=3.0, theta_max=1.0), "theta-min"),
+    ],
+)
+def test_settings_that_do_not_fit_are_refused(settings, named):
+    with pytest.raises(InputError, match=named):
+        study(load_world("two_branch"), settings)
+
+
+def test_a_study_too_large_to_hold_is_refused():
+    # 13 actions x 2000 thetas x 2000 rows are 52 million numbers, above 50 million.
+    rows = [Outcome(0, a, 1.0, END, a) for a in range(13)]
+    world = World.from_outcomes("wide", ["s"], [f"a{a}" for a in range(13)], rows)
+    with pytest.raises(InputError, match="52,000,000"):
+        study(world, Settings(thetas=2000, steps=2000))

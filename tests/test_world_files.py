@@ -1,0 +1,294 @@
+"""World files: what they mean, that they come back as they were written, and that bad ones are refused."""
+
+import json
+from copy import deepcopy
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from laplace_core import PRESETS, InputError, load_world
+from laplace_core.worlds import END, World, dump_world, files, parse_world, read_world
+from tests.hostile import assert_nothing_written, assert_one_sentence
+from tests.malformed_worlds import CASES, TEXT, VALID
+
+README_EXAMPLE = """
+{"name": "my_world", "states": ["start", "short", "long"], "actions": ["left", "right"], "start": {"start": 1.0},
+ "transitions": [
+  {"state": "start", "action": "left", "next": {"short": 1.0}, "reward": {"0": 1.0}},
+  {"state": "start", "action": "right", "next": {"long": 1.0}, "reward": {"0": 1.0}},
+  {"state": "short", "action": "*", "next": {"END": 1.0}, "reward": {"5": 1.0}},
+  {"state": "long", "action": "*", "next": {"END": 0.5, "long": 0.5}, "reward": {"10": 0.5, "-1": 0.5}}]}
+"""
+
+
+def outcomes(world: World, state: str, action: str) -> dict[tuple[str, float], float]:
+    """Chance of each (next state's name, reward)."""
+    names = {END: "END", **dict(enumerate(world.states))}
+    rows = world.outcomes(world.states.index(state), world.actions.index(action))
+    found = {(names[row.next_state], row.reward): row.probability for row in rows}
+    assert len(found) == len(rows)
+    return found
+
+
+def with_transitions(*entries: dict, **changes) -> World:
+    return parse_world(json.dumps(VALID | {"transitions": entries} | changes))
+
+
+def entry(state: str, action: str, following: dict, reward: dict) -> dict:
+    return {"state": state, "action": action, "next": following, "reward": reward}
+
+
+def assert_same_world(one: World, other: World) -> None:
+    assert (one.name, one.states, one.actions) == (other.name, other.states, other.actions)
+    for column in ("state", "action", "next_state", "reward"):
+        np.testing.assert_array_equal(getattr(one, column), getattr(other, column))
+    for column in ("start", "probability"):
+        np.testing.assert_allclose(getattr(one, column), getattr(other, column), rtol=1e-15, atol=0)
+
+
+# --- what a file means ---
+
+
+def test_the_example_of_the_documentation():
+    world = parse_world(README_EXAMPLE)
+    assert (world.name, world.states, world.actions) == ("my_world", ("start", "short", "long"), ("left", "right"))
+    np.testing.assert_array_equal(world.start, [1.0, 0.0, 0.0])
+    assert outcomes(world, "start", "left") == {("short", 0.0): 1.0}
+    assert outcomes(world, "start", "right") == {("long", 0.0): 1.0}
+    for action in world.actions:
+        assert outcomes(world, "short", action) == {("END", 5.0): 1.0}
+        both = {(name, reward): 0.25 for name in ("END", "long") for reward in (10.0, -1.0)}
+        assert outcomes(world, "long", action) == both
+
+
+def test_star_fills_only_what_no_entry_names_wherever_it_stands():
+    named = entry("start", "right", {"END": 1.0}, {"1": 1.0})
+    filler = entry("start", "*", {"short": 1.0}, {"2": 1.0})
+    rest = [entry(state, "*", {"END": 1.0}, {"0": 1.0}) for state in ("short", "long")]
+    for order in ([named, filler], [filler, named]):
+        world = with_transitions(*order, *rest)
+        assert outcomes(world, "start", "right") == {("END", 1.0): 1.0}
+        assert outcomes(world, "start", "left") == {("short", 2.0): 1.0}
+
+
+def test_star_may_find_nothing_left_to_fill():
+    entries = [entry(state, "*", {"END": 1.0}, {"7": 1.0}) for state in VALID["states"]]
+    entries += [entry("start", action, {"END": 1.0}, {"1": 1.0}) for action in VALID["actions"]]
+    assert 7.0 not in [reward for _, reward in outcomes(with_transitions(*entries), "start", "left")]
+
+
+def test_joint_outcomes_tie_the_reward_to_the_next_state():
+    world = parse_world(TEXT)
+    assert outcomes(world, "long", "right") == {("END", 10.0): 0.25, ("long", -1.5): 0.75}
+
+
+def test_start_and_name_may_be_left_out():
+    document = {key: VALID[key] for key in ("states", "actions", "transitions")}
+    world = parse_world(json.dumps(document))
+    np.testing.assert_array_equal(world.start, [1.0, 0.0, 0.0])
+    assert world.name
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [("5", 5.0), ("+5", 5.0), ("-5", -5.0), (".5", 0.5), ("5.", 5.0), ("5e-1", 0.5), ("1E3", 1000.0), ("007", 7.0)],
+)
+def test_rewards_are_numbers_in_quotes(text, value):
+    document = deepcopy(VALID)
+    document["transitions"][0]["reward"] = {text: 1.0}
+    assert outcomes(parse_world(json.dumps(document)), "start", "left") == {("short", value): 1.0}
+
+
+def test_two_spellings_of_a_reward_are_one_reward():
+    document = deepcopy(VALID)
+    document["transitions"][0]["reward"] = {"5": 0.25, "5.0": 0.25, "0": 0.25, "-0": 0.25}
+    assert outcomes(parse_world(json.dumps(document)), "start", "left") == {("short", 5.0): 0.5, ("short", 0.0): 0.5}
+
+
+def test_what_has_no_chance_does_not_happen():
+    document = deepcopy(VALID)
+    document["transitions"][0] |= {"next": {"short": 1.0, "long": 0.0}, "reward": {"1": 1.0, "2": 0.0}}
+    document["transitions"][4]["outcomes"].append({"p": 0.0, "next": "short", "reward": 99})
+    world = parse_world(json.dumps(document))
+    assert outcomes(world, "start", "left") == {("short", 1.0): 1.0}
+    assert 99.0 not in world.reward_values
+
+
+@pytest.mark.parametrize("off", [5e-7, -5e-7])
+def test_sums_within_a_millionth_are_put_right(off):
+    document = deepcopy(VALID)
+    document["start"] = {"start": 0.5, "long": 0.5 + off}
+    document["transitions"][1]["next"] = {"long": 0.5, "short": 0.5 + off}
+    document["transitions"][2]["reward"] = {"5": 1.0 + off}
+    document["transitions"][4]["outcomes"][0]["p"] = 0.25 + off
+    world = parse_world(json.dumps(document))
+    assert world.start.sum() == pytest.approx(1.0, abs=1e-15)
+    totals = np.bincount(world.state * world.n_actions + world.action, weights=world.probability)
+    np.testing.assert_allclose(totals, 1.0, rtol=0, atol=1e-15)
+
+
+def test_five_thousand_states_are_not_too_many():
+    states = [f"s{i}" for i in range(5_000)]
+    entries = [entry(state, "*", {"END": 1.0}, {"0": 1.0}) for state in states]
+    assert with_transitions(*entries, states=states, start={"s0": 1.0}).n_states == 5_000
+
+
+# --- there and back ---
+
+
+@pytest.mark.parametrize("source", [*PRESETS, "gym:FrozenLake-v1", "gym:CliffWalkingSlippery-v1"])
+def test_a_world_that_is_written_comes_back(source):
+    world = load_world(source)
+    again = parse_world(dump_world(world))
+    assert_same_world(world, again)
+    assert dump_world(again) == dump_world(world)
+
+
+@pytest.mark.parametrize("preset", PRESETS.values(), ids=PRESETS)
+def test_presets_at_the_ends_of_their_ranges_come_back(preset):
+    for end in ("low", "high"):
+        ends = {p.name: getattr(p, end) for p in preset.parameters if p.type is not int}
+        world = preset.make(ends)
+        assert_same_world(world, parse_world(dump_world(world)))
+
+
+def test_names_in_any_alphabet_come_back_through_a_file(tmp_path):
+    text = TEXT.replace("short", "кратко").replace("long", '\\"長い\\" ').replace("left", "← left")
+    path = tmp_path / "welt.json"
+    for encoding in ("utf-8", "utf-8-sig"):
+        path.write_text(text, encoding=encoding)
+        world = read_world(path)
+        assert world.states == ("start", "кратко", '"長い" ')
+        assert world.actions == ("← left", "right")
+        assert_same_world(world, parse_world(dump_world(world)))
+
+
+# --- what is refused ---
+
+
+@pytest.mark.parametrize(("text", "named"), [case[1:] for case in CASES], ids=[case[0] for case in CASES])
+def test_a_malformed_world_is_refused_by_name(text, named):
+    with pytest.raises(InputError) as refused:
+        parse_world(text)
+    assert_one_sentence(f"laplace: {refused.value}", *named)
+
+
+def test_the_catalogue_is_long_and_its_seed_is_valid():
+    assert len(CASES) >= 200
+    assert len({name for name, _, _ in CASES}) == len(CASES)
+    assert parse_world(TEXT).n_states == 3
+
+
+@pytest.mark.parametrize(("name", "text", "named"), CASES[::13], ids=[case[0] for case in CASES[::13]])
+def test_decode_refuses_a_malformed_world_and_writes_nothing(tmp_path, capsys, name, text, named):
+    path = tmp_path / "world.json"
+    path.write_bytes(text.encode("utf-8", "surrogatepass"))
+    assert_nothing_written(capsys, ["decode", str(path)], tmp_path, *named)
+
+
+BYTES = {
+    "latin-1": TEXT.replace("short", "kürz").encode("latin-1"),
+    "utf-16": TEXT.encode("utf-16"),
+    "a lone surrogate": TEXT.replace("short", "\ud800").encode("utf-8", "surrogatepass"),
+    "an overlong slash": TEXT.encode().replace(b"short", b"\xc0\xaf"),
+    "cut in a letter": TEXT.replace("short", "長").encode()[: TEXT.index("short") + 1],
+    "zero bytes": bytes(1000),
+    "random bytes": np.random.default_rng(0).bytes(1000),
+}
+
+
+@pytest.mark.parametrize("content", BYTES.values(), ids=BYTES)
+def test_bytes_that_are_no_text_are_refused(tmp_path, capsys, content):
+    path = tmp_path / "world.json"
+    path.write_bytes(content)
+    assert_nothing_written(capsys, ["decode", str(path)], tmp_path, "world")
+
+
+def test_files_that_cannot_be_read_are_refused(tmp_path, capsys):
+    (tmp_path / "folder.json").mkdir()
+    (tmp_path / "empty.json").touch()
+    for name in ("folder.json", "missing.json", "empty.json/world.json", "zero\0byte.json", "x" * 400 + ".json"):
+        assert_nothing_written(capsys, ["decode", str(tmp_path / name)], tmp_path, name.rsplit("/")[-1][:4])
+
+
+def test_a_file_above_the_limit_is_not_even_read(tmp_path, monkeypatch):
+    path = tmp_path / "world.json"
+    path.write_text(TEXT)
+    monkeypatch.setattr(files, "MAX_BYTES", len(TEXT))
+    assert read_world(path).n_states == 3
+    monkeypatch.setattr(files, "MAX_BYTES", len(TEXT) - 1)
+    monkeypatch.setattr(files.Path, "read_text", lambda *_, **__: pytest.fail("it was read"))
+    with pytest.raises(InputError, match="larger"):
+        read_world(path)
+
+
+BOMBS = {
+    "one product": [entry("s0", "*", {f"s{i}": 1 / 40 for i in range(40)}, {str(i): 1 / 40 for i in range(40)})],
+    "many entries": [
+        entry(f"s{k}", "*", {f"s{i}": 1 / 40 for i in range(40)}, {str(i): 1 / 5 for i in range(5)}) for k in range(40)
+    ],
+    "a star over many actions": [
+        entry(f"s{k}", "*", {"END": 1.0}, {str(i): 1 / 5 for i in range(5)}) for k in range(40)
+    ],
+}
+
+
+@pytest.mark.parametrize("entries", BOMBS.values(), ids=BOMBS)
+def test_a_small_file_of_large_products_is_refused(monkeypatch, entries):
+    """With the real limit these would take seconds; the limit is lowered instead of the file enlarged."""
+    monkeypatch.setattr(files, "MAX_OUTCOMES", 1_500)
+    states, actions = [f"s{i}" for i in range(40)], [f"a{i}" for i in range(20)]
+    with pytest.raises(InputError, match="1,500") as refused:
+        with_transitions(*entries, states=states, actions=actions, start={"s0": 1.0})
+    assert_one_sentence(str(refused.value))
+
+
+JSON = st.recursive(
+    st.none()
+    | st.booleans()
+    | st.integers()
+    | st.floats()
+    | st.text(max_size=5)
+    | st.sampled_from(["END", "*", "start"]),
+    lambda inner: st.lists(inner, max_size=3) | st.dictionaries(st.text(max_size=5), inner, max_size=3),
+    max_leaves=6,
+)
+
+
+def paths(document: object, path: tuple = ()) -> list[tuple]:
+    """The way to every value of a document."""
+    inner = (
+        document.items() if isinstance(document, dict) else enumerate(document) if isinstance(document, list) else ()
+    )
+    return [path] * bool(path) + [found for key, value in inner for found in paths(value, (*path, key))]
+
+
+@settings(max_examples=150)
+@given(st.lists(st.tuples(st.sampled_from(paths(VALID)), JSON), min_size=1, max_size=2))
+def test_any_value_at_any_place_makes_a_world_or_a_sentence(changes):
+    document = deepcopy(VALID)
+    for path, value in changes:
+        holder = document
+        try:
+            for key in path[:-1]:
+                holder = holder[key]
+            holder[path[-1]] = value
+        except (TypeError, KeyError, IndexError):  # the first change removed the second one's place
+            continue
+    try:
+        world = parse_world(json.dumps(document))
+    except InputError as error:
+        assert_one_sentence(f"laplace: {error}")
+    else:
+        assert_same_world(world, parse_world(dump_world(world)))
+
+
+@settings(max_examples=100)
+@given(st.integers(0, len(TEXT) - 1), st.integers(1, 20), st.text(max_size=3))
+def test_any_splice_makes_a_world_or_a_sentence(at, length, put):
+    try:
+        parse_world(TEXT[:at] + put + TEXT[at + length :])
+    except InputError as error:
+        assert_one_sentence(f"laplace: {error}")
