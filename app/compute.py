@@ -7,10 +7,9 @@ from dataclasses import replace
 from functools import lru_cache
 
 import numpy as np
-import plotly.graph_objects as go
 
 from app import figures
-from laplace_core import InputError, Settings, Study, World, load_world, study
+from laplace_core import InputError, Settings, Study, load_world, study
 from laplace_core.artifacts import Artefact, find_artefacts
 from laplace_core.control import episode_regret_of
 from laplace_core.learning import greedy_policy
@@ -49,19 +48,43 @@ def npz_bytes(settings: Settings) -> bytes:
     return buffer.getvalue()
 
 
-@lru_cache(maxsize=32)
-def world_graph(world: World, state: int, action: int, acting_gamma: float) -> go.Figure:
-    return figures.world_graph(world, state, action, greedy_policy(world, acting_gamma))
+# What each picture does not depend on; it is drawn once for all values of these.
+_DECODING = {"alpha": 1.0, "steps": 1, "time_step": 1.0, "normalise": "none", "softness": 0.0}
+_ANY = {
+    "world": {
+        **_DECODING,
+        "thetas": 2,
+        "gammas": 2,
+        "theta_min": 0.0,
+        "theta_max": 1.0,
+        "slope": 1.0,
+        "policy": "shared",
+    },
+    "gamma-space": _DECODING,
+    "tau-space": {"softness": 0.0},
+    "rewards": {"softness": 0.0},
+    "values": {},
+}
 
 
-def gamma_figure(settings: Settings, action: int, surface: bool) -> go.Figure:
-    """The picture of gamma-space, drawn once for all settings that only concern decoding."""
-    return _gamma_figure(replace(settings, **_ANY_DECODING), action, surface)
+def figure(name: str, settings: Settings, action: int, row: int, surface: bool) -> str:
+    """One of the page's pictures as JSON."""
+    if name != "values":
+        row = 0
+    return _figure(name, replace(settings, **_ANY[name]), action, row, surface)
 
 
-_ANY_DECODING = {"alpha": 1.0, "steps": 1, "time_step": 1.0, "normalise": "none", "softness": 0.0}
-
-
-@lru_cache(maxsize=32)
-def _gamma_figure(settings: Settings, action: int, surface: bool) -> go.Figure:
-    return figures.gamma_space(study_for(settings), action, surface)
+@lru_cache(maxsize=64)
+def _figure(name: str, settings: Settings, action: int, row: int, surface: bool) -> str:
+    if name == "world":
+        world = load_world(settings.world, dict(settings.params))
+        policy = greedy_policy(world, settings.acting_gamma)
+        return figures.world_graph(world, world.state_index(settings.state), action, policy).to_json(validate=False)
+    found = study_for(settings)
+    drawn = {
+        "gamma-space": lambda: figures.gamma_space(found, action, surface),
+        "tau-space": lambda: figures.tau_space(found, action, surface),
+        "rewards": lambda: figures.rewards_and_survival(found, action),
+        "values": lambda: figures.values_over_horizon(found, row),
+    }[name]()
+    return drawn.to_json(validate=False)

@@ -21,16 +21,21 @@ ROOT = Path(__file__).resolve().parent.parent
 CHROMIUM = ("chromium", "chromium-browser", "google-chrome")
 FLAGS = ["--no-sandbox", "--disable-gpu", "--disable-background-networking", "--disable-component-update"]
 
-# Resolves with the milliseconds until nothing in the page has changed for `quiet` ms; the quiet time is not counted.
+# Resolves with the milliseconds until the last change of a picture or of the verdict; they must then have rested
+# for `quiet` ms, which are not counted.
 _SETTLED = """
 (quiet) => new Promise((done) => {
+  const pictures = '.js-plotly-plot, .verdict, [data-testid="stPlotlyChart"]';
   const start = performance.now();
   let last = start;
-  const seen = new MutationObserver(() => { last = performance.now(); });
-  const main = document.querySelector('[data-testid="stMain"]') || document.body;
-  seen.observe(main, { subtree: true, childList: true, attributes: true, characterData: true });
+  const seen = new MutationObserver((changes) => {
+    if (changes.some(({ target }) => (target.closest ? target : target.parentElement)?.closest(pictures))) {
+      last = performance.now();
+    }
+  });
+  seen.observe(document.body, { subtree: true, childList: true, attributes: true, characterData: true });
   const tick = () => {
-    if (performance.now() - last > quiet) { seen.disconnect(); done(last - start); }
+    if (performance.now() - last > quiet && last > start) { seen.disconnect(); done(last - start); }
     else requestAnimationFrame(tick);
   };
   requestAnimationFrame(tick);
@@ -84,7 +89,7 @@ def slider_release(page, label: str, key: str) -> float:
     """Milliseconds from a key press on a slider (Streamlit's release) to the last change in the page."""
     handle = page.get_by_role("slider", name=label)
     handle.focus()
-    watch = page.evaluate_handle(f"() => ({{ done: ({_SETTLED})(400) }})")
+    watch = page.evaluate_handle(f"() => ({{ done: ({_SETTLED})(500) }})")
     page.keyboard.press(key)
     return page.evaluate("async (watch) => await watch.done", watch)
 

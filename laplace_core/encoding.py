@@ -9,7 +9,6 @@ threshold ``theta``; this module makes both grids and the activation
 from __future__ import annotations
 
 import numpy as np
-from scipy.special import expit
 
 from laplace_core.errors import InputError
 
@@ -87,6 +86,12 @@ def sensitivity_grid(count: int, low: float, high: float, spacing: str = "unifor
     return grid
 
 
+def sigmoid(x: np.ndarray) -> np.ndarray:
+    """1 / (1 + exp(-x)) without overflow, to full precision in both tails, in the shape of ``x``."""
+    small = np.exp(-np.abs(x))
+    return np.where(np.asarray(x) >= 0, 1.0, small) / (1.0 + small)
+
+
 def theta_midpoints(thetas: np.ndarray) -> np.ndarray:
     """Midpoints between neighbouring thresholds, shape ``(H-1,)`` (paper, below Eq. 9)."""
     thetas = np.asarray(thetas, dtype=float)
@@ -104,7 +109,7 @@ def activation(rewards: np.ndarray, thetas: np.ndarray, slope: float) -> np.ndar
     distance = np.subtract.outer(np.asarray(rewards, dtype=float), np.asarray(thetas, dtype=float))
     if np.isinf(slope):
         return np.heaviside(distance, 0.5)
-    return expit(slope * distance)
+    return sigmoid(slope * distance)
 
 
 def bin_masses(rewards: np.ndarray, thetas: np.ndarray, slope: float) -> np.ndarray:

@@ -7,8 +7,8 @@ row k of a tau-space lies at k * time_step, and a horizon T covers the rows befo
 from __future__ import annotations
 
 import numpy as np
-from scipy.special import expit
 
+from laplace_core.encoding import sigmoid
 from laplace_core.errors import InputError
 from laplace_core.inverse.tikhonov import filter_factors
 from laplace_core.inverse.transform import transform_factors, transform_matrix
@@ -35,7 +35,7 @@ def deadline_weights(horizon: float, steps: int, softness: float = 0.0, time_ste
     tau = np.arange(steps) * time_step
     if softness == 0:
         return (tau < horizon - 1e-9).astype(float)
-    return expit((horizon - 0.5 - tau) / (softness * horizon))
+    return sigmoid((horizon - 0.5 - tau) / (softness * horizon))
 
 
 def horizon_values(rewards: np.ndarray, gamma: float, softness: float = 0.0, time_step: float = 1.0) -> np.ndarray:

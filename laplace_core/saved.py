@@ -92,7 +92,7 @@ def read_gamma_space(path: str | Path, state: str | None = None) -> GammaSpace:
             raise InputError(f"{Path(path).name} holds no array {name!r}; it needs gamma_space, gammas and thetas.")
     gammas, thetas, values = arrays["gammas"], arrays["thetas"], arrays["gamma_space"]
     if gammas.ndim != 1 or gammas.size < 2 or not np.all((gammas > 0) & (gammas < 1)):
-        raise InputError("'gammas' must be a list of at least 2 numbers between 0 and 1.")
+        raise InputError("'gammas' must be a list of at least 2 numbers between 0 and 1, both excluded.")
     if thetas.ndim != 1 or thetas.size < 2 or not np.all(np.diff(thetas) > 0):
         raise InputError("'thetas' must be a list of at least 2 increasing numbers.")
     if np.unique(gammas).size < gammas.size:
@@ -138,9 +138,9 @@ def _read_arrays(path: Path) -> dict[str, np.ndarray]:
             return arrays
     except InputError:
         raise
-    except OSError as error:
-        raise InputError(f"{path.name} cannot be read: {(error.strerror or 'unknown error').lower()}.") from None
-    except Exception:  # noqa: BLE001 - a hostile zip or npy header may raise anything; none of it is ours
+    except Exception as error:  # noqa: BLE001 - a hostile zip or npy header may raise anything; none of it is ours
+        if isinstance(error, OSError) and error.strerror:
+            raise InputError(f"{path.name} cannot be read: {error.strerror.lower()}.") from None
         raise InputError(f"{path.name!r} is not an .npz file of plain number arrays.") from None
 
 

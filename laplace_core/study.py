@@ -188,7 +188,10 @@ def policies_of(world: World, gammas: np.ndarray, kind: str, acting_gamma: float
 
 @lru_cache(maxsize=16)
 def _policies(world: World, gammas: bytes, kind: str, acting_gamma: float) -> list[np.ndarray]:
-    return target_policies(world, np.frombuffer(gammas), kind, acting_gamma)
+    grid = np.frombuffer(gammas)
+    if kind == "shared":
+        return [_acting_policy(world, acting_gamma)] * grid.size
+    return target_policies(world, grid, kind, acting_gamma)
 
 
 @lru_cache(maxsize=16)
@@ -224,7 +227,7 @@ def _truth(
     optimum = _optimum(world, state, acting_gamma, length).T  # (A, length)
     covered = np.ceil((np.arange(steps) + 1) * time_step - 1e-9).astype(int)
     return Truth(
-        tau_space=spread @ (timeline @ bin_masses(world.reward_values, np.frombuffer(thetas), slope)),
+        tau_space=(spread @ timeline) @ bin_masses(world.reward_values, np.frombuffer(thetas), slope),
         survival=timeline.sum(axis=-1) @ spread.T,
         expected_reward=rewards @ spread.T,
         horizon_values=np.cumsum(discounted @ spread.T, axis=-1),

@@ -134,6 +134,8 @@ def _keys() -> Iterator[tuple[str, str, tuple[str, ...]]]:
     ):
         twice = TEXT.replace(member, f"{member}, {member}", 1)
         yield f"twice {number}", twice, (member.split(":")[0].strip('"'), "twice")
+    many = "".join(f'"key {i}": 0, ' for i in range(60_000))
+    yield "the last of many twice", f'{{{many}"key 59999": 0}}', ("'key 59999'", "twice")
 
 
 def _sums() -> Iterator[tuple[str, str, tuple[str, ...]]]:

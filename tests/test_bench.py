@@ -96,7 +96,7 @@ def test_the_exponent_of_a_power_law():
 
 
 def test_a_fresh_process_reports_its_own_memory():
-    ballast = np.ones(50_000_000)  # 400 MB that belong to this process alone
+    ballast = np.ones(25_000_000)  # 200 MB that belong to this process alone
     run = fresh_study("two_branch", {}, 5, 10)
     assert run["states"] == 3
     assert 0 < run["imported_mb"] <= run["peak_mb"] < ballast.nbytes / 1e6

@@ -28,6 +28,7 @@ def probability_scale() -> list[list[object]]:
     return [[0.0, "#ff3b3b"], [0.75 * zero, "#a11a4a"], *above]
 
 
+_NO_TEMPLATE = {"layout": {}}  # the default one is ten times the figure and is overridden by the page
 _AXIS = {"zeroline": False, "tickfont": {"size": 11}}
 
 
@@ -41,7 +42,14 @@ def build(title: str, traces: list[dict], margin: dict[str, int] | None = None, 
 
     The page's theme fills in fonts and backgrounds.
     """
-    heading = {"text": title, "font": {"size": 14}, "x": 0.0, "xanchor": "left", "y": 0.985, "yanchor": "top"}
+    heading = {
+        "text": f"<b>{title}</b>",
+        "font": {"size": 14},
+        "x": 0.0,
+        "xanchor": "left",
+        "y": 0.985,
+        "yanchor": "top",
+    }
     legend = {"orientation": "h", "x": 0.0, "xanchor": "left", "y": 1.0, "yanchor": "bottom", "font": {"size": 11}}
     common = {
         "title": heading,
@@ -50,4 +58,4 @@ def build(title: str, traces: list[dict], margin: dict[str, int] | None = None, 
         "legend": legend,
         "hoverlabel": {"align": "left"},
     }
-    return go.Figure(data=traces, layout={**common, **layout})
+    return go.Figure(data=traces, layout={"template": _NO_TEMPLATE, **common, **layout})

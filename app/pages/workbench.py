@@ -7,11 +7,12 @@ from html import escape
 import numpy as np
 import streamlit as st
 
-from app import compute, controls, explain, figures, state
+from app import compute, controls, explain, state
+from app.chart import chart
+from app.figures.theme import HEIGHT
 from laplace_core import InputError, Settings, Study, World, load_world
 from laplace_core.settings import resolve
 
-CHART = {"displaylogo": False, "modeBarButtonsToRemove": ["select2d", "lasso2d", "autoScale2d"]}
 TONES = {"right": ("ok", "Right"), "lucky": ("warn", "Right, for the wrong reason"), "wrong": ("bad", "Wrong"),
          "unknown": ("warn", "No truth to compare with")}  # fmt: skip
 
@@ -78,37 +79,42 @@ def _verdict(settings: Settings, row: int) -> None:
 
 
 def _panels(found: Study, settings: Settings, action: int, row: int) -> None:
-    surface = state.chosen().get("look") == "surface"
-    top = st.columns(3, gap="small")
+    look = state.chosen().get("look", "heatmap")
+    same = f"{settings.world} {settings.state} {action} {settings.steps} {look}"  # while it holds, zoom is kept
+    drawn = {"settings": settings, "action": action, "row": row, "surface": look == "surface"}
+    name = found.action_names[action]
+    top, bottom = st.columns(3, gap="small"), st.columns(3, gap="small")
     with top[0]:
-        graph = compute.world_graph(found.world, found.state, action, settings.acting_gamma)
-        picked = _chart(graph, "world", on_select="rerun")
+        alt = f"Graph of the world {settings.world}, state {settings.state} and action {name} lit up."
+        picked = _chart("world", alt, f"{settings.world} {found.world.n_states}", _picked, **drawn)
         _pick_state(found, picked)
     with top[1]:
-        _chart(compute.gamma_figure(settings, action, surface), "gamma")
+        _chart("gamma-space", f"Gamma-space of {name}: sensitivity across, discount up.", same, **drawn)
     with top[2]:
-        _chart(figures.tau_space(found, action, surface), "tau")
-    bottom = st.columns(3, gap="small")
+        _chart("tau-space", f"Tau-space of {name}: reward across, future step up, the truth outlined.", same, **drawn)
     with bottom[0]:
-        _chart(figures.values_over_horizon(found, row), "values")
+        _chart("values", "Value of each action over the horizon; a strip with the chosen and best one.", same, **drawn)
     with bottom[1]:
-        _chart(figures.rewards_and_survival(found, action), "rewards")
+        _chart("rewards", f"Expected reward and survival of {name} over future steps, decoded and true.", same, **drawn)
     with bottom[2]:
-        _artefacts(settings, action, found.action_names[action])
+        _artefacts(settings, action, name)
     controls.live_group(found, float(found.horizons[row]))
     _footer(settings, row)
 
 
-def _chart(figure, key: str, **options):
-    return st.plotly_chart(figure, key=f"chart {key}", width="stretch", config=CHART, **options)
+def _chart(name: str, alt: str, revision: str, on_click=None, **drawn):
+    return chart(compute.figure(name, **drawn), name, alt, HEIGHT, revision, on_click)
 
 
-def _pick_state(found: Study, picked) -> None:
-    points = picked.selection.points if picked else []
-    if points and isinstance(points[0].get("customdata"), list):
-        name = found.world.states[int(points[0]["customdata"][0])]
+def _picked() -> None:
+    """A click on the graph is answered in the same run, by ``_pick_state``."""
+
+
+def _pick_state(found: Study, picked: object) -> None:
+    if isinstance(picked, int | float) and 0 <= picked < found.world.n_states:
+        name = found.world.states[int(picked)]
         if name != found.settings.state:
-            state.chosen()["state"] = name
+            state.apply_changes({"state": name})
             st.rerun()
 
 

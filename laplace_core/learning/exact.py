@@ -13,10 +13,9 @@ from __future__ import annotations
 
 import numpy as np
 from scipy import sparse
-from scipy.sparse.linalg import splu
 
 from laplace_core.errors import InputError
-from laplace_core.learning.policies import selection
+from laplace_core.learning.policies import selection, solve_discounted
 from laplace_core.worlds.model import World
 
 
@@ -58,8 +57,7 @@ class _Successors:
         """E sum_{tau >= 1} gamma^(tau - 1) 1[r_tau = v], shape ``(A, V)``."""
         if not self.first.size:
             return np.zeros((self.first.shape[1], self.rewards.shape[1]))
-        system = sparse.eye_array(self.first.shape[0], format="csc") - gamma * self.moves_transposed
-        return splu(system).solve(self.first).T @ self.rewards
+        return solve_discounted(self.moves_transposed, gamma, self.first).T @ self.rewards
 
 
 def _closure(moves: sparse.csr_array, states: np.ndarray) -> np.ndarray:
@@ -82,8 +80,7 @@ def proxy_gamma_space(world: World, rewards: np.ndarray, gammas: np.ndarray, pol
     values = np.empty((world.n_states, world.n_actions, gammas.size))
     for g, (gamma, policy) in enumerate(zip(gammas, policies, strict=True)):
         pi = selection(world, policy)
-        system = sparse.eye_array(world.n_states, format="csc") - gamma * (pi @ world.transition_matrix).tocsc()
-        later = splu(system).solve(pi @ now)
+        later = solve_discounted(pi @ world.transition_matrix, float(gamma), pi @ now)
         values[:, :, g] = (now + gamma * (world.transition_matrix @ later)).reshape(world.n_states, world.n_actions)
     return values
 

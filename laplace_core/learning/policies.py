@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import numpy as np
 from scipy import sparse
-from scipy.sparse.linalg import splu
 
 from laplace_core.errors import InputError
 from laplace_core.ties import greedy_action
@@ -45,11 +44,18 @@ def selection(world: World, policy: np.ndarray) -> sparse.csr_array:
     return sparse.csr_array((policy[rows, actions], (rows, rows * world.n_actions + actions)), shape=shape)
 
 
+def solve_discounted(moves: sparse.sparray, gamma: float, right: np.ndarray) -> np.ndarray:
+    """x in (I - gamma M) x = b by one sparse factorisation, for b of shape ``(S,)`` or ``(S, n)``."""
+    from scipy.sparse.linalg import splu  # half the library's import time, and only needed to solve
+
+    system = sparse.eye_array(moves.shape[0], format="csc") - gamma * moves.tocsc()
+    return splu(system).solve(right)
+
+
 def state_values(world: World, policy: np.ndarray, gamma: float) -> np.ndarray:
     """V(s) = E sum_tau gamma^tau r_tau under the policy, shape ``(S,)``, by one sparse solve."""
     pi = selection(world, policy)
-    system = sparse.eye_array(world.n_states, format="csc") - gamma * (pi @ world.transition_matrix).tocsc()
-    return splu(system).solve(pi @ world.expected_reward.ravel())
+    return solve_discounted(pi @ world.transition_matrix, gamma, pi @ world.expected_reward.ravel())
 
 
 def action_values(world: World, values: np.ndarray, gamma: float) -> np.ndarray:
@@ -66,7 +72,7 @@ def greedy_policy(world: World, gamma: float, warm_start: np.ndarray | None = No
     Raises:
         ArithmeticError: no convergence (more sweeps than policy iteration can need in practice).
     """
-    policy = np.zeros(world.n_states, dtype=np.int64) if warm_start is None else warm_start.copy()
+    policy = _swept_policy(world, gamma) if warm_start is None else warm_start.copy()
     everywhere = np.arange(world.n_states)
     for _ in range(10 * world.n_states + 100):
         q = action_values(world, state_values(world, policy, gamma), gamma)
@@ -78,6 +84,18 @@ def greedy_policy(world: World, gamma: float, warm_start: np.ndarray | None = No
             return greedy
         policy = np.where(better, greedy, policy)
     raise ArithmeticError(f"policy iteration on {world.name!r} at gamma={gamma:g} did not converge")
+
+
+def _swept_policy(world: World, gamma: float, sweeps: int = 1_000) -> np.ndarray:
+    """A first guess by value iteration: a sweep is a product, a step of policy iteration a factorisation."""
+    values = np.zeros(world.n_states)
+    for _ in range(sweeps):
+        q = action_values(world, values, gamma)
+        change = np.abs(q.max(axis=1) - values).max()
+        values = q.max(axis=1)
+        if change <= 1e-6 * max(1.0, np.abs(values).max()):
+            break
+    return greedy_action(q)
 
 
 def target_policies(world: World, gammas: np.ndarray, kind: str, acting_gamma: float) -> list[np.ndarray]:

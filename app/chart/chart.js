@@ -1,0 +1,90 @@
+// A plotly figure that keeps its place: one div per key, updated in place, so that zoom, camera and scroll survive.
+
+const SOURCE = 'app/static/plotly.min.js';
+
+// Streamlit serves static scripts as plain text; a blob gives them their type back. One load for all charts.
+function loadPlotly() {
+  window.laplacePlotly ??= fetch(SOURCE)
+    .then((reply) => {
+      if (!reply.ok) throw new Error(`${SOURCE}: ${reply.status}`);
+      return reply.text();
+    })
+    .then((text) => new Promise((done, fail) => {
+      const script = document.createElement('script');
+      script.src = URL.createObjectURL(new Blob([text], { type: 'text/javascript' }));
+      script.onload = () => done(window.Plotly);
+      script.onerror = fail;
+      document.head.append(script);
+    }));
+  return window.laplacePlotly;
+}
+
+function themed(layout, host) {
+  const style = getComputedStyle(host);
+  const colour = style.getPropertyValue('--st-text-color').trim() || style.color;
+  const grid = 'rgba(138, 143, 152, 0.28)';
+  const axis = { gridcolor: grid, linecolor: grid, zerolinecolor: 'rgba(138, 143, 152, 0.6)', ticks: '' };
+  const painted = {
+    ...layout,
+    paper_bgcolor: 'rgba(0,0,0,0)',
+    plot_bgcolor: 'rgba(0,0,0,0)',
+    font: { family: style.fontFamily, color: colour, size: 12 },
+    autosize: true,
+  };
+  for (const name of Object.keys(layout)) {
+    if (/^[xy]axis\d*$/.test(name)) painted[name] = { ...axis, ...layout[name] };
+  }
+  return painted;
+}
+
+const TO_SVG = {
+  name: 'Download as SVG',
+  icon: { width: 24, height: 24, path: 'M5 20h14v-2H5v2zM19 9h-4V3H9v6H5l7 7 7-7z' },
+  click: (plot) => window.Plotly.downloadImage(plot, { format: 'svg', filename: plot.dataset.name }),
+};
+
+function draw(box) {
+  loadPlotly().then((Plotly) => {
+    const { figure, revision, name } = box.wanted;
+    if (box.drawn === figure) return;
+    box.drawn = figure;
+    box.dataset.name = name;
+    const { data, layout } = JSON.parse(figure);
+    const config = {
+      displaylogo: false,
+      responsive: true,
+      modeBarButtonsToRemove: ['select2d', 'lasso2d', 'autoScale2d'],
+      modeBarButtonsToAdd: [TO_SVG],
+      toImageButtonOptions: { filename: name, scale: 2 },
+    };
+    Plotly.react(box, data, themed({ ...layout, uirevision: revision }, box), config);
+    if (box.listening) return;
+    box.listening = true;
+    box.on('plotly_click', (event) => {
+      const picked = event.points[0]?.customdata;
+      if (box.clickable && Array.isArray(picked)) box.report('clicked', picked[0]);
+    });
+    new ResizeObserver(() => Plotly.Plots.resize(box)).observe(box.parentElement);
+    matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => setTimeout(() => {
+      box.drawn = null;
+      draw(box);
+    }, 400));
+  }).catch((error) => { box.textContent = `The picture could not be drawn: ${error.message}. Reload the page.`; });
+}
+
+export default function (component) {
+  const { data, parentElement, setTriggerValue } = component;
+  let box = parentElement.querySelector('.laplace-chart');
+  if (!box) {
+    box = document.createElement('div');
+    box.className = 'laplace-chart';
+    box.style.height = `${data.height}px`;
+    box.setAttribute('role', 'img');
+    parentElement.append(box);
+  }
+  box.setAttribute('aria-label', data.alt);
+  box.clickable = data.clickable;
+  box.report = setTriggerValue;
+  box.wanted = data;
+  draw(box);
+}

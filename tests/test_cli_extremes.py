@@ -1,0 +1,147 @@
+"""Settings at the ends of their ranges: odd, but allowed; they give finite numbers or one sentence."""
+
+import json
+import shlex
+
+import numpy as np
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from laplace_core import PRESETS
+from laplace_core.cli import main
+from laplace_core.parameters import Parameter
+from laplace_core.settings import SCHEMA, flag
+from tests.hostile import assert_one_sentence
+from tests.malformed_saved import with_arrays
+
+
+def outcome(capsys, words: list[str]) -> dict | str:
+    """The finite JSON that a command prints, or the one sentence that it refuses with."""
+    capsys.readouterr()
+    status = main([*words, "--json"])
+    out, err = capsys.readouterr()
+    if status == 0:
+        assert err == ""
+
+        def refuse(constant: str):
+            raise AssertionError(f"{constant} in the output of {shlex.join(words)}")
+
+        return json.loads(out, parse_constant=refuse)
+    assert (status, out) == (2, "")
+    assert_one_sentence(err.rstrip("\n"))
+    return err
+
+
+def todo(what: str) -> pytest.MarkDecorator:
+    return pytest.mark.xfail(strict=True, reason=what)
+
+
+ACCEPTED = [
+    pytest.param("two_branch --softness 1e-310", marks=todo("a width that overflows")),
+    pytest.param("two_branch --theta-min 0 --theta-max 1e-310", marks=todo("an infinite default slope")),
+    "two_branch --thetas 2000 --steps 2000",
+    "two_branch --thetas 2 --gammas 2 --steps 1",
+    "two_branch --gammas 500 --steps 300 --alpha 0",
+    "two_branch --slope 1e9",
+    "two_branch --slope 1e-6",
+    "two_branch --theta-min 0 --theta-max 1e-300 --slope 1",
+    "two_branch --theta-min -1e9 --theta-max 1e9",
+    "two_branch --theta-min 5 --theta-max 5.000000000000001 --slope 25",
+    "two_branch --alpha 0 --steps 2000 --thetas 10",
+    "two_branch --alpha 1e6",
+    "two_branch --alpha 5e-324",
+    "two_branch --time-step .001 --thetas 10",
+    "two_branch --time-step .001 --steps 1",
+    "two_branch --gamma-min .5 --gamma-max .5000000000000001 --alpha 0",
+    "two_branch --gamma-min 1e-6 --gamma-max .999999 --spacing log --steps 2000 --thetas 10",
+    "two_branch --acting-gamma .999999 --softness 10",
+    "two_branch --acting-gamma 1e-6 --softness 1e-6",
+    "two_branch --param r1=1000 --param r2=-1000 --param length=200 --param auxiliary=true --normalise paper",
+    "two_branch --param length=1 --param slip=.5",
+    "two_branch --param r1=0 --param r2=0",
+    "fig6_chain --param outer=0 --param inner=0 --normalise survival",
+    "double_chain --param p_early=0 --param early=1 --param late=1",
+    "double_chain --param p_early=1 --normalise survival --alpha 0",
+    "rise_and_fade --param length=4 --param low=1000 --param high=-1000 --policy per_gamma",
+    "discounting_chain --param reward=-1000 --thetas 2000 --steps 50",
+    "cliff_grid --param width=3 --param height=2 --param slip=1",
+    "cliff_grid --param width=50 --param height=40 --thetas 5 --steps 20 --gammas 5",
+    "gym:CliffWalking --acting-gamma .999999 --alpha 0 --thetas 2",
+]
+
+
+@pytest.mark.parametrize("command", ACCEPTED)
+def test_extremes_give_finite_numbers(capsys, command):
+    assert isinstance(outcome(capsys, ["decode", *command.split()]), dict)
+
+
+@pytest.mark.parametrize(
+    ("rewards", "options"),
+    [
+        pytest.param("1e9 -1e9", "", marks=todo("default sensitivities beyond the range of --theta-min")),
+        pytest.param("100000000 100000001", "", marks=todo("default sensitivities that round to one number")),
+        pytest.param("1e-300 0", "", marks=todo("default slope beyond the range of --slope")),
+        pytest.param("1 2", "--thetas 2 --theta-min -1e9 --theta-max 1e9", marks=todo("default slope below its range")),
+        pytest.param("1 2", "--theta-min 1 --theta-max 1.0000000000000002", marks=todo("equal sensitivities")),
+        pytest.param("1 2", "--gamma-min .5 --gamma-max .5000000000000001", marks=todo("equal discounts")),
+        ("1e9 0", "--theta-min 0 --theta-max 1e9"),
+        ("1e-9 2e-9", ""),
+    ],
+)
+def test_what_decode_fills_in_for_extreme_rewards_can_be_given_and_read_back(tmp_path, capsys, rewards, options):
+    """The command that reproduces the run, and the file as a gamma-space of one's own."""
+    world, out = tmp_path / "world.json", tmp_path / "out.npz"
+    entry = {"state": "s", "action": "a", "next": {"END": 1.0}, "reward": {text: 0.5 for text in rewards.split()}}
+    world.write_text(json.dumps({"states": ["s"], "actions": ["a"], "transitions": [entry]}))
+    assert isinstance(outcome(capsys, ["decode", str(world), *options.split(), "--out", str(out)]), dict)
+    with np.load(out, allow_pickle=False) as file:
+        command = json.loads(str(file["settings"]))["command"]
+    assert isinstance(outcome(capsys, shlex.split(command)[3:]), dict)
+    assert isinstance(outcome(capsys, ["decode", str(out)]), dict)
+
+
+@todo("default steps beyond their range")
+def test_a_gamma_space_of_ones_own_has_default_steps_at_any_time_step(tmp_path, capsys):
+    path = tmp_path / "own.npz"
+    path.write_bytes(with_arrays(gammas=np.array([0.2, 0.5, 0.999])))
+    assert isinstance(outcome(capsys, ["decode", str(path), "--time-step", ".001"]), dict)
+
+
+def numbers(low: float, high: float) -> st.SearchStrategy[float]:
+    ends = [low, high, low + (high - low) * 1e-9, high - (high - low) * 1e-9, (low + high) / 2]
+    return st.floats(low, high) | st.sampled_from(ends)
+
+
+def values(parameter: Parameter, most: int) -> st.SearchStrategy[str]:
+    """Texts that a parameter accepts; whole numbers up to ``most``, so that every run is quick."""
+    if parameter.choices:
+        return st.sampled_from(parameter.choices)
+    if parameter.type is bool:
+        return st.sampled_from(["true", "false"])
+    if parameter.type is str:
+        return st.sampled_from(["0", "1", "start"])
+    if parameter.type is int:
+        return st.integers(int(parameter.low), min(int(parameter.high), most)).map(str)
+    if parameter.name == "softness":
+        return st.just("0") | st.floats(1e-6, 10).map(repr)
+    return numbers(parameter.low, parameter.high).map(repr)
+
+
+@st.composite
+def commands(draw) -> list[str]:
+    """A preset with some of its parameters, and any of the settings."""
+    preset = draw(st.sampled_from(list(PRESETS.values())))
+    words = ["decode", preset.name]
+    for parameter in draw(st.lists(st.sampled_from(preset.parameters), unique=True)):
+        value = draw(values(parameter, 12))
+        words += ["--param", f"{parameter.name}={value}"]
+    for parameter in draw(st.lists(st.sampled_from(SCHEMA), unique=True)):
+        words += [flag(parameter), draw(values(parameter, 40))]
+    return words
+
+
+@settings(max_examples=100, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@given(commands())
+def test_any_settings_in_range_give_finite_numbers_or_a_sentence(capsys, words):
+    outcome(capsys, words)
