@@ -7,6 +7,9 @@ import streamlit as st
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))  # streamlit puts only this folder on the path
 
+from app import chart
+
 st.set_page_config(page_title="Laplace code workbench", page_icon="∑", layout="wide")
 st.html(Path(__file__).with_name("style.css"))
+chart.preload()
 st.navigation([st.Page("pages/workbench.py", title="Tabular workbench", default=True)], position="hidden").run()

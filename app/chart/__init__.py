@@ -52,9 +52,17 @@ def _ignore() -> None:
 @cache
 def _component() -> Callable:
     publish_plotly_js()
-    return st.components.v2.component(
-        "laplace_chart", js=(_HERE / "chart.js").read_text(encoding="utf-8"), isolate_styles=False
-    )
+    return st.components.v2.component("laplace_chart", js=_script("load.js", "chart.js"), isolate_styles=False)
+
+
+def preload() -> None:
+    """Let the browser fetch plotly.js while the server still computes the first figure; call it early."""
+    st.html(f"<script>{_script('load.js')}</script>", unsafe_allow_javascript=True)
+
+
+@cache
+def _script(*names: str) -> str:
+    return "\n".join((_HERE / name).read_text(encoding="utf-8") for name in names)
 
 
 def publish_plotly_js() -> None:

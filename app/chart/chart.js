@@ -1,22 +1,10 @@
 // A plotly figure that keeps its place: one div per key, updated in place, so that zoom, camera and scroll survive.
 
-const SOURCE = 'app/static/plotly.min.js';
-
-// Streamlit serves static scripts as plain text; a blob gives them their type back. One load for all charts.
-function loadPlotly() {
-  window.laplacePlotly ??= fetch(SOURCE)
-    .then((reply) => {
-      if (!reply.ok) throw new Error(`${SOURCE}: ${reply.status}`);
-      return reply.text();
-    })
-    .then((text) => new Promise((done, fail) => {
-      const script = document.createElement('script');
-      script.src = URL.createObjectURL(new Blob([text], { type: 'text/javascript' }));
-      script.onload = () => done(window.Plotly);
-      script.onerror = fail;
-      document.head.append(script);
-    }));
-  return window.laplacePlotly;
+// Charts are drawn one at a time with a frame in between: the first is on screen before the last is computed.
+function inTurn(work) {
+  const frame = () => new Promise((next) => setTimeout(next, 0));
+  window.laplaceDrawing = (window.laplaceDrawing ?? window.laplacePlotly).catch(() => {}).then(frame).then(work);
+  return window.laplaceDrawing;
 }
 
 function themed(layout, host) {
@@ -44,7 +32,8 @@ const TO_SVG = {
 };
 
 function draw(box) {
-  loadPlotly().then((Plotly) => {
+  inTurn(async () => {
+    const Plotly = await window.laplacePlotly;
     const { figure, revision, name } = box.wanted;
     if (box.drawn === figure) return;
     box.drawn = figure;
