@@ -36,7 +36,7 @@ def discount_grid(count: int, spacing: str = "inverse-log", low: float = 0.01, h
     if count < 2:
         raise InputError(f"gammas is {count}; a discount grid needs at least 2.")
     if not 0.0 < low < high < 1.0:
-        raise InputError(f"discounts must satisfy 0 < gamma-min < gamma-max < 1, not {low:g} and {high:g}.")
+        raise InputError(f"discounts must satisfy 0 < gamma-min < gamma-max < 1, not {low!r} and {high!r}.")
     if spacing == "linear":
         grid = np.linspace(low, high, count)
     elif spacing == "inverse-log":
@@ -44,6 +44,10 @@ def discount_grid(count: int, spacing: str = "inverse-log", low: float = 0.01, h
     else:
         grid = np.exp(-1.0 / np.geomspace(-1.0 / np.log(low), -1.0 / np.log(high), count))
     grid[[0, -1]] = low, high  # the round trip through the logarithm may miss the bounds by an ulp
+    if not np.all(np.diff(grid) > 0):
+        raise InputError(
+            f"{count} discounts do not fit between {low!r} and {high!r}: move gamma-min and gamma-max apart."
+        )
     return grid
 
 
@@ -66,23 +70,25 @@ def sensitivity_grid(count: int, low: float, high: float, spacing: str = "unifor
     if count < 2:
         raise InputError(f"thetas is {count}; at least 2 sensitivities are needed.")
     if not (np.isfinite(low) and np.isfinite(high) and low < high):
-        raise InputError(f"theta-min must be below theta-max, both finite, not {low:g} and {high:g}.")
+        raise InputError(f"theta-min must be below theta-max, both finite, not {low!r} and {high!r}.")
     if scale is not None and not (np.isfinite(scale) and scale > 0):
         raise InputError(f"theta scale must be positive, not {scale:g}.")
     if spacing == "uniform":
-        return np.linspace(low, high, count)
-    if spacing == "asinh":
+        grid = np.linspace(low, high, count)
+    elif spacing == "asinh":
         scale = scale or max(abs(low), abs(high)) / 100.0
         grid = scale * np.sinh(np.linspace(np.arcsinh(low / scale), np.arcsinh(high / scale), count))
     else:
-        from scipy.stats import norm
+        from scipy.special import ndtr, ndtri  # slow to import, and only needed here
 
         middle, scale = (low + high) / 2.0, scale or (high - low) / 4.0
-        edges = norm.cdf([low, high], middle, scale)
-        grid = norm.ppf(np.linspace(*edges, count), middle, scale)
+        first, last = ndtr((np.array([low, high]) - middle) / scale)
+        grid = middle + scale * ndtri(np.linspace(first, last, count))
     grid[[0, -1]] = low, high
     if not np.all(np.diff(grid) > 0):
-        raise InputError(f"theta scale {scale:g} is too small for the range {low:g} to {high:g}: raise it.")
+        raise InputError(
+            f"{count} sensitivities do not fit between {low!r} and {high!r} at spacing {spacing!r}: widen the range."
+        )
     return grid
 
 

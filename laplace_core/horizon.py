@@ -23,7 +23,8 @@ def expected_rewards(tau_space: np.ndarray, midpoints: np.ndarray) -> np.ndarray
 def deadline_weights(horizon: float, steps: int, softness: float = 0.0, time_step: float = 1.0) -> np.ndarray:
     """How much each row counts under a deadline, shape ``(steps,)``, in [0, 1].
 
-    sigmoid((T - 1/2 - tau) / width) with width = softness * T; softness 0 is the hard deadline, tau < T.
+    sigmoid((T - dt/2 - tau) / width) with width = softness * T; softness 0 is the hard deadline, tau < T.
+    The middle lies half a row before T, between the last row that counts and the first that does not.
 
     Raises:
         InputError: negative or non-finite softness or horizon.
@@ -33,9 +34,9 @@ def deadline_weights(horizon: float, steps: int, softness: float = 0.0, time_ste
     if not (np.isfinite(horizon) and horizon > 0):
         raise InputError(f"the horizon is {horizon:g}; it must be a positive number of steps.")
     tau = np.arange(steps) * time_step
-    if softness == 0:
+    if softness < 1e-9:  # narrower than any step: the limit, before the division overflows
         return (tau < horizon - 1e-9).astype(float)
-    return sigmoid((horizon - 0.5 - tau) / (softness * horizon))
+    return sigmoid((horizon - time_step / 2.0 - tau) / (softness * horizon))
 
 
 def horizon_values(rewards: np.ndarray, gamma: float, softness: float = 0.0, time_step: float = 1.0) -> np.ndarray:

@@ -129,11 +129,12 @@ def resolve(settings: Settings, world: World) -> Settings:
     values["gammas"] = values["gammas"] or 15
     low, high = float(world.reward_values[0]), float(world.reward_values[-1])
     overhang = OVERHANG * ((high - low) or max(1.0, abs(low)))
-    values["theta_min"] = _round(low - overhang) if values["theta_min"] is None else values["theta_min"]
-    values["theta_max"] = _round(high + overhang) if values["theta_max"] is None else values["theta_max"]
+    values["theta_min"] = _round(low - overhang, overhang) if values["theta_min"] is None else values["theta_min"]
+    values["theta_max"] = _round(high + overhang, overhang) if values["theta_max"] is None else values["theta_max"]
     if values["slope"] is None:
-        spacing = (values["theta_max"] - values["theta_min"]) / (values["thetas"] - 1)
-        values["slope"] = float(f"{SLOPE_TIMES_SPACING / spacing:.2g}") if spacing > 0 else 1.0
+        spacing = max((values["theta_max"] - values["theta_min"]) / (values["thetas"] - 1), 1e-300)
+        gentle, steep = BY_NAME["slope"].low, BY_NAME["slope"].high
+        values["slope"] = float(f"{np.clip(SLOPE_TIMES_SPACING / spacing, gentle, steep):.2g}")
     if values["steps"] is None:
         values["steps"] = _random_walk_length(world)
     if settings.steps is None:  # the same stretch of time, whatever the resolution
@@ -167,13 +168,14 @@ def resolve_for_gamma_space(settings: Settings, gammas: np.ndarray) -> Settings:
         for parameter in SCHEMA
         if parameter.name not in ENCODING_NAMES and getattr(settings, parameter.name) is None
     }
-    values["steps"] = settings.steps or int(np.ceil(length / (settings.time_step or 1.0)))
+    values["steps"] = settings.steps or min(MAX_STEPS, int(np.ceil(length / (settings.time_step or 1.0))))
     return replace(settings, **values)
 
 
-def _round(bound: float) -> float:
-    """Six significant digits, so that a command with the bound in it stays readable."""
-    return float(f"{bound:.6g}")
+def _round(bound: float, overhang: float) -> float:
+    """Six significant digits, for a readable command, unless they would move it by a tenth of the overhang."""
+    short = float(f"{bound:.6g}")
+    return short if abs(short - bound) <= overhang / 10.0 else bound
 
 
 def _random_walk_length(world: World, most: int = 200) -> int:

@@ -123,7 +123,7 @@ def study(world: World, settings: Settings) -> Study:
     settings = resolve(settings, world)
     state = world.state_index(settings.state)
     gammas, thetas = grids(settings)
-    _check_size(world.n_actions, len(gammas), len(thetas), settings.steps)
+    _check_size(world.n_actions, len(gammas), len(thetas), settings.steps, world.reward_values.size)
     basis = _basis(world, state, gammas.tobytes(), settings.policy, settings.acting_gamma)
     gamma_space = encode(basis, world.reward_values, gammas, thetas, settings.slope)
     truth = _truth(
@@ -245,10 +245,11 @@ def time_overlap(steps: int, length: int, time_step: float) -> np.ndarray:
     return np.clip(np.minimum(edges[1:, None], whole + 1) - np.maximum(edges[:-1, None], whole), 0.0, None)
 
 
-def _check_size(actions: int, gammas: int, thetas: int, steps: int) -> None:
-    size = actions * thetas * max(gammas, steps)
+def _check_size(actions: int, gammas: int, thetas: int, steps: int, rewards: int = 1) -> None:
+    rows = max(gammas, steps)
+    size = max(actions * thetas * rows, rewards * thetas, actions * rewards * rows)
     if size > MAX_VALUES:
         raise InputError(
-            f"{actions} actions x {thetas} thetas x {max(gammas, steps)} rows are {size:,} numbers, above "
-            f"{MAX_VALUES:,}: lower thetas, gammas or steps."
+            f"{actions} actions, {rewards} distinct rewards, {thetas} thetas and {rows} rows make arrays of {size:,} "
+            f"numbers, above {MAX_VALUES:,}: lower thetas, gammas or steps, or round the rewards."
         )

@@ -87,7 +87,7 @@ def _is_wrong(found: Study, row: int) -> bool:
     """Whether the chosen action loses anything, beyond a tie, against the best."""
     optimum = found.truth.optimum[:, row]
     chosen = greedy_action(found.decoded.horizon_values[:, row])
-    return bool(optimum.max() - optimum[chosen] > TIE_TOLERANCE * max(1.0, np.abs(optimum).max()))
+    return bool(optimum.max() - optimum[chosen] > TIE_TOLERANCE * max(1.0, abs(optimum.max())))
 
 
 def _value_error(found: Study, row: int) -> float:
@@ -133,7 +133,7 @@ def _blame(found: Study, row: int, cause: Artefact | None) -> str:
         return f"Cause: {cause.name}. {cause.sentence}"
     optimum = found.truth.optimum[:, row]
     follows = greedy_action(found.truth.horizon_values[:, row])
-    if optimum.max() - optimum[follows] > TIE_TOLERANCE * max(1.0, np.abs(optimum).max()):
+    if optimum.max() - optimum[follows] > TIE_TOLERANCE * max(1.0, abs(optimum.max())):
         return (
             f"No artefact of the inverse: even the true timeline is that of the policy for gamma "
             f"{found.settings.acting_gamma:g}, which does not aim at this deadline."

@@ -116,7 +116,7 @@ def test_asinh_sensitivities_are_dense_near_zero():
         ((5, 1.0, 1.0), "theta-min"),
         ((5, 0.0, math.inf), "theta-max"),
         ((5, 0.0, 1.0, "asinh", 0.0), "scale"),
-        ((50, 1e6, 2e6, "gaussian", 1e-12), "too small"),
+        ((50, 1e6, 2e6, "gaussian", 1e-12), "do not fit"),
     ],
 )
 def test_impossible_sensitivities_are_refused(arguments, named):

@@ -200,7 +200,6 @@ def test_greedy_policy_does_not_depend_on_where_it_starts():
     np.testing.assert_array_equal(greedy_policy(world, 0.9, worst), greedy_policy(world, 0.9))
 
 
-@pytest.mark.xfail(strict=True, reason="policy iteration takes gains below 1e-12 |Q| / (1 - gamma) for rounding")
 def test_greedy_policy_is_optimal_at_the_largest_discount():
     # From A to B and back pays 4 + 3.3, by C and back 3.9 + 3.7 if action 1 is taken in C and 3.9 + 3 if not.
     paid = [(4.0, 1), (3.9, 2), (3.3, 0), (3.3, 0), (3.0, 0), (3.7, 0)]

@@ -6,7 +6,7 @@ import numpy as np
 from scipy import sparse
 
 from laplace_core.errors import InputError
-from laplace_core.ties import greedy_action
+from laplace_core.ties import TIE_TOLERANCE, greedy_action
 from laplace_core.worlds.model import World
 
 TARGET_POLICIES = ("shared", "per_gamma")
@@ -77,9 +77,9 @@ def greedy_policy(world: World, gamma: float, warm_start: np.ndarray | None = No
     for _ in range(10 * world.n_states + 100):
         q = action_values(world, state_values(world, policy, gamma), gamma)
         greedy = greedy_action(q)
-        # Q rounds in proportion to its size over 1 - gamma; a smaller gain is no gain.
-        rounding = 1e-12 * max(1.0, np.abs(q).max()) / (1.0 - gamma)
-        better = q[everywhere, greedy] > q[everywhere, policy] + rounding
+        # An action within the tolerance of the best is as good as the best: changing it would never end.
+        kept = q[everywhere, policy]
+        better = q.max(axis=1) - kept > TIE_TOLERANCE * np.maximum(1.0, np.abs(kept))
         if not better.any():
             return greedy
         policy = np.where(better, greedy, policy)

@@ -164,9 +164,8 @@ class World:
             index = -1
         if not 0 <= index < self.n_states:
             shown = ", ".join(self.states[:6]) + (", ..." if self.n_states > 6 else "")
-            raise InputError(
-                f"state {state!r} is not in world {self.name!r}: use 0 to {self.n_states - 1} or a name ({shown})."
-            )
+            given, last = str(state)[:40], self.n_states - 1
+            raise InputError(f"state {given!r} is not in world {self.name!r}: use 0 to {last} or a name ({shown}).")
         return index
 
     @cached_property
@@ -182,7 +181,7 @@ def _check_names(kind: str, names: tuple[str, ...], most: int) -> None:
         if not isinstance(name, str) or not name or len(name) > 100 or not name.isprintable():
             raise InputError(f"{kind} name {str(name)[:40]!r} must be 1 to 100 printable characters.")
         if name == "END" or name == "*":
-            raise InputError(f"{name!r} has a meaning of its own and cannot name a {kind}.")
+            raise InputError(f"{name!r} has a meaning of its own and cannot be the name of one of the {kind}s.")
         if name in seen:
             raise InputError(f"{kind} {name!r} is listed twice.")
         seen.add(name)
