@@ -47,9 +47,10 @@ def world_group() -> None:
     if world in PRESETS:
         st.caption(PRESETS[world].summary)
     parameters = parameters_of(world)
-    columns = st.columns(2) if parameters else []
+    long_names = any(len(parameter.name) > 11 for parameter in parameters)
+    columns = st.columns(1 if long_names else 2) if parameters else []
     for i, parameter in enumerate(parameters):
-        with columns[i % 2]:
+        with columns[i % len(columns)]:
             _number(f"p.{parameter.name}", parameter, parameter.default, parameter.name)
 
 

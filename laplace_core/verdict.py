@@ -57,7 +57,8 @@ def judge(found: Study, row: int) -> Verdict:
         sentence = f"{at} the decoded values choose {names[chosen]}{numbers}; the best is {names[best]}."
         return Verdict("wrong", f"{sentence} {_blame(found, row, cause)}", chosen, best, lost, cause)
     if found.world.n_actions == 1:
-        sentence = f"{at} the decoded value is {values[0]:.2f}; the true one is {truth.horizon_values[0, row]:.2f}."
+        true = truth.horizon_values[0, row]
+        sentence = f"{at} the decoded value is {_two(values[0])}; the true one is {_two(true)}."
     else:
         sentence = f"{at} the decoded values choose {names[chosen]}{numbers}, and no action is better."
     off = _value_error(found, row)
@@ -72,7 +73,12 @@ def _numbers(values: np.ndarray, chosen: int) -> str:
     if len(values) < 2:
         return ""
     rival = np.delete(values, chosen).max()
-    return f" ({values[chosen]:.2f} v {rival:.2f})"
+    return f" ({_two(values[chosen])} v {_two(rival)})"
+
+
+def _two(value: float) -> str:
+    """Two decimals, and never a negative zero."""
+    return f"{round(value, 2) + 0.0:.2f}"
 
 
 def _confirmation(found: Study, row: int) -> str:
@@ -80,7 +86,7 @@ def _confirmation(found: Study, row: int) -> str:
         return ""
     true = found.truth.horizon_values[:, row]
     order = np.argsort(-true, kind="stable")[:2]
-    return "True: " + ", ".join(f"{found.action_names[a]} {true[a]:.2f}" for a in order) + "."
+    return "True: " + ", ".join(f"{found.action_names[a]} {_two(true[a])}" for a in order) + "."
 
 
 def _is_wrong(found: Study, row: int) -> bool:

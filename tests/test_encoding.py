@@ -71,6 +71,7 @@ def test_grids_rise_from_bound_to_bound(count, spacing, low, high):
         ((15, "log", 0.1, 1.0), "gamma-max"),
         ((15, "log", 0.9, 0.1), "gamma-min"),
         ((15, "log", math.nan, 0.9), "gamma-min"),
+        ((15, "linear", 0.5, math.nextafter(0.5, 1)), "do not fit"),
     ],
 )
 def test_impossible_discount_grids_are_refused(arguments, named):

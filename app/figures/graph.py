@@ -9,7 +9,7 @@ import plotly.graph_objects as go
 
 from app.figures.theme import NEUTRAL, action_colour, axis, build
 from laplace_core import World
-from laplace_core.worlds import END
+from laplace_core.worlds import END, Outcome
 
 MAX_DRAWN = 26
 _GRID_MAX = 700
@@ -31,7 +31,17 @@ def world_graph(world: World, state: int, action: int, policy: np.ndarray) -> go
             lit = s == state and a == action
             if lit or (not gridded and (a == policy[s] or (s == state and world.n_actions <= 6))):
                 colour = action_colour(a) if s == state else NEUTRAL
-                _add_edges(edges, arrows, world, places, s, a, colour, lit, labelled=lit or len(drawn) <= 16)
+                _add_edges(
+                    edges,
+                    arrows,
+                    world,
+                    places,
+                    s,
+                    a,
+                    colour,
+                    lit,
+                    labelled=_room_for_labels(world, s, a, lit, len(drawn), gridded),
+                )
     hidden = world.n_states - len(drawn)
     (x_low, y_low), (x_high, y_high) = np.min(list(places.values()), axis=0), np.max(list(places.values()), axis=0)
     return build(
@@ -43,6 +53,12 @@ def world_graph(world: World, state: int, action: int, policy: np.ndarray) -> go
         xaxis=axis(visible=False, range=[x_low - 0.6, x_high + 0.6]),
         yaxis=axis(visible=False, range=[y_low - 0.8, y_high + 0.8]),
     )
+
+
+def _room_for_labels(world: World, s: int, a: int, lit: bool, drawn: int, gridded: bool) -> bool:
+    if gridded:  # neighbours are so close that two labels would cover each other
+        return len({row.next_state for row in world.outcomes(s, a)}) == 1
+    return lit or drawn <= 16
 
 
 def _successors(world: World, state: int) -> list[int]:
@@ -128,14 +144,14 @@ def _grid_edges(world: World, places: Places, drawn: list[int], policy: np.ndarr
 
 def _add_edges(edges, arrows, world, places, s, a, colour, lit, labelled) -> None:
     """The outcomes of one state and action: a curve, an arrowhead, and what they pay and how often."""
-    merged: dict[int, tuple[float, float]] = {}
+    merged: dict[int, list[Outcome]] = {}
     for row in world.outcomes(s, a):
-        p, paid = merged.get(row.next_state, (0.0, 0.0))
-        merged[row.next_state] = (p + row.probability, paid + row.probability * row.reward)
+        merged.setdefault(row.next_state, []).append(row)
     strong = {"opacity": 1.0 if lit else _FAINT}
-    for successor, (p, paid) in merged.items():
+    for successor, rows in merged.items():
         if successor not in places:
             continue
+        p = sum(row.probability for row in rows)
         x, y = _curve(places[s], places[successor], _bend(world, a))
         line = {"color": colour, "width": 3.5 if lit else 1.2, "dash": "solid" if p > 0.999 else "dot"}
         edges.append({"type": "scatter", "x": x, "y": y, "mode": "lines", "line": line, "hoverinfo": "skip", **strong})
@@ -145,11 +161,19 @@ def _add_edges(edges, arrows, world, places, s, a, colour, lit, labelled) -> Non
              "yref": "y", "text": "", "showarrow": True, "arrowhead": 2, "arrowsize": 1.1, "arrowcolor": colour,
              "arrowwidth": 3.0 if lit else 1.2, **strong}
         )  # fmt: skip
-        if labelled and (lit or abs(paid) > 1e-12 or p < 0.999):
-            text = f"{paid / p:.3g}" if p > 0.999 else f"{p:.2g}: {paid / p:.3g}"
+        if labelled and (lit or p < 0.999 or any(row.reward for row in rows)):
+            text = _rewards(rows) if p > 0.999 else f"{p:.2g}: {_rewards(rows)}"
             font = {"size": 12 if lit else 10, "color": colour}
             place = {"x": x[len(x) // 2], "y": y[len(y) // 2], "yshift": 9}
             arrows.append({**place, "text": text, "showarrow": False, "font": font})
+
+
+def _rewards(rows: list[Outcome]) -> str:
+    """``5``; ``-2 or 2``; the mean of more than two."""
+    values = sorted({row.reward for row in rows})
+    if len(values) <= 2:
+        return " or ".join(f"{value:.3g}" for value in values)
+    return f"mean {sum(row.probability * row.reward for row in rows) / sum(row.probability for row in rows):.3g}"
 
 
 def _bend(world: World, action: int) -> float:

@@ -51,6 +51,7 @@ def build(title: str, traces: list[dict], margin: dict[str, int] | None = None, 
         "yanchor": "top",
     }
     legend = {"orientation": "h", "x": 0.0, "xanchor": "left", "y": 1.0, "yanchor": "bottom", "font": {"size": 11}}
+    legend["tracegroupgap"] = 0
     common = {
         "title": heading,
         "height": HEIGHT,

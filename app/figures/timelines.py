@@ -51,7 +51,9 @@ def _aligned_ranges(study: Study, action: int) -> tuple[list[float], list[float]
     step = study.settings.time_step
     top = max(float(np.max(rewards)) / step, 0.0)
     bottom = min(float(np.min(rewards)) / step, 0.0)
-    size = (top - bottom) or 1.0
+    if top - bottom < _least_span(study):
+        top, bottom = _least_span(study), -_least_span(study) / 4.0
+    size = top - bottom
     alive_top, alive_bottom = max(1.0, float(np.max(survival)) / step), min(0.0, float(np.min(survival)) / step)
     below = max(-bottom / size, -alive_bottom / (alive_top - alive_bottom), 0.05)  # share of the height under zero
     above = max(top / size, 0.35 if below < 0.6 else 0.2)
@@ -66,7 +68,7 @@ def values_over_horizon(study: Study, row: int) -> go.Figure:
     mode = "lines+markers" if len(horizons) <= 40 else "lines"
     traces: list[dict] = []
     for a, name in enumerate(names):
-        line = {"type": "scatter", "x": horizons, "name": name, "legendgroup": name}
+        line = {"type": "scatter", "x": horizons, "name": name}
         colour = action_colour(a)
         if truth is not None:
             hover = f"T %{{x:g}}<br>true {name} %{{y:.3f}}<extra></extra>"
@@ -85,9 +87,20 @@ def values_over_horizon(study: Study, row: int) -> go.Figure:
         margin={"l": 56, "t": 40 + 19 * _legend_rows(names)},
         shapes=[{**cursor, "line": {"color": NEUTRAL, "width": 1.5, "dash": "dash"}}],
         xaxis=axis("horizon T (steps)", anchor="y2"),
-        yaxis=axis("value V<sub>T</sub>", domain=[0.24, 1.0]),
+        yaxis=axis("value V<sub>T</sub>", domain=[0.24, 1.0], **_value_range(study)),
         yaxis2=axis(domain=[0.0, 0.19], showgrid=False),
     )
+
+
+def _least_span(study: Study) -> float:
+    """Below this a difference is rounding, and an axis should not blow it up."""
+    return 1e-6 * float(study.midpoints[-1] - study.midpoints[0])
+
+
+def _value_range(study: Study) -> dict[str, list[float]]:
+    shown = [study.decoded.horizon_values] + ([study.truth.horizon_values] if study.truth is not None else [])
+    low, high = float(np.min(shown)), float(np.max(shown))
+    return {} if high - low >= _least_span(study) else {"range": [low - 1.0, high + 1.0]}
 
 
 def _legend_rows(names: tuple[str, ...], width: int = 290) -> int:

@@ -153,8 +153,9 @@ def _footer(settings: Settings, row: int) -> None:
     lost = compute.episode_regrets(settings)
     if lost is not None:
         whole = int(np.clip(round((row + 1) * settings.time_step), 1, len(lost)))
+        loss = lost[whole - 1] if lost[whole - 1] > 1e-6 else 0.0  # below that it is a near tie
         regret.caption(
-            f"Acting by these values for a whole episode of {whole} steps loses {lost[whole - 1]:.3g} against the best."
+            f"Acting by these values for a whole episode of {whole} steps loses {loss:.3g} against the best."
         )
     with reading.popover("How to read this", width="stretch"):
         st.markdown(explain.READING)
