@@ -13,8 +13,8 @@ import numpy as np
 
 from laplace_core.encoding import bin_masses
 from laplace_core.inverse import MAX_STEPS, decode
+from laplace_core.pipeline import Study, basis_of, encoded_under
 from laplace_core.settings import SLOPE_TIMES_SPACING, Settings
-from laplace_core.study import Study, basis_of, encoded_under
 from laplace_core.worlds import PRESETS
 
 

@@ -12,9 +12,9 @@ from typing import NoReturn
 import numpy as np
 
 from laplace_core.errors import InputError
+from laplace_core.pipeline import Study, study, study_of_gamma_space
 from laplace_core.saved import read_gamma_space, save_study
 from laplace_core.settings import SCHEMA, flag, parse_settings
-from laplace_core.study import Study, study, study_of_gamma_space
 from laplace_core.worlds import PRESETS, TOY_TEXT, load_world
 
 

@@ -12,11 +12,11 @@ import numpy as np
 
 from laplace_core.encoding import bin_masses, theta_midpoints
 from laplace_core.errors import InputError
-from laplace_core.horizon import horizon_values
+from laplace_core.horizon import horizon_values, row_horizons
 from laplace_core.inverse import decode
 from laplace_core.learning import finite_horizon_optimum, proxy_gamma_space, reward_indicator_basis, value_of_rule
+from laplace_core.pipeline import decode_and_read, encode, grids, policies_of
 from laplace_core.settings import Settings
-from laplace_core.study import decode_and_read, encode, grids, policies_of
 from laplace_core.ties import greedy_action
 from laplace_core.worlds import World
 
@@ -77,8 +77,9 @@ def _bases(world: World, gammas: bytes, policy: str, acting_gamma: float) -> np.
 
 def rule_actions(values: np.ndarray, time_step: float = 1.0) -> np.ndarray:
     """The action taken with T = 1, 2, ... whole steps to go, int ``(T, S)``, from ``(S, A, K)`` values."""
-    horizons = np.arange(1, int(np.floor(values.shape[-1] * time_step + 1e-9)) + 1)
-    columns = np.rint(horizons / time_step).astype(int) - 1
+    available = row_horizons(values.shape[-1], time_step)
+    whole = np.arange(1, int(np.floor(available[-1] + 1e-9)) + 1)
+    columns = np.abs(available - whole[:, None]).argmin(axis=1)
     return np.moveaxis(greedy_action(values[:, :, columns], axis=1), -1, 0)
 
 
@@ -94,6 +95,8 @@ def episode_regret(
             experiment), instead of by the time to go.
     """
     if constant_horizon is not None:
+        if not 1 <= constant_horizon <= len(actions):
+            raise InputError(f"the constant horizon is {constant_horizon}; it must be from 1 to {len(actions)}.")
         actions = np.broadcast_to(actions[constant_horizon - 1], actions.shape)
     return optimum[: len(actions)].max(axis=2) - value_of_rule(world, actions, gamma)
 

@@ -1,7 +1,8 @@
 """Reading a tau-space (or, by readout weights, a gamma-space) for a horizon.
 
-V_T(s, a) = sum_{tau < T} gamma^tau E[r_tau] (paper, Eq. 7, cut at T). Time is counted in steps of the world;
-row k of a tau-space lies at k * time_step, and a horizon T covers the rows before it.
+V_T(s, a) = sum_{tau < T} gamma^tau E[r_tau] (paper, Eq. 7, cut at T). Time is counted in steps of the world. Row k
+of a tau-space lies at k * time_step and stands for the time around it, as step n stands for n - 1/2 to n + 1/2; so a
+deadline of T steps falls at T - 1/2, and the first k + 1 rows are the horizon T = k * time_step + (1 + time_step) / 2.
 """
 
 from __future__ import annotations
@@ -23,8 +24,8 @@ def expected_rewards(tau_space: np.ndarray, midpoints: np.ndarray) -> np.ndarray
 def deadline_weights(horizon: float, steps: int, softness: float = 0.0, time_step: float = 1.0) -> np.ndarray:
     """How much each row counts under a deadline, shape ``(steps,)``, in [0, 1].
 
-    sigmoid((T - dt/2 - tau) / width) with width = softness * T; softness 0 is the hard deadline, tau < T.
-    The middle lies half a row before T, between the last row that counts and the first that does not.
+    sigmoid((T - 1/2 - tau) / width) with width = softness * T; softness 0 is the hard deadline, tau < T - 1/2,
+    and a row right on it counts half.
 
     Raises:
         InputError: negative or non-finite softness or horizon.
@@ -35,20 +36,25 @@ def deadline_weights(horizon: float, steps: int, softness: float = 0.0, time_ste
         raise InputError(f"the horizon is {horizon:g}; it must be a positive number of steps.")
     tau = np.arange(steps) * time_step
     if softness < 1e-9:  # narrower than any step: the limit, before the division overflows
-        return (tau < horizon - 1e-9).astype(float)
-    return sigmoid((horizon - time_step / 2.0 - tau) / (softness * horizon))
+        return np.heaviside(np.round(horizon - 0.5 - tau, 9), 0.5)
+    return sigmoid((horizon - 0.5 - tau) / (softness * horizon))
+
+
+def row_horizons(steps: int, time_step: float = 1.0) -> np.ndarray:
+    """T of each column of the horizon values, in steps of the world, ``(steps,)``: 1, 2, ... at ``time_step`` 1."""
+    return np.arange(steps) * time_step + (1.0 + time_step) / 2.0
 
 
 def horizon_values(rewards: np.ndarray, gamma: float, softness: float = 0.0, time_step: float = 1.0) -> np.ndarray:
     """V_T for every horizon at once: ``(..., K)`` expected rewards to ``(..., K)`` values.
 
-    Column k is the horizon T = (k + 1) * time_step.
+    Column k is the horizon ``row_horizons(K, time_step)[k]``.
     """
     steps = rewards.shape[-1]
     discounted = rewards * gamma ** (np.arange(steps) * time_step)
     if softness == 0:
         return np.cumsum(discounted, axis=-1)
-    weights = [deadline_weights((k + 1) * time_step, steps, softness, time_step) for k in range(steps)]
+    weights = [deadline_weights(T, steps, softness, time_step) for T in row_horizons(steps, time_step)]
     return discounted @ np.array(weights).T
 
 

@@ -14,7 +14,7 @@ from pathlib import Path
 import numpy as np
 
 from laplace_core.errors import InputError
-from laplace_core.study import GammaSpace, Study
+from laplace_core.pipeline import GammaSpace, Study
 
 MAX_BYTES = 400_000_000
 """Most that a file's arrays may take together, as float64."""

@@ -13,7 +13,7 @@ from dataclasses import asdict, dataclass, replace
 
 import numpy as np
 
-from laplace_core.encoding import GAMMA_SPACINGS, PAPER_GAMMAS, THETA_SPACINGS
+from laplace_core.encoding import GAMMA_SPACINGS, PAPER_GAMMAS, THETA_SPACINGS, sensitivity_grid
 from laplace_core.errors import InputError
 from laplace_core.inverse import MAX_STEPS, NORMALISATIONS
 from laplace_core.learning import TARGET_POLICIES
@@ -114,7 +114,7 @@ def resolve(settings: Settings, world: World) -> Settings:
     Rewards decide the sensitivities (the range plus 20% at each end) and the slope (2.35 / spacing); how long
     a random walk survives decides the steps.
     """
-    given = {parameter.name: getattr(settings, parameter.name) for parameter in SCHEMA}
+    given = _checked(settings)
     suggested = dict(world.suggested)
     if settings.spacing is not None or settings.gamma_min is not None or settings.gamma_max is not None:
         for name in ("spacing", "gamma_min", "gamma_max"):  # a suggested grid comes whole or not at all
@@ -132,16 +132,24 @@ def resolve(settings: Settings, world: World) -> Settings:
     values["theta_min"] = _round(low - overhang, overhang) if values["theta_min"] is None else values["theta_min"]
     values["theta_max"] = _round(high + overhang, overhang) if values["theta_max"] is None else values["theta_max"]
     if values["slope"] is None:
-        spacing = max((values["theta_max"] - values["theta_min"]) / (values["thetas"] - 1), 1e-300)
+        grid = sensitivity_grid(values["thetas"], values["theta_min"], values["theta_max"], values["theta_spacing"])
+        spacing = float(np.diff(grid).max())
         gentle, steep = BY_NAME["slope"].low, BY_NAME["slope"].high
         values["slope"] = float(f"{np.clip(SLOPE_TIMES_SPACING / spacing, gentle, steep):.2g}")
     if values["steps"] is None:
         values["steps"] = _random_walk_length(world)
     if settings.steps is None:  # the same stretch of time, whatever the resolution
         values["steps"] = min(MAX_STEPS, int(np.ceil(values["steps"] / values["time_step"] - 1e-9)))
+    source = {"world": world.source, "params": world.params} if world.source else {}
     state = int(np.argmax(world.start)) if values["state"] is None else world.state_index(values["state"])
     values["state"] = world.states[state]
-    return replace(settings, **values)
+    return replace(settings, **values, **source)
+
+
+def _checked(settings: Settings) -> dict[str, object]:
+    """Values by name, None where not chosen; settings made in Python meet the same ranges as text."""
+    chosen = {parameter.name: getattr(settings, parameter.name) for parameter in SCHEMA}
+    return {name: value if value is None else BY_NAME[name].parse(value) for name, value in chosen.items()}
 
 
 _GRIDS = ("gammas", "spacing", "gamma_min", "gamma_max", "thetas", "theta_spacing", "theta_min", "theta_max")
@@ -162,11 +170,12 @@ def resolve_for_gamma_space(settings: Settings, gammas: np.ndarray) -> Settings:
             raise InputError(f"{flag(BY_NAME[name])} cannot be chosen for a saved gamma-space: the file decides it.")
     if settings.params:
         raise InputError("a saved gamma-space has no parameters: leave out --param.")
+    chosen = _checked(settings)
     length = int(np.clip(np.ceil(-3.0 / np.log(np.max(gammas))), 3, 200))
     values = {
         parameter.name: parameter.default
         for parameter in SCHEMA
-        if parameter.name not in ENCODING_NAMES and getattr(settings, parameter.name) is None
+        if parameter.name not in ENCODING_NAMES and chosen[parameter.name] is None
     }
     values["steps"] = settings.steps or min(MAX_STEPS, int(np.ceil(length / (settings.time_step or 1.0))))
     return replace(settings, **values)

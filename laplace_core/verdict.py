@@ -13,7 +13,7 @@ import numpy as np
 from laplace_core.artifacts import Artefact, Remedy, find_artefacts
 from laplace_core.errors import InputError
 from laplace_core.horizon import regret
-from laplace_core.study import Study, study
+from laplace_core.pipeline import Study, study
 from laplace_core.ties import TIE_TOLERANCE, greedy_action
 from laplace_core.worlds import load_world
 
@@ -41,7 +41,7 @@ class Verdict:
 
 
 def judge(found: Study, row: int) -> Verdict:
-    """The verdict at the horizon of one row, T = (row + 1) * time_step."""
+    """The verdict at the horizon of one row, ``found.horizons[row]``."""
     decoded, truth, names = found.decoded, found.truth, found.action_names
     values = decoded.horizon_values[:, row]
     chosen = int(greedy_action(values))

@@ -75,12 +75,12 @@ def test_a_rule_reads_the_column_of_each_time_to_go():
     values = np.zeros((1, 2, 8))
     values[0, 1] = [-1, -1, -1, 1, -1, -1, -1, 1]
     np.testing.assert_array_equal(rule_actions(values)[:, 0], [0, 0, 0, 1, 0, 0, 0, 1])
-    # Rows of 1/4: T = 1 and 2 are columns 3 and 7.
-    np.testing.assert_array_equal(rule_actions(values, 0.25)[:, 0], [1, 1])
-    # Rows of .3: T = 1 is nearest to column 2 (at .9), T = 2 to column 6 (at 2.1).
-    assert rule_actions(values, 0.3).shape == (2, 1)
-    values[0, 1, [2, 3, 5, 6]] = 1, -1, -1, 1
-    np.testing.assert_array_equal(rule_actions(values, 0.3)[:, 0], [1, 1])
+    # Rows of 1/3: column k is T = (k + 2) / 3, so T = 1, 2, 3 are columns 1, 4, 7.
+    values[0, 1] = [-1, 1, -1, -1, -1, -1, -1, 1]
+    np.testing.assert_array_equal(rule_actions(values, 1 / 3)[:, 0], [1, 0, 1])
+    # Rows of .4: column k is T = .4 k + .7; T = 1, 2, 3 are nearest to columns 1 (1.1), 3 (1.9) and 6 (3.1).
+    values[0, 1] = [-1, 1, -1, 1, -1, -1, 1, -1]
+    np.testing.assert_array_equal(rule_actions(values, 0.4)[:, 0], [1, 1, 1])
 
 
 def test_ties_in_a_rule_go_to_the_lowest_action():

@@ -17,6 +17,7 @@ from laplace_core.horizon import (
     horizon_values,
     readout_weights,
     regret,
+    row_horizons,
     target_discounts,
 )
 from laplace_core.inverse import decode, transform_matrix
@@ -36,10 +37,19 @@ def numbers(shape, seed=0) -> np.ndarray:
 
 def test_hard_deadline_counts_the_steps_before_it():
     np.testing.assert_array_equal(deadline_weights(3, 5), [1, 1, 1, 0, 0])
-    # Four rows to a step of the world: a horizon of one step covers four.
-    np.testing.assert_array_equal(deadline_weights(1, 6, time_step=0.25), [1, 1, 1, 1, 0, 0])
-    # Row 90 of .7 lies at 63 and is no longer before it, although 90 * .7 rounds to just below 63.
-    assert deadline_weights(63, 100, time_step=0.7).sum() == 90
+    # Step n stands for n - 1/2 to n + 1/2, so a horizon of two steps ends at 1.5, right on row 6 of 1/4.
+    np.testing.assert_array_equal(deadline_weights(2, 9, time_step=0.25), [1, 1, 1, 1, 1, 1, 0.5, 0, 0])
+    # Row 90 of .7 lies right on 63, although 90 * .7 rounds to just below it.
+    assert deadline_weights(63.5, 100, time_step=0.7).sum() == 90.5
+
+
+def test_columns_lie_between_the_rows_that_count_and_those_that_do_not():
+    np.testing.assert_array_equal(row_horizons(4), [1, 2, 3, 4])
+    # Rows at 0, 1/3, 2/3, ...: after two of them, at 1/2, the first step is over.
+    np.testing.assert_allclose(row_horizons(5, 1 / 3), [2 / 3, 1, 4 / 3, 5 / 3, 2])
+    for time_step in (1.0, 0.5, 0.3):
+        for k, horizon in enumerate(row_horizons(7, time_step)):
+            np.testing.assert_array_equal(deadline_weights(horizon, 7, time_step=time_step), np.arange(7) <= k)
 
 
 def test_soft_deadline_is_a_sigmoid_as_wide_as_a_fraction_of_the_horizon():
@@ -82,11 +92,11 @@ def test_values_of_all_horizons_equal_a_loop(softness, time_step):
     rewards, gamma = numbers((2, 9)), 0.9
     values = horizon_values(rewards, gamma, softness, time_step)
     for a, column in np.ndindex(2, 9):
-        horizon, total = (column + 1) * time_step, 0.0
+        horizon, total = column * time_step + (1 + time_step) / 2, 0.0
         for row in range(9):
             tau = row * time_step
             if softness:
-                weight = 1 / (1 + math.exp(-(horizon - time_step / 2 - tau) / (softness * horizon)))
+                weight = 1 / (1 + math.exp(-(horizon - 0.5 - tau) / (softness * horizon)))
             else:
                 weight = float(row <= column)
             total += weight * gamma**tau * rewards[a, row]
@@ -114,7 +124,7 @@ def test_readout_equals_decoding_and_summing(gammas, steps, alpha, softness, tim
     differences = transform_matrix(gammas, steps, time_step) @ timeline @ bin_masses(rewards, thetas, 4.0)
     tau_space = decode(differences, gammas, steps, alpha, time_step)
     summed = horizon_values(expected_rewards(tau_space, midpoints), 0.95, softness, time_step)
-    targets = [target_discounts((k + 1) * time_step, steps, 0.95, softness, time_step) for k in range(steps)]
+    targets = [target_discounts(T, steps, 0.95, softness, time_step) for T in row_horizons(steps, time_step)]
     weights = readout_weights(gammas, np.array(targets), alpha, time_step)
     np.testing.assert_allclose((differences @ midpoints) @ weights.T, summed, rtol=0, atol=1e-9)
 

@@ -10,9 +10,9 @@ import pytest
 
 from laplace_core import InputError, load_world
 from laplace_core import saved as saved_module
+from laplace_core.pipeline import GammaSpace, study, study_of_gamma_space
 from laplace_core.saved import read_gamma_space, save_study, study_arrays
 from laplace_core.settings import Settings
-from laplace_core.study import GammaSpace, study, study_of_gamma_space
 from tests.hostile import assert_nothing_written, assert_one_sentence
 from tests.malformed_saved import CASES, DATA, GOOD, described, npy, npy_by_hand, npz, pickles, with_arrays, with_member
 

@@ -62,8 +62,7 @@ def _action(world: World) -> int:
 
 
 def _row(found: Study, horizon: float | None) -> int:
-    last = len(found.horizons) - 1
-    return last if horizon is None else int(np.clip(round(horizon / found.settings.time_step) - 1, 0, last))
+    return len(found.horizons) - 1 if horizon is None else found.row_at(horizon)
 
 
 def _verdict(settings: Settings, row: int) -> None:
@@ -99,7 +98,7 @@ def _panels(found: Study, settings: Settings, action: int, row: int) -> None:
     with bottom[2]:
         _artefacts(settings, action, name)
     controls.live_group(found, float(found.horizons[row]))
-    _footer(settings, row)
+    _footer(settings, float(found.horizons[row]))
 
 
 def _chart(name: str, alt: str, revision: str, on_click=None, **drawn):
@@ -137,7 +136,7 @@ def _artefacts(settings: Settings, action: int, name: str) -> None:
                 )  # fmt: skip
 
 
-def _footer(settings: Settings, row: int) -> None:
+def _footer(settings: Settings, horizon: float) -> None:
     look, regret, reading, command, download = st.columns([1, 2.0, 1, 1, 1], vertical_alignment="center")
     with look:
         key = state.show("look", "heatmap")
@@ -152,11 +151,9 @@ def _footer(settings: Settings, row: int) -> None:
         )
     lost = compute.episode_regrets(settings)
     if lost is not None:
-        whole = int(np.clip(round((row + 1) * settings.time_step), 1, len(lost)))
+        whole = int(np.clip(round(horizon), 1, len(lost)))
         loss = lost[whole - 1] if lost[whole - 1] > 1e-6 else 0.0  # below that it is a near tie
-        regret.caption(
-            f"Acting by these values for a whole episode of {whole} steps loses {loss:.3g} against the best."
-        )
+        regret.caption(f"Acting by these values for an episode of {whole} steps loses {loss:.3g} against the best.")
     with reading.popover("How to read this", width="stretch"):
         st.markdown(explain.READING)
     with command.popover("decode command", width="stretch"):

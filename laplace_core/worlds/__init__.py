@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from functools import lru_cache
 
 from laplace_core.errors import InputError
-from laplace_core.parameters import Parameter
+from laplace_core.parameters import Parameter, parse_named
 from laplace_core.worlds.files import dump_world, parse_world, read_world
 from laplace_core.worlds.model import END, Outcome, World
 from laplace_core.worlds.presets import PRESETS, Preset
@@ -40,18 +41,23 @@ def load_world(source: str, params: Mapping[str, object] | None = None) -> World
     Raises:
         InputError: unknown source, or parameters that do not fit it.
     """
+    if source.startswith("gym:"):
+        source = f"gym:{toy_text_name(source.removeprefix('gym:'))}"
     if source.startswith("gym:") or source in PRESETS:
-        return _built(source, tuple(sorted((params or {}).items())))
+        given = parse_named(source, parameters_of(source), dict(params or {}))
+        return _built(source, tuple(sorted(given.items())))
     if not source.endswith(".json"):
         raise InputError(f"world {source[:60]!r} is none of: {', '.join(PRESETS)}, a .json file, or gym:NAME.")
     if params:
         raise InputError(f"{source[:60]} is a file: it has no parameters, edit the file instead.")
-    return read_world(source)
+    return replace(read_world(source), source=source)
 
 
 @lru_cache(maxsize=32)
 def _built(source: str, params: tuple[tuple[str, object], ...]) -> World:
     """The same world object for the same words, so that what is cached per world is found again."""
     if source.startswith("gym:"):
-        return toy_text_world(source.removeprefix("gym:"), dict(params))
-    return PRESETS[source].make(dict(params))
+        built = toy_text_world(source.removeprefix("gym:"), dict(params))
+    else:
+        built = PRESETS[source].make(dict(params))
+    return replace(built, source=source, params=params)

@@ -18,7 +18,7 @@ class TabularEnv(gymnasium.Env):
     There is no time limit: wrap in ``gymnasium.wrappers.TimeLimit`` where the world may run for ever.
     """
 
-    metadata: ClassVar[dict] = {"render_modes": ["ansi"]}
+    metadata: ClassVar[dict] = {"render_modes": ["ansi"], "render_fps": 4}
 
     def __init__(self, world: World, render_mode: str | None = None):
         if render_mode not in (None, "ansi"):
@@ -45,6 +45,8 @@ class TabularEnv(gymnasium.Env):
     def step(self, action: int):
         if self._state is None:
             raise gymnasium.error.ResetNeeded("call reset() before step(): no episode is running")
+        if not self.action_space.contains(action):
+            raise ValueError(f"action {action!r} is not in {self.action_space}")
         world, pair = self.world, self._state * self.world.n_actions + int(action)
         first, last = self._bounds[pair], self._bounds[pair + 1]
         draw = np.searchsorted(np.cumsum(world.probability[first:last]), self.np_random.random(), side="right")

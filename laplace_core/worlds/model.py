@@ -45,6 +45,7 @@ class World:
         state, action, next_state, probability, reward: the N outcomes, shape ``(N,)`` each.
         suggested: settings that suit this world (steps, alpha, ...), by the name of the setting.
         positions: where to draw each state, shape ``(S, 2)``, or None.
+        source, params: what :func:`laplace_core.load_world` builds the same world from; empty if made by hand.
     """
 
     name: str
@@ -58,6 +59,8 @@ class World:
     reward: np.ndarray
     suggested: Mapping[str, object] = field(default_factory=lambda: MappingProxyType({}))
     positions: np.ndarray | None = None
+    source: str = ""
+    params: tuple[tuple[str, object], ...] = ()
 
     @classmethod
     def from_outcomes(

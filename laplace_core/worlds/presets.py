@@ -73,7 +73,7 @@ def two_branch(length=3, r1=5.0, r2=10.0, auxiliary=False, slip=0.0) -> World:
     """The toy MDP of the paper's Fig. 4: take r1 now and end, or wait for r2.
 
     Diagnoses the repeated reward: rescaled rows keep paying r1 after the short branch has ended.
-    Optimum at the start, discount g: r1 for T < length, else max(r1, g^(length-1) r2) (no slip).
+    Optimum at the start, discount g: max(r1, 0) for T < length, else max(r1, g^(length-1) r2) (no slip).
     """
     rows, names = _branch(0, length, r1, r2, auxiliary, slip, lambda i: i + 1)
     suggested = {"gammas": 15, "alpha": 0.2, "steps": length}

@@ -15,7 +15,7 @@ import numpy as np
 
 from laplace_core.encoding import activation, bin_masses, discount_grid, sensitivity_grid, theta_midpoints
 from laplace_core.errors import InputError
-from laplace_core.horizon import choose_actions, expected_rewards, horizon_values
+from laplace_core.horizon import choose_actions, expected_rewards, horizon_values, row_horizons
 from laplace_core.inverse import decode, normalise_rows
 from laplace_core.learning import (
     finite_horizon_optimum,
@@ -106,7 +106,11 @@ class Study:
     @property
     def horizons(self) -> np.ndarray:
         """T of each column of the horizon values, in steps of the world, ``(K,)``."""
-        return (np.arange(self.settings.steps) + 1) * self.settings.time_step
+        return row_horizons(self.settings.steps, self.settings.time_step)
+
+    def row_at(self, horizon: float) -> int:
+        """The column of the horizon values that comes nearest to a horizon."""
+        return int(np.argmin(np.abs(self.horizons - horizon)))
 
     @property
     def taus(self) -> np.ndarray:
@@ -219,30 +223,33 @@ def _timeline(world: World, state: int, acting_gamma: float, length: int) -> np.
 def _truth(
     world: World, state: int, thetas: bytes, slope: float, acting_gamma: float, steps: int, time_step: float
 ) -> Truth:
-    length = int(np.ceil(steps * time_step - 1e-9))
+    horizons = row_horizons(steps, time_step)
+    length = int(np.ceil(horizons[-1] - 1e-9))
     timeline = _timeline(world, state, acting_gamma, length)  # (A, length, V)
     rewards = timeline @ world.reward_values
     spread = time_overlap(steps, length, time_step)
-    discounted = rewards * acting_gamma ** np.arange(length)
+    covered = np.clip(horizons[:, None] - np.arange(length), 0.0, 1.0)  # (K, length): share of each step before T
     optimum = _optimum(world, state, acting_gamma, length).T  # (A, length)
-    covered = np.ceil((np.arange(steps) + 1) * time_step - 1e-9).astype(int)
+    nearest = np.clip(np.rint(horizons).astype(int), 1, length)
     return Truth(
         tau_space=(spread @ timeline) @ bin_masses(world.reward_values, np.frombuffer(thetas), slope),
         survival=timeline.sum(axis=-1) @ spread.T,
         expected_reward=rewards @ spread.T,
-        horizon_values=np.cumsum(discounted @ spread.T, axis=-1),
-        optimum=optimum[:, covered - 1],
+        horizon_values=(rewards * acting_gamma ** np.arange(length)) @ covered.T,
+        optimum=optimum[:, nearest - 1],
     )
 
 
 def time_overlap(steps: int, length: int, time_step: float) -> np.ndarray:
-    """How much of row k's time, [k dt, (k+1) dt), lies in step n, [n, n+1): shape ``(steps, length)``.
+    """How much of row k's time lies in step n, shape ``(steps, length)``; the identity at ``time_step`` 1.
 
-    It spreads a true timeline evenly over the rows of a finer grid and keeps its mass; the identity at dt = 1.
+    Row k stands for the time_step around k * time_step, step n for the unit of time around n, so that a true
+    timeline on a finer grid has its rewards where the transform puts them. The half of step 0 that would lie
+    before time 0 is not drawn; values never pass through here.
     """
-    edges = np.arange(steps + 1) * time_step
-    whole = np.arange(length)
-    return np.clip(np.minimum(edges[1:, None], whole + 1) - np.maximum(edges[:-1, None], whole), 0.0, None)
+    middles, whole = np.arange(steps)[:, None] * time_step, np.arange(length)
+    last = np.minimum(middles + time_step / 2.0, whole + 0.5)
+    return np.clip(last - np.maximum(middles - time_step / 2.0, whole - 0.5), 0.0, None)
 
 
 def _check_size(actions: int, gammas: int, thetas: int, steps: int, rewards: int = 1) -> None:

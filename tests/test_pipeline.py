@@ -11,8 +11,8 @@ from laplace_core import InputError, Settings, load_world, study, study_of_gamma
 from laplace_core.encoding import activation, bin_masses
 from laplace_core.inverse import residual
 from laplace_core.learning import finite_horizon_optimum, greedy_policy, reward_indicator_basis, reward_timeline
+from laplace_core.pipeline import time_overlap
 from laplace_core.settings import resolve
-from laplace_core.study import time_overlap
 from laplace_core.worlds import END, Outcome, World
 from tests.random_worlds import worlds
 
@@ -128,40 +128,46 @@ def test_true_survival_is_a_probability_that_never_rises(world, time_step):
     assert np.all(np.diff(survival, axis=1) <= 1e-12)
 
 
-@given(worlds(), st.sampled_from([(0.5, 1), (0.25, 1), (0.2, 1), (0.3, 3)]))
-def test_finer_time_keeps_the_true_mass(world, finer):
-    # Rows of .25 meet the whole steps every 4 rows, rows of .3 only every 10 rows = 3 steps.
-    time_step, whole = finer
-    rows = round(whole / time_step)
-    coarse, fine = truth_of(world, steps=6), truth_of(world, steps=6 // whole * rows, time_step=time_step)
+@given(worlds(), st.sampled_from([1 / 3, 0.2]))
+def test_finer_time_keeps_the_truth_of_whole_steps(world, time_step):
+    # An odd number of rows a step: each later step owns whole rows, and whole horizons are columns of their own.
+    rows = round(1 / time_step)
+    coarse, fine = truth_of(world, steps=6), truth_of(world, steps=6 * rows, time_step=time_step)
+    half = rows // 2  # rows of step 0 after time 0, beside the one at 0
     for name in ("tau_space", "survival", "expected_reward"):
         one, other = (np.moveaxis(getattr(truth, name), 1, -1) for truth in (coarse, fine))
-        sums = [x.reshape(*x.shape[:-1], -1, n).sum(axis=-1) for x, n in ((one, whole), (other, rows))]
-        np.testing.assert_allclose(*sums, atol=1e-12)
-    # Values meet at the same horizons too: column k stands for T = (k + 1) * time_step.
-    np.testing.assert_allclose(
-        fine.horizon_values[:, rows - 1 :: rows], coarse.horizon_values[:, whole - 1 :: whole], atol=1e-12
-    )
-    np.testing.assert_array_equal(fine.optimum[:, rows - 1 :: rows], coarse.optimum[:, whole - 1 :: whole])
+        steps = other[..., half + 1 : half + 1 + 5 * rows]
+        np.testing.assert_allclose(steps.reshape(*steps.shape[:-1], 5, rows).sum(axis=-1), one[..., 1:], atol=1e-12)
+        # Of step 0 only the time from -1/2 row on is drawn.
+        np.testing.assert_allclose(other[..., : half + 1].sum(axis=-1), one[..., 0] * (1 + time_step) / 2, atol=1e-12)
+    np.testing.assert_allclose(fine.horizon_values[:, half::rows], coarse.horizon_values, atol=1e-12)
+    np.testing.assert_array_equal(fine.optimum[:, half::rows], coarse.optimum)
+
+
+@pytest.mark.parametrize("time_step", [1.0, 0.5, 0.25, 0.1])
+def test_rewards_are_drawn_where_the_transform_puts_them(time_step):
+    # The double chain pays .6 * 1/2 at step 2 and 1 * 1/2 at step 6: centroid (.3 * 2 + .5 * 6) / .8 = 4.5.
+    found = study(load_world("double_chain"), Settings(steps=round(9 / time_step), time_step=time_step, alpha=1e-4))
+    for rewards in (found.truth.expected_reward[0], found.decoded.expected_reward[0]):
+        assert rewards @ found.taus / rewards.sum() == pytest.approx(4.5, abs=0.03)
 
 
 def test_time_overlap_by_hand():
     np.testing.assert_array_equal(time_overlap(3, 3, 1.0), np.eye(3))
-    # Rows [0, .4), [.4, .8), [.8, 1.2): the last is half in step 0 and half in step 1.
-    np.testing.assert_allclose(time_overlap(3, 2, 0.4), [[0.4, 0], [0.4, 0], [0.2, 0.2]], atol=1e-15)
+    # Rows around 0, .4, .8, 1.2, each .4 wide: the second, .2 to .6, is .3 in step 0 and .1 in step 1.
+    np.testing.assert_allclose(time_overlap(4, 2, 0.4), [[0.4, 0], [0.3, 0.1], [0, 0.4], [0, 0.4]], atol=1e-15)
 
 
-def test_optimum_of_a_fractional_horizon_is_that_of_the_next_whole_step():
+def test_optimum_of_a_fractional_horizon_is_that_of_the_nearest_whole_step():
     truth = study(load_world("two_branch"), Settings(time_step=0.25)).truth
-    # Long is worth 9.801 from T = 3 on, and T = 2.25 already reaches into the third step.
+    # Columns at .625, .875, ..., 3.375; long is worth 9.801 from T = 3 on, and 2.625 is nearest to 3.
     np.testing.assert_allclose(truth.optimum[1], [0.0] * 8 + [9.801] * 4)
 
 
 def test_the_truth_reaches_into_a_last_step_that_is_only_partly_covered():
-    # Seven rows of .4 cover 2.8 steps; the long branch lives for three and pays 10 in the third.
-    truth = study(load_world("two_branch"), Settings(steps=7, time_step=0.4)).truth
-    assert truth.survival[1].sum() == pytest.approx(2.8)
-    assert truth.expected_reward[1].sum() == pytest.approx(8.0)
+    # Columns of .4 rows lie at .4 k + .7: the last of six is T = 2.7 and holds .7 of the third step's 9.801.
+    truth = study(load_world("two_branch"), Settings(steps=6, time_step=0.4)).truth
+    assert truth.horizon_values[1, -1] == pytest.approx(0.7 * 9.801)
     assert truth.optimum[1, -1] == pytest.approx(9.801)
 
 
@@ -195,13 +201,18 @@ def test_a_gamma_space_from_elsewhere_is_decoded_in_the_same_way(normalise):
 def test_rows_and_columns_know_their_time():
     found = study(load_world("two_branch"), Settings(time_step=0.25))
     np.testing.assert_allclose(found.taus[:3], [0, 0.25, 0.5])
-    np.testing.assert_allclose(found.horizons[[0, 3, 11]], [0.25, 1.0, 3.0])
+    np.testing.assert_allclose(found.horizons[[0, 3, 11]], [0.625, 1.375, 3.375])
+    assert found.row_at(1.4) == 3
 
 
 @pytest.mark.parametrize(
     ("settings", "named"),
     [
         (Settings(state="nowhere"), "nowhere"),
+        (Settings(thetas=1), "thetas"),
+        (Settings(steps=0), "steps"),
+        (Settings(acting_gamma=1.0), "acting_gamma"),
+        (Settings(solver="nonsense"), "solver"),
         (Settings(gamma_min=0.9, gamma_max=0.1), "gamma-min"),
         (Settings(theta_min=3.0, theta_max=1.0), "theta-min"),
     ],
@@ -217,3 +228,9 @@ def test_a_study_too_large_to_hold_is_refused():
     world = World.from_outcomes("wide", ["s"], [f"a{a}" for a in range(13)], rows)
     with pytest.raises(InputError, match="52,000,000"):
         study(world, Settings(thetas=2000, steps=2000))
+
+
+def test_a_study_records_the_world_that_it_was_made_of():
+    found = study(load_world("cliff_grid", {"slip": "0.1"}), Settings())
+    assert found.settings.world == "cliff_grid"
+    assert found.settings.params == (("slip", 0.1),)
