@@ -79,7 +79,7 @@ def _figure(name: str, settings: Settings, action: int, row: int, surface: bool)
     if name == "world":
         world = load_world(settings.world, dict(settings.params))
         policy = greedy_policy(world, settings.acting_gamma)
-        return figures.world_graph(world, world.state_index(settings.state), action, policy).to_json(validate=False)
+        return figures.to_json(figures.world_graph(world, world.state_index(settings.state), action, policy))
     found = study_for(settings)
     drawn = {
         "gamma-space": lambda: figures.gamma_space(found, action, surface),
@@ -87,4 +87,4 @@ def _figure(name: str, settings: Settings, action: int, row: int, surface: bool)
         "rewards": lambda: figures.rewards_and_survival(found, action),
         "values": lambda: figures.values_over_horizon(found, row),
     }[name]()
-    return drawn.to_json(validate=False)
+    return figures.to_json(drawn)

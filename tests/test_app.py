@@ -12,8 +12,10 @@ from app.state import WORLDS
 MAIN = str(Path(__file__).resolve().parent.parent / "app" / "main.py")
 
 
-def opened(**query: str) -> AppTest:
+def opened(unfolded: str | None = None, **query: str) -> AppTest:
     page = AppTest.from_file(MAIN, default_timeout=60)
+    if unfolded:  # what lies in a closed expander or popover is not on the page
+        page.session_state[unfolded] = True
     for name, value in query.items():
         page.query_params[name] = value
     page.run()
@@ -83,7 +85,7 @@ def test_settings_that_contradict_each_other_are_one_sentence_and_no_trace():
 
 
 def test_another_world_brings_its_own_settings_but_keeps_the_normalisation():
-    page = opened()
+    page = opened("learning")
     page.selectbox(key="world").set_value("fig6_chain")
     page.run()
     assert page.number_input(key="gammas").value == 100
@@ -92,7 +94,7 @@ def test_another_world_brings_its_own_settings_but_keeps_the_normalisation():
 
 
 def test_what_was_not_set_by_hand_follows_the_world():
-    page = opened()
+    page = opened("learning")
     page.number_input(key="p.r2").set_value(20.0)
     page.run()
     assert page.number_input(key="theta_max").value == pytest.approx(24.0)
@@ -105,6 +107,6 @@ def test_reset_returns_to_the_world_s_own_settings():
 
 
 def test_the_command_shown_reproduces_the_view():
-    code = opened(alpha="0.05").code[0].value
+    code = opened("command", alpha="0.05").code[0].value
     assert code.startswith("python -m laplace_core decode two_branch")
     assert "--alpha 0.05" in code

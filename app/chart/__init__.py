@@ -29,7 +29,7 @@ def chart(
     """Draw a figure and return the first custom datum of a point that was clicked just now, if any.
 
     Args:
-        figure: the figure as JSON (``figure.to_json()``).
+        figure: a plotly figure as JSON.
         alt: what the picture shows, for those who cannot see it.
         height: pixels, reserved before anything is drawn so that the page does not jump.
         revision: zoom and camera are kept as long as this stays the same.

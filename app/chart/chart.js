@@ -1,7 +1,8 @@
 // A plotly figure that keeps its place: one div per key, updated in place, so that zoom, camera and scroll survive.
 
-// Charts are drawn one at a time with a frame in between: the first is on screen before the last is computed.
-function inTurn(work) {
+// On opening, charts are drawn one at a time: the first is on screen before the last is computed. Updates do not wait.
+function inTurn(box, work) {
+  if (box.listening) return Promise.resolve().then(work);
   const frame = () => new Promise((next) => setTimeout(next, 0));
   window.laplaceDrawing = (window.laplaceDrawing ?? window.laplacePlotly).catch(() => {}).then(frame).then(work);
   return window.laplaceDrawing;
@@ -32,7 +33,7 @@ const TO_SVG = {
 };
 
 function draw(box) {
-  inTurn(async () => {
+  inTurn(box, async () => {
     const Plotly = await window.laplacePlotly;
     const { figure, revision, name } = box.wanted;
     if (box.drawn === figure) return;

@@ -5,9 +5,8 @@ from __future__ import annotations
 from collections import deque
 
 import numpy as np
-import plotly.graph_objects as go
 
-from app.figures.theme import NEUTRAL, action_colour, axis, build
+from app.figures.theme import NEUTRAL, Figure, action_colour, axis, build
 from laplace_core import World
 from laplace_core.worlds import END, Outcome
 
@@ -19,7 +18,7 @@ _FAINT = 0.6
 Places = dict[int, tuple[float, float]]
 
 
-def world_graph(world: World, state: int, action: int, policy: np.ndarray) -> go.Figure:
+def world_graph(world: World, state: int, action: int, policy: np.ndarray) -> Figure:
     """The states near ``state``, the outcomes of ``action`` lit up, those of the policy elsewhere in grey."""
     gridded = world.positions is not None and world.n_states <= _GRID_MAX
     drawn = list(range(world.n_states)) if gridded else _nearby(world, state)

@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 import numpy as np
-import plotly.graph_objects as go
 
-from app.figures.theme import TRUTH, TRUTH_HALO, UNDER_RANGE, axis, build, probability_scale
+from app.figures.theme import TRUTH, TRUTH_HALO, UNDER_RANGE, Figure, axis, build, probability_scale
 from laplace_core import Study
 
 _FOOT = 0.02  # a true reward is outlined down to this share of its row's peak
 _FEW_ROWS = 16
 
 
-def gamma_space(study: Study, action: int, surface: bool = False) -> go.Figure:
+def gamma_space(study: Study, action: int, surface: bool = False) -> Figure:
     """Q[g, h] - Q[g, h+1] over sensitivity and discount, in discounted counts."""
     values, gammas = study.gamma_space.differences[action], study.gamma_space.gammas
     limit = float(values.max()) or 1.0
@@ -22,7 +21,7 @@ def gamma_space(study: Study, action: int, surface: bool = False) -> go.Figure:
     return _space(values, study.midpoints, limit, hover, custom, surface, "gamma-space", rows, [])
 
 
-def tau_space(study: Study, action: int, surface: bool = False) -> go.Figure:
+def tau_space(study: Study, action: int, surface: bool = False) -> Figure:
     """P[tau, h] over reward and future step, with the truth outlined."""
     step = study.settings.time_step
     values = study.decoded.tau_space[action] / step
@@ -44,7 +43,7 @@ def probability_limit(study: Study) -> float:
     return float(study.truth.tau_space.max() / study.settings.time_step) or 1.0
 
 
-def _space(values, midpoints, limit, hover, custom, surface, name, rows_axis, outline) -> go.Figure:
+def _space(values, midpoints, limit, hover, custom, surface, name, rows_axis, outline) -> Figure:
     rows, low = np.arange(len(values)), -UNDER_RANGE * limit
     data = {"x": midpoints, "y": rows, "z": values, "customdata": custom, "hovertemplate": hover}
     data["colorscale"] = probability_scale()

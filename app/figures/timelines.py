@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import numpy as np
-import plotly.graph_objects as go
 
-from app.figures.theme import NEUTRAL, action_colour, axis, build
+from app.figures.theme import NEUTRAL, Figure, action_colour, axis, build
 from laplace_core import Study
 
 
-def rewards_and_survival(study: Study, action: int) -> go.Figure:
+def rewards_and_survival(study: Study, action: int) -> Figure:
     """E[r_tau] and the chance that the episode still runs, decoded against true, for one action."""
     step, taus, decoded, truth = study.settings.time_step, study.taus, study.decoded, study.truth
     few = len(taus) <= 60
@@ -62,7 +61,7 @@ def _aligned_ranges(study: Study, action: int) -> tuple[list[float], list[float]
     return [-below * height, above * height], [-below * alive_height, above * alive_height]
 
 
-def values_over_horizon(study: Study, row: int) -> go.Figure:
+def values_over_horizon(study: Study, row: int) -> Figure:
     """V_T of every action over T, and a strip that shows the chosen and the best action."""
     horizons, names, decoded, truth = study.horizons, study.action_names, study.decoded, study.truth
     mode = "lines+markers" if len(horizons) <= 40 else "lines"

@@ -33,8 +33,10 @@ def page() -> None:
             st.error(str(error))
             return
         controls.look_group(world, wanted, world.actions[_action(world)])
-        with st.expander("Learning: discounts, sensitivities, policy"):
-            controls.grid_group(wanted)
+        learning = st.expander("Learning: discounts, sensitivities, policy", key="learning", on_change="rerun")
+        if learning.open:
+            with learning:
+                controls.grid_group(wanted)
     _view()
 
 
@@ -52,8 +54,12 @@ def _view() -> None:
         st.error(str(error))
         return
     row = _row(found, state.chosen().get("horizon"))
-    _verdict(wanted, row)
-    _panels(found, wanted, _action(world), row)
+    above = st.container()
+    _panels(found, wanted, _action(world), row)  # first, so that the pictures move before the words
+    with above:
+        _verdict(wanted, row)
+    controls.live_group(found, float(found.horizons[row]))
+    _footer(wanted, float(found.horizons[row]))
 
 
 def _action(world: World) -> int:
@@ -97,8 +103,6 @@ def _panels(found: Study, settings: Settings, action: int, row: int) -> None:
         _chart("rewards", f"Expected reward and survival of {name} over future steps, decoded and true.", same, **drawn)
     with bottom[2]:
         _artefacts(settings, action, name)
-    controls.live_group(found, float(found.horizons[row]))
-    _footer(settings, float(found.horizons[row]))
 
 
 def _chart(name: str, alt: str, revision: str, on_click=None, **drawn):
@@ -154,10 +158,13 @@ def _footer(settings: Settings, horizon: float) -> None:
         whole = int(np.clip(round(horizon), 1, len(lost)))
         loss = lost[whole - 1] if lost[whole - 1] > 1e-6 else 0.0  # below that it is a near tie
         regret.caption(f"Acting by these values for an episode of {whole} steps loses {loss:.3g} against the best.")
-    with reading.popover("How to read this", width="stretch"):
-        st.markdown(explain.READING)
-    with command.popover("decode command", width="stretch"):
-        st.code(settings.to_command("view.npz"), language="bash", wrap_lines=True)
+    # What lies in a closed popover is left out: formulas and code bring large scripts along.
+    words = reading.popover("How to read this", width="stretch", on_change="rerun", key="reading")
+    if words.open:
+        words.markdown(explain.READING)
+    line = command.popover("decode command", width="stretch", on_change="rerun", key="command")
+    if line.open:
+        line.code(settings.to_command("view.npz"), language="bash", wrap_lines=True)
     download.download_button(
         "Download NPZ", lambda: compute.npz_bytes(settings), file_name=f"{settings.world.replace(':', '_')}.npz",
         mime="application/octet-stream", width="stretch", on_click="ignore",
