@@ -18,6 +18,7 @@ from laplace_core.errors import InputError
 from laplace_core.horizon import choose_actions, expected_rewards, horizon_values, row_horizons
 from laplace_core.inverse import decode, normalise_rows
 from laplace_core.learning import (
+    check_policy,
     finite_horizon_optimum,
     greedy_policy,
     reward_indicator_basis,
@@ -118,23 +119,32 @@ class Study:
         return np.arange(self.settings.steps) * self.settings.time_step
 
 
-def study(world: World, settings: Settings) -> Study:
+def study(world: World, settings: Settings, policy: np.ndarray | None = None) -> Study:
     """Run the whole line for one state of a world.
+
+    Args:
+        policy: a policy of your own, int ``(S,)`` or float ``(S, A)``, that every discount and the truth follow
+            in place of the one that ``settings.policy`` names.
 
     Raises:
         InputError: settings that do not fit the world or each other.
     """
     settings = resolve(settings, world)
-    state = world.state_index(settings.state)
-    gammas, thetas = grids(settings)
-    _check_size(world.n_actions, len(gammas), len(thetas), settings.steps, world.reward_values.size)
-    basis = _basis(world, state, gammas.tobytes(), settings.policy, settings.acting_gamma)
-    gamma_space = encode(basis, world.reward_values, gammas, thetas, settings.slope)
-    truth = _truth(
-        world, state, thetas.tobytes(), settings.slope, settings.acting_gamma, settings.steps, settings.time_step
-    )
-    decoded = decode_and_read(gamma_space, settings)
-    return Study(settings, world.actions, gamma_space, theta_midpoints(thetas), decoded, world, state, truth)
+    state, s = world.state_index(settings.state), settings
+    gammas, thetas = grids(s)
+    _check_size(world.n_actions, len(gammas), len(thetas), s.steps, world.reward_values.size)
+    length = int(np.ceil(row_horizons(s.steps, s.time_step)[-1] - 1e-9))
+    if policy is None:
+        basis = _basis(world, state, gammas.tobytes(), s.policy, s.acting_gamma)
+        timeline = _timeline(world, state, s.acting_gamma, length)
+    else:
+        policy = check_policy(world, policy)
+        basis = reward_indicator_basis(world, state, gammas, [policy] * gammas.size)
+        timeline = reward_timeline(world, state, policy, length)
+    gamma_space = encode(basis, world.reward_values, gammas, thetas, s.slope)
+    truth = _truth(world, timeline, _optimum(world, state, s.acting_gamma, length), thetas, s)
+    decoded = decode_and_read(gamma_space, s)
+    return Study(s, world.actions, gamma_space, theta_midpoints(thetas), decoded, world, state, truth)
 
 
 def study_of_gamma_space(gamma_space: GammaSpace, settings: Settings) -> Study:
@@ -220,23 +230,19 @@ def _timeline(world: World, state: int, acting_gamma: float, length: int) -> np.
     return reward_timeline(world, state, _acting_policy(world, acting_gamma), length)
 
 
-def _truth(
-    world: World, state: int, thetas: bytes, slope: float, acting_gamma: float, steps: int, time_step: float
-) -> Truth:
-    horizons = row_horizons(steps, time_step)
-    length = int(np.ceil(horizons[-1] - 1e-9))
-    timeline = _timeline(world, state, acting_gamma, length)  # (A, length, V)
-    rewards = timeline @ world.reward_values
-    spread = time_overlap(steps, length, time_step)
-    covered = np.clip(horizons[:, None] - np.arange(length), 0.0, 1.0)  # (K, length): share of each step before T
-    optimum = _optimum(world, state, acting_gamma, length).T  # (A, length)
+def _truth(world: World, timeline: np.ndarray, optimum: np.ndarray, thetas: np.ndarray, settings: Settings) -> Truth:
+    """The truth on the rows and columns of a study, from a timeline ``(A, N, V)`` and an optimum ``(N, A)``."""
+    s, length = settings, timeline.shape[1]
+    rewards, horizons = timeline @ world.reward_values, row_horizons(s.steps, s.time_step)
+    spread = time_overlap(s.steps, length, s.time_step)
+    covered = np.clip(horizons[:, None] - np.arange(length), 0.0, 1.0)  # (K, N): share of each step before T
     nearest = np.clip(np.rint(horizons).astype(int), 1, length)
     return Truth(
-        tau_space=(spread @ timeline) @ bin_masses(world.reward_values, np.frombuffer(thetas), slope),
+        tau_space=(spread @ timeline) @ bin_masses(world.reward_values, thetas, s.slope),
         survival=timeline.sum(axis=-1) @ spread.T,
         expected_reward=rewards @ spread.T,
-        horizon_values=(rewards * acting_gamma ** np.arange(length)) @ covered.T,
-        optimum=optimum[:, nearest - 1],
+        horizon_values=(rewards * s.acting_gamma ** np.arange(length)) @ covered.T,
+        optimum=optimum.T[:, nearest - 1],
     )
 
 

@@ -234,3 +234,18 @@ def test_a_study_records_the_world_that_it_was_made_of():
     found = study(load_world("cliff_grid", {"slip": "0.1"}), Settings())
     assert found.settings.world == "cliff_grid"
     assert found.settings.params == (("slip", 0.1),)
+
+
+def test_a_policy_of_ones_own_is_what_every_discount_and_the_truth_follow():
+    # In two_decisions, after "go on" a coin between r1 = 5 at once and r2 = 10 two steps later: E[r] at tau = 1 is
+    # 2.5 and at tau = 3 it is 5, with survival 1, 1, .5, .5.
+    world, coin = load_world("two_decisions"), np.full((4, 2), 0.5)
+    found = study(world, Settings(alpha=1e-7, steps=4), policy=coin)
+    np.testing.assert_allclose(found.truth.expected_reward[1], [0, 2.5, 0, 5])
+    np.testing.assert_allclose(found.truth.survival[1], [1, 1, 0.5, 0.5])
+    np.testing.assert_allclose(found.decoded.expected_reward[1], [0, 2.5, 0, 5], atol=0.01)
+    greedy = study(world, Settings(alpha=1e-7, steps=4))
+    same = study(world, Settings(alpha=1e-7, steps=4), policy=greedy_policy(world, 0.99))
+    np.testing.assert_array_equal(same.decoded.tau_space, greedy.decoded.tau_space)
+    with pytest.raises(InputError, match="policy"):
+        study(world, Settings(), policy=np.zeros((2, 2)))
