@@ -9,7 +9,8 @@ app: .venv/.app
 	$(BIN)/streamlit run app/main.py --server.port $(PORT)
 
 test: .venv/.dev lint
-	$(BIN)/python -m pytest
+	$(BIN)/python -m pytest --ignore=tests/browser -n 2
+	$(BIN)/python -m pytest tests/browser -rs
 
 lint: .venv/.dev
 	$(BIN)/ruff check .
