@@ -51,12 +51,12 @@ def _ignore() -> None:
 
 @cache
 def _component() -> Callable:
-    publish_plotly_js()
     return st.components.v2.component("laplace_chart", js=_script("load.js", "chart.js"), isolate_styles=False)
 
 
 def preload() -> None:
     """Let the browser fetch plotly.js while the server still computes the first figure; call it early."""
+    publish_plotly_js()
     st.html(f"<script>{_script('load.js')}</script>", unsafe_allow_javascript=True)
 
 
