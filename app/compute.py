@@ -32,6 +32,17 @@ def artefacts_for(settings: Settings, action: int) -> tuple[Artefact, ...]:
     return tuple(find_artefacts(study_for(settings), action))
 
 
+def artefacts_elsewhere(settings: Settings, action: int) -> str:
+    """One line that names artefacts which only other actions have."""
+    here = {artefact.name for artefact in artefacts_for(settings, action)}
+    lines: dict[str, list[str]] = {}
+    for other, name in enumerate(study_for(settings).action_names):
+        for artefact in artefacts_for(settings, other) if other != action else ():
+            if artefact.name not in here:
+                lines.setdefault(artefact.name, []).append(name)
+    return " ".join(f"Also {name}, in {', '.join(actions)}." for name, actions in lines.items())
+
+
 @lru_cache(maxsize=32)
 def episode_regrets(settings: Settings) -> np.ndarray | None:
     """Loss of whole episodes under the decoded rule from the study's state, by T; None if too large to ask."""

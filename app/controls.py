@@ -73,7 +73,7 @@ def look_group(world: World, settings: Settings, action: str) -> None:
 
 
 def _keep_state(world: World) -> None:
-    state.chosen()["state"] = world.states[int(st.session_state["state_index"])]
+    state.choose("state", world.states[int(st.session_state["state_index"])])
 
 
 def grid_group(settings: Settings) -> None:
@@ -115,7 +115,8 @@ def live_group(found: Study, horizon: float) -> None:
 
 
 def _horizon(found: Study, horizon: float) -> None:
-    key = state.show("horizon", horizon)
+    key = "horizon"
+    st.session_state[key] = horizon  # the nearest that exists: a shorter world may not reach what was asked for
     step, last = found.settings.time_step, float(found.horizons[-1])
     shown = "%d" if step == 1 else "%.3g"
     if len(found.horizons) == 1:

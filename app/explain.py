@@ -2,26 +2,36 @@
 
 READING = r"""
 **gamma-space** holds what is learned: for each discount $\gamma$ and sensitivity $\theta_h$, the discounted number
-of future rewards above the threshold; drawn are the differences between neighbouring thresholds,
+of future rewards above the threshold. Drawn are the differences between neighbouring thresholds, with $k$ the slope:
 
-$$Z_{\gamma,h} = \mathbb{E}\sum_{\tau\ge 0} \gamma^\tau \big[f_h(r_\tau) - f_{h+1}(r_\tau)\big], \qquad
-f_h(r) = \frac{1}{1+e^{-k\,(r-\theta_h)}},\quad k = \text{slope}.$$
+$$
+Z_{\gamma,h} = \mathbb{E}\sum_{\tau\ge 0} \gamma^\tau \big[f_h(r_\tau) - f_{h+1}(r_\tau)\big]
+$$
 
-**tau-space** is its inverse: how likely each reward is at each future step. With $F_{\gamma\tau}=\gamma^\tau$,
+$$
+f_h(r) = \frac{1}{1+e^{-k\,(r-\theta_h)}}
+$$
 
-$$P = V\,\mathrm{diag}\!\Big(\frac{s}{s^2+\alpha^2}\Big)\,U^\top Z, \qquad F = U\,\mathrm{diag}(s)\,V^\top.$$
+**tau-space** is its inverse: how likely each reward is at each future step. With $F_{\gamma\tau}=\gamma^\tau$:
+
+$$
+P = V\,\mathrm{diag}\!\Big(\frac{s}{s^2+\alpha^2}\Big)\,U^\top Z, \qquad F = U\,\mathrm{diag}(s)\,V^\top
+$$
 
 White outlines (orange lines on a surface) are the truth; red is negative probability, which only an inverse can make.
 
 **Survival** is the decoded constant channel ($f\equiv 1$): the chance that the episode still runs at $\tau$.
 
-**Values over the horizon** add up expected rewards until the deadline; softness $w$ blurs it:
+**Values over the horizon** add up expected rewards until the deadline; softness $w$ blurs it, and $w \to 0$ counts
+the steps before $T$:
 
-$$V_T = \sum_\tau \gamma^\tau\, d_T(\tau) \sum_h \hat\theta_h P_{\tau h}, \qquad
-d_T(\tau) = \frac{1}{1+e^{-(T-\frac12-\tau)/(wT)}} \ \to\ [\tau<T].$$
+$$
+V_T = \sum_\tau \gamma^\tau\, d_T(\tau) \sum_h \hat\theta_h P_{\tau h}, \qquad
+d_T(\tau) = \frac{1}{1+e^{-(T-\frac12-\tau)/(wT)}}
+$$
 
-Solid lines are decoded, dotted ones true under the same policy. The strip compares the chosen action with the best
-one, found by backward induction for every deadline.
+Solid lines are decoded; dotted ones are true, under the policy for the acting gamma and the same deadline. The strip
+compares the chosen action with the best one, found by backward induction for every hard deadline.
 
 **The verdict** is computed: a cause is named only if its remedy alone puts the choice right.
 """

@@ -10,9 +10,10 @@ from collections.abc import Mapping
 
 import streamlit as st
 
-from laplace_core import PRESETS, InputError, Settings, load_world
+from laplace_core import PRESETS, InputError, Settings, World, load_world
 from laplace_core.parameters import Parameter, as_text, parse_named
-from laplace_core.settings import BY_NAME
+from laplace_core.pipeline import grids
+from laplace_core.settings import BY_NAME, resolve
 from laplace_core.worlds import TOY_TEXT, parameters_of
 
 OPENING = {"world": "two_branch", "normalise": "paper"}
@@ -53,12 +54,25 @@ def world_params() -> dict[str, object]:
 def keep(name: str) -> None:
     """Callback of the widget with key ``name``: its value is now set by hand."""
     chosen()[name] = st.session_state[name]
+    _touch()
+
+
+def choose(name: str, value: object) -> None:
+    """Set a value by hand that no widget of that name holds."""
+    chosen()[name] = value
+    _touch()
+
+
+def _touch() -> None:
+    """A widget, not the browser's Back, is behind this run: what the URL says may be a moment old."""
+    st.session_state["_touched"] = True
 
 
 def choose_world() -> None:
     """Callback of the world widget: what belonged to the old world is dropped."""
     kept = {name: value for name, value in chosen().items() if name in _KEPT_ACROSS_WORLDS}
     st.session_state["_chosen"] = {"world": st.session_state["world"], **kept}
+    _touch()
 
 
 def apply_changes(changes: Mapping[str, object]) -> None:
@@ -66,6 +80,7 @@ def apply_changes(changes: Mapping[str, object]) -> None:
     for name, value in changes.items():
         chosen()[name.replace("param:", _PARAM)] = value
     st.session_state["_sidebar_stale"] = True
+    _touch()
 
 
 def sidebar_is_stale() -> bool:
@@ -81,6 +96,7 @@ def settled() -> None:
 def reset() -> None:
     """Callback: back to the world's own settings."""
     st.session_state["_chosen"] = {"world": world_name()}
+    _touch()
 
 
 def show(name: str, value: object) -> str:
@@ -90,11 +106,20 @@ def show(name: str, value: object) -> str:
 
 
 def load_url() -> None:
-    """Once a session: take the state from the URL; what does not fit is left out and noted."""
-    if "_chosen" in st.session_state:
-        return
+    """Take the state from the URL when the page is opened and when the browser goes back or forward."""
     query = {name: st.query_params[name] for name in st.query_params}
-    st.session_state["_chosen"], st.session_state["_notes"] = parse_query(query) if query else (dict(OPENING), [])
+    opened = "_chosen" not in st.session_state
+    moved = query != st.session_state.get("_written") and not st.session_state.get("_touched", False)
+    if opened or moved:
+        found, notes = parse_query(query) if query else (dict(OPENING), [])
+        st.session_state["_chosen"], st.session_state["_notes"] = found, notes
+
+
+def drop_missing(world: World) -> None:
+    """Forget a state or action that the world, changed since, no longer has."""
+    for name, members in (("state", world.states), ("action", world.actions)):
+        if name in chosen() and chosen()[name] not in members:
+            st.toast(f"The world has no {name} {chosen().pop(name)!r} any more.")
 
 
 def parse_query(query: Mapping[str, str]) -> tuple[dict[str, object], list[str]]:
@@ -103,8 +128,8 @@ def parse_query(query: Mapping[str, str]) -> tuple[dict[str, object], list[str]]
     notes: list[str] = []
     world = query.get("world", OPENING["world"])
     if world not in WORLDS:
-        notes.append(f"The link asks for an unknown world, {world[:40]!r}; this is {OPENING['world']} instead.")
-        return {"world": OPENING["world"]}, notes
+        notes.append(f"The link asks for an unknown world, {world[:40]!r}; this is the opening view instead.")
+        return dict(OPENING), notes
     found["world"] = world
     known = {**BY_NAME, **{parameter.name: parameter for parameter in VIEW}}
     for name, text in query.items():
@@ -121,12 +146,19 @@ def parse_query(query: Mapping[str, str]) -> tuple[dict[str, object], list[str]]
     params = {name.removeprefix(_PARAM): value for name, value in found.items() if name.startswith(_PARAM)}
     try:
         built = load_world(world, params)
-        for name, members in (("state", built.states), ("action", built.actions)):
-            if name in found and found[name] not in members:
-                notes.append(f"Left out of the link: {name} {str(found.pop(name))[:40]!r} is not in {world}.")
     except InputError as error:
         notes.append(f"Left out of the link: {error}")
         found = {name: value for name, value in found.items() if not name.startswith(_PARAM)}
+        built = load_world(world, {})
+    for name, members in (("state", built.states), ("action", built.actions)):
+        if name in found and found[name] not in members:
+            notes.append(f"Left out of the link: {name} {str(found.pop(name))[:40]!r} is not in {world}.")
+    try:
+        values = {name: value for name, value in found.items() if name in BY_NAME}
+        grids(resolve(Settings(world=world, **values), built))
+    except InputError as error:
+        notes.append(f"Left out of the link: {error}")
+        found = {name: value for name, value in found.items() if not name.startswith(("gamma", "theta"))}
     return found, notes
 
 
@@ -139,9 +171,4 @@ def write_url() -> None:
     query = {name: as_text(value) for name, value in chosen().items()}
     if dict(st.query_params) != query:
         st.query_params.from_dict(query)
-
-
-def _text(value: object) -> str:
-    return (
-        str(value).lower() if isinstance(value, bool) else f"{value:.12g}" if isinstance(value, float) else str(value)
-    )
+    st.session_state["_written"], st.session_state["_touched"] = query, False

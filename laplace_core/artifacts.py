@@ -12,6 +12,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from laplace_core.encoding import bin_masses
+from laplace_core.horizon import horizon_values
 from laplace_core.inverse import MAX_STEPS, decode
 from laplace_core.pipeline import Study, basis_of, encoded_under
 from laplace_core.settings import SLOPE_TIMES_SPACING, Settings
@@ -125,7 +126,7 @@ def folding(study: Study, action: int, least: float = 0.05) -> Artefact | None:
         size,
         f"{100 * size:.0f}% of the discounted time lies beyond row {s.steps - 1}",
         "Gamma-space holds rewards that come after the last row; the inverse folds them into the rows that exist.",
-        (Remedy(f"Decode {steps} steps", {"steps": steps}),),
+        (Remedy(f"Decode {steps} rows", {"steps": steps}),),
     )
 
 
@@ -215,34 +216,33 @@ def reward_quantisation(study: Study, action: int, least: float = 0.01) -> Artef
     )
 
 
-def over_smoothing(study: Study, action: int, least: float = 0.1) -> Artefact | None:
-    """What a smaller alpha would bring back: fall of the error against the truth, relative L1 over tau-space."""
-    if study.truth is None or study.settings.alpha == 0:
-        return None
-    s, gammas = study.settings, study.gamma_space.gammas
-    true = study.truth.tau_space[action]
-    scale = np.abs(true).sum()
-    if scale == 0:
-        return None
-    rows = encoded_under(study, "shared").differences[action]
+def _timeline_error(study: Study, action: int, alpha: float) -> float:
+    """Total variation between the rows decoded at ``alpha``, unscaled, and the truth, as a share of the truth."""
+    s, true = study.settings, study.truth.tau_space[action]
+    space = encoded_under(study, "shared")
+    rows = decode(space.differences[action], space.gammas, s.steps, alpha, s.time_step)
+    return float(np.abs(rows - true).sum() / max(2.0 * np.abs(true).sum(), 1e-12))
 
-    def error(alpha: float) -> float:
-        return float(np.abs(decode(rows, gammas, s.steps, alpha, s.time_step) - true).sum() / scale)
 
-    here = error(s.alpha)
+def over_smoothing(study: Study, action: int, least: float = 0.05) -> Artefact | None:
+    """What a smaller alpha would bring back: fall of the timeline's error against the truth."""
+    alpha = study.settings.alpha
+    if study.truth is None or alpha == 0:
+        return None
+    here = _timeline_error(study, action, alpha)
     if here < least:
         return None
-    tried = {alpha: error(alpha) for alpha in s.alpha / 10.0 ** np.arange(1, 9) if alpha >= 1e-9}
+    tried = {a: _timeline_error(study, action, a) for a in alpha / 10.0 ** np.arange(1, 9) if a >= 1e-9}
     size = here - min(tried.values(), default=here)
     if size < least:
         return None
     # The largest alpha that brings most of it back: the smaller alpha is, the louder any noise.
-    best = float(f"{max(alpha for alpha, left in tried.items() if here - left >= 0.9 * size):.2g}")
+    best = float(f"{max(a for a, left in tried.items() if here - left >= 0.9 * size):.2g}")
     return Artefact(
         "over-smoothing",
         size,
         f"{100 * size:.0f}% of the timeline is smeared over time by alpha",
-        f"Alpha {s.alpha:g} suppresses components that gamma-space still holds, so rewards spread over neighbouring "
+        f"Alpha {alpha:g} suppresses components that gamma-space still holds, so rewards spread over neighbouring "
         "steps.",
         (Remedy(f"Lower alpha to {best:g}", {"alpha": best}),),
     )
@@ -261,16 +261,38 @@ def negative_mass(study: Study, action: int, least: float = 0.02) -> Artefact | 
     if size < least:
         return None
     rows, gammas = study.gamma_space.differences[action], study.gamma_space.gammas
-    tried = {alpha: negative(decode(rows, gammas, s.steps, alpha, s.time_step)) for alpha in np.geomspace(1e-8, 10, 28)}
-    calm = [alpha for alpha, left in tried.items() if left < least]
-    pick = min(calm, key=lambda alpha: abs(np.log(alpha / max(s.alpha, 1e-9)))) if calm else min(tried, key=tried.get)
-    pick = float(f"{pick:.2g}")
+    tried = np.array([float(f"{alpha:.1g}") for alpha in np.geomspace(1e-8, 10, 28)])
+    calm = [a for a in tried if negative(decode(rows, gammas, s.steps, a, s.time_step)) < least]
+    if study.truth is not None:  # ringing and smearing trade off: no remedy may make the timeline worse
+        here = _timeline_error(study, action, s.alpha)
+        calm = [a for a in calm if _timeline_error(study, action, a) <= here + 1e-3]
+    nearest = sorted(calm, key=lambda a: abs(np.log(a / max(s.alpha, 1e-9))))[:1]
     return Artefact(
         "negative mass",
         size,
         f"up to {size:.2f} of negative probability in a row",
-        "A linear inverse rings around sharp events; negative probability is the trough beside a peak.",
-        (Remedy(f"Set alpha to {pick:g}", {"alpha": pick}),),
+        "A linear inverse rings around sharp events; negative probability is the trough beside a peak."
+        + ("" if nearest else " With these discounts less ringing would mean more smearing."),
+        tuple(Remedy(f"Set alpha to {a:g}", {"alpha": a}) for a in nearest),
+    )
+
+
+def soft_deadline(study: Study, action: int, least: float = 0.05) -> Artefact | None:
+    """A deadline so soft that it reads another horizon: largest change of the true values, relative."""
+    s, truth = study.settings, study.truth
+    if truth is None or s.softness == 0:
+        return None
+    hard = horizon_values(truth.expected_reward[action], s.acting_gamma, 0.0, s.time_step)
+    soft = horizon_values(truth.expected_reward[action], s.acting_gamma, s.softness, s.time_step)
+    size = float(np.abs(soft - hard).max() / max(np.abs(hard).max(), 1e-12))
+    if size < least:
+        return None
+    return Artefact(
+        "soft deadline",
+        size,
+        f"a value moves by up to {100 * size:.0f}% of the largest",
+        "The soft deadline counts part of what comes after T and leaves out part of what comes before.",
+        (Remedy("Set softness to 0", {"softness": 0.0}),),
     )
 
 
@@ -283,4 +305,5 @@ _MEASURES: tuple[Callable[[Study, int], Artefact | None], ...] = (
     reward_quantisation,
     over_smoothing,
     negative_mass,
+    soft_deadline,
 )

@@ -23,6 +23,9 @@ from laplace_core.worlds import World
 MAX_WORK = 100_000_000
 """Numbers decoded for all states together before :func:`values_everywhere` refuses (a second or two of work)."""
 
+MAX_SOLVES = 2_000
+"""States x discounts that are solved one by one where rows are rescaled (a second or two as well)."""
+
 
 def values_everywhere(world: World, settings: Settings) -> np.ndarray:
     """Decoded V_T(s, a) for every state, ``(S, A, K)``, under resolved settings.
@@ -37,6 +40,12 @@ def values_everywhere(world: World, settings: Settings) -> np.ndarray:
     gammas, thetas = grids(s)
     width = 1 if s.normalise == "none" else max(s.thetas, world.reward_values.size)
     work = world.n_states * world.n_actions * max(s.steps, s.gammas) * width
+    solves = 0 if s.normalise == "none" else world.n_states * s.gammas
+    if solves > MAX_SOLVES:
+        raise InputError(
+            f"rescaled rows need {solves:,} solves, one a state and discount, above {MAX_SOLVES:,}: "
+            "leave the rows as they are."
+        )
     if work > MAX_WORK:
         raise InputError(
             f"a whole episode in {world.n_states:,} states at {s.steps} steps is {work:,} numbers, above "

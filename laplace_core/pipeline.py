@@ -15,7 +15,7 @@ import numpy as np
 
 from laplace_core.encoding import activation, bin_masses, discount_grid, sensitivity_grid, theta_midpoints
 from laplace_core.errors import InputError
-from laplace_core.horizon import choose_actions, expected_rewards, horizon_values, row_horizons
+from laplace_core.horizon import choose_actions, deadline_weights, expected_rewards, horizon_values, row_horizons
 from laplace_core.inverse import decode, normalise_rows
 from laplace_core.learning import (
     check_policy,
@@ -80,7 +80,8 @@ class Decoded:
 class Truth(Decoded):
     """The same arrays without an inverse, and the optimum: Q*_T(a), ``(A, K)``.
 
-    The timeline is that of the policy; rewards count as themselves, not as midpoints; the deadline is hard.
+    The timeline is that of the policy; rewards count as themselves, not as midpoints. Values have the deadline of the
+    study, hard or soft, so that they differ from the decoded ones by nothing but the inverse; the optimum's is hard.
     """
 
     optimum: np.ndarray
@@ -235,7 +236,10 @@ def _truth(world: World, timeline: np.ndarray, optimum: np.ndarray, thetas: np.n
     s, length = settings, timeline.shape[1]
     rewards, horizons = timeline @ world.reward_values, row_horizons(s.steps, s.time_step)
     spread = time_overlap(s.steps, length, s.time_step)
-    covered = np.clip(horizons[:, None] - np.arange(length), 0.0, 1.0)  # (K, N): share of each step before T
+    if s.softness:
+        covered = np.array([deadline_weights(T, length, s.softness) for T in horizons])
+    else:
+        covered = np.clip(horizons[:, None] - np.arange(length), 0.0, 1.0)  # (K, N): share of each step before T
     nearest = np.clip(np.rint(horizons).astype(int), 1, length)
     return Truth(
         tau_space=(spread @ timeline) @ bin_masses(world.reward_values, thetas, s.slope),

@@ -34,6 +34,7 @@ class Verdict:
     best: int | None = None
     regret: float = 0.0
     cause: Artefact | None = None
+    cause_action: str | None = None
 
     @property
     def remedies(self) -> tuple[Remedy, ...]:
@@ -46,47 +47,60 @@ def judge(found: Study, row: int) -> Verdict:
     values = decoded.horizon_values[:, row]
     chosen = int(greedy_action(values))
     at = f"At T = {found.horizons[row]:g}"
-    numbers = _numbers(values, chosen)
+    numbers = _numbers(values, chosen, names)
     if truth is None:
         return Verdict("unknown", f"{at} the decoded values choose {names[chosen]}{numbers}.", chosen)
     best = int(greedy_action(truth.optimum[:, row]))
     lost = float(regret(truth.optimum[:, [row]], np.array([chosen]))[0])
-    wrong = _is_wrong(found, row)
-    if wrong:
-        cause = _cause(found, row)
+    elsewhere = _wrong_elsewhere(found, row)
+    if _is_wrong(found, row):
+        cause, where = _cause(found, row)
         sentence = f"{at} the decoded values choose {names[chosen]}{numbers}; the best is {names[best]}."
-        return Verdict("wrong", f"{sentence} {_blame(found, row, cause)}", chosen, best, lost, cause)
-    if found.world.n_actions == 1:
-        true = truth.horizon_values[0, row]
-        sentence = f"{at} the decoded value is {_two(values[0])}; the true one is {_two(true)}."
+        sentence = f"{sentence} {_blame(found, cause, where, row)}"
+        return Verdict("wrong", sentence, chosen, best, lost, cause, where)
+    true = truth.horizon_values[:, row]
+    if len(names) == 1:
+        sentence = f"{at} the decoded value is {_two(values[0])}; the true one is {_two(true[0])}."
     else:
-        sentence = f"{at} the decoded values choose {names[chosen]}{numbers}, and no action is better."
-    off = _value_error(found, row)
-    if off <= VALUE_TOLERANCE:
-        return Verdict("right", f"{sentence} {_confirmation(found, row)}".strip(), chosen, best)
-    cause = _cause(found, row)
-    because = f"Cause: {cause.name}." if cause else "No single setting explains it: the resolution of the inverse does."
-    return Verdict("lucky", f"{sentence} But a value is off by {100 * off:.0f}%. {because}", chosen, best, 0.0, cause)
+        sentence = f"{at} the decoded values choose {names[chosen]}{numbers}, and no action is better.{elsewhere}"
+    if _value_error(found, row) <= VALUE_TOLERANCE:
+        return Verdict("right", sentence, chosen, best)
+    off = int(np.argmax(np.abs(values - true)))
+    cause, where = _cause(found, row)
+    blame = f"Cause: {_named(found, cause, where)}." if cause else "No single setting explains it."
+    if len(names) > 1:
+        sentence += f" But {names[off]} is worth {_two(true[off])}, not {_two(values[off])}."
+    return Verdict("lucky", f"{sentence} {blame}", chosen, best, 0.0, cause, where)
 
 
-def _numbers(values: np.ndarray, chosen: int) -> str:
+def _numbers(values: np.ndarray, chosen: int, names: tuple[str, ...]) -> str:
+    """The chosen value against the next best, with the digits that tell them apart."""
     if len(values) < 2:
         return ""
-    rival = np.delete(values, chosen).max()
-    return f" ({_two(values[chosen])} v {_two(rival)})"
+    others = np.where(np.arange(len(values)) == chosen, -np.inf, values)
+    rival = int(np.argmax(others))
+    digits = next((n for n in (2, 3, 4) if round(values[chosen], n) != round(values[rival], n)), 2)
+    whose = f" for {names[rival]}" if len(values) > 2 else ""
+    return f" ({_two(values[chosen], digits)} v {_two(values[rival], digits)}{whose})"
 
 
-def _two(value: float) -> str:
-    """Two decimals, and never a negative zero."""
-    return f"{round(value, 2) + 0.0:.2f}"
+def _two(value: float, digits: int = 2) -> str:
+    """Two decimals, or more, and never a negative zero."""
+    return f"{round(float(value), digits) + 0.0:.{digits}f}"
 
 
-def _confirmation(found: Study, row: int) -> str:
-    if found.world.n_actions == 1:
+def _wrong_elsewhere(found: Study, row: int) -> str:
+    """The other horizons at which the choice is wrong, as ranges: the strip of the page in words."""
+    wrong = [k != row and _is_wrong(found, k) for k in range(len(found.horizons))]
+    edges = np.flatnonzero(np.diff([0, *wrong, 0]))
+    if not edges.size:
         return ""
-    true = found.truth.horizon_values[:, row]
-    order = np.argsort(-true, kind="stable")[:2]
-    return "True: " + ", ".join(f"{found.action_names[a]} {_two(true[a])}" for a in order) + "."
+    ranges = [
+        f"{found.horizons[first]:g}" + (f" to {found.horizons[last - 1]:g}" if last - first > 1 else "")
+        for first, last in zip(edges[::2], edges[1::2], strict=True)
+    ]
+    shown = ", ".join(ranges[:4]) + (", ..." if len(ranges) > 4 else "")
+    return f" It is wrong at T = {shown}."
 
 
 def _is_wrong(found: Study, row: int) -> bool:
@@ -102,27 +116,28 @@ def _value_error(found: Study, row: int) -> float:
     return float(np.abs(found.decoded.horizon_values[:, row] - true).max() / scale)
 
 
-def _all_artefacts(found: Study) -> list[Artefact]:
-    """Artefacts of every action, each kind once, at its largest."""
-    largest: dict[str, Artefact] = {}
-    for action in range(len(found.action_names)):
+def _all_artefacts(found: Study) -> list[tuple[Artefact, str]]:
+    """Artefacts of every action, each kind once, at its largest, with the action's name."""
+    largest: dict[str, tuple[Artefact, str]] = {}
+    for action, name in enumerate(found.action_names):
         for artefact in find_artefacts(found, action):
-            if artefact.name not in largest or artefact.size > largest[artefact.name].size:
-                largest[artefact.name] = artefact
+            if artefact.name not in largest or artefact.size > largest[artefact.name][0].size:
+                largest[artefact.name] = (artefact, name)
     return list(largest.values())
 
 
-def _cause(found: Study, row: int) -> Artefact | None:
-    """The first artefact whose remedy puts the choice (or, if it was right, the values) right."""
-    wrong = _is_wrong(found, row)
-    for artefact in _all_artefacts(found):
+def _cause(found: Study, row: int) -> tuple[Artefact, str] | tuple[None, None]:
+    """The first artefact whose remedy puts the choice (or, if it was right, the values) right, and its action."""
+    wrong, horizon = _is_wrong(found, row), found.horizons[row]
+    for artefact, name in _all_artefacts(found):
         for remedy in artefact.remedies:
             repaired = _repaired(found, remedy)
-            if repaired is None or row >= repaired.settings.steps:
+            if repaired is None or repaired.horizons[-1] < horizon:
                 continue
-            if not (_is_wrong(repaired, row) if wrong else _value_error(repaired, row) > VALUE_TOLERANCE):
-                return artefact
-    return None
+            at = repaired.row_at(horizon)
+            if not (_is_wrong(repaired, at) if wrong else _value_error(repaired, at) > VALUE_TOLERANCE):
+                return artefact, name
+    return None, None
 
 
 def _repaired(found: Study, remedy: Remedy) -> Study | None:
@@ -134,9 +149,13 @@ def _repaired(found: Study, remedy: Remedy) -> Study | None:
         return None
 
 
-def _blame(found: Study, row: int, cause: Artefact | None) -> str:
+def _named(found: Study, cause: Artefact, where: str) -> str:
+    return cause.name if len(found.action_names) == 1 else f"{cause.name}, in {where}"
+
+
+def _blame(found: Study, cause: Artefact | None, where: str | None, row: int) -> str:
     if cause is not None:
-        return f"Cause: {cause.name}. {cause.sentence}"
+        return f"Cause: {_named(found, cause, where)}. {cause.sentence}"
     optimum = found.truth.optimum[:, row]
     follows = greedy_action(found.truth.horizon_values[:, row])
     if optimum.max() - optimum[follows] > TIE_TOLERANCE * max(1.0, abs(optimum.max())):

@@ -26,7 +26,8 @@ CASES = {
     "slope blur": ("two_branch", 0, {"slope": 0.5, "params": {"slip": 0.2}}, {"slope": 25.0, "params": {"slip": 0.2}}),
     "reward quantisation": ("fig6_chain", 0, {"slope": 1000.0, "thetas": 60}, {"slope": 63.0}),
     "over-smoothing": ("rise_and_fade", 0, {"alpha": 2.0}, CALM),
-    "negative mass": ("rise_and_fade", 0, {"alpha": 0.01}, {"alpha": 8.0}),
+    "negative mass": ("double_chain", 0, {"alpha": 1e-4}, {"alpha": 8.0}),
+    "soft deadline": ("two_branch", 0, {"softness": 1.0}, {}),
 }
 
 
@@ -97,3 +98,36 @@ def test_right_for_the_wrong_reason_is_told_apart():
     verdict = judge(found, 7)
     assert verdict.kind == "lucky"
     assert verdict.cause.name == "repeated reward"
+
+
+def test_ringing_has_no_remedy_that_smears():
+    # At alpha .01 the chain of 15 rewards rings, and every calmer alpha smears more: then there is no button.
+    _, artefacts = look("rise_and_fade", alpha=0.01)
+    assert artefacts["negative mass"].remedies == ()
+    assert "more smearing" in artefacts["negative mass"].sentence
+
+
+def test_softness_is_not_blamed_on_the_inverse():
+    # With a deadline as wide as itself, decoded and true values are read in the same soft way and agree.
+    found, _ = look("two_branch", softness=1.0)
+    verdict = judge(found, 2)
+    assert verdict.kind in ("right", "wrong")
+    # Read with the hard deadline the same values would be 5.0 and 9.8: more than a third away.
+    np.testing.assert_allclose(found.decoded.horizon_values[:, 2], found.truth.horizon_values[:, 2], rtol=0.12)
+    assert np.all(found.truth.horizon_values[:, 2] < 0.75 * np.array([5.0, 9.8]))
+
+
+def test_the_verdict_names_the_other_horizons_that_go_wrong():
+    found, _ = look("discounting_chain")
+    wrong = found.truth.optimum.max(axis=0) - found.truth.optimum[found.decoded.actions, np.arange(110)] > 1e-9
+    assert wrong.any()
+    verdict = judge(found, 109)
+    first = found.horizons[np.flatnonzero(wrong)[0]]
+    assert f"It is wrong at T = {first:g}" in verdict.sentence
+
+
+def test_the_cause_names_its_action():
+    found, _ = look("two_branch", steps=1)
+    verdict = judge(found, 0)  # one row has to hold the reward at tau 2 as well: folding, in the other action
+    assert verdict.cause.name == "folding"
+    assert "folding, in long" in verdict.sentence

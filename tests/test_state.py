@@ -85,8 +85,15 @@ def test_more_than_two_hundred_bad_values_were_tried():
 @pytest.mark.parametrize("world", ["", "nope", "../../etc/passwd", "gym:Ant-v5", "world.json", "gym:", "data.npz"])
 def test_only_listed_worlds_open_by_link(world):
     found, notes = parse_query({"world": world, "alpha": "1"})
-    assert found == {"world": OPENING["world"]}
+    assert found == OPENING
     assert len(notes) == 1
+
+
+def test_bounds_that_contradict_each_other_are_left_out_and_noted():
+    query = {"gamma_min": "0.9", "gamma_max": "0.5", "alpha": "0.3"}
+    found, notes = parse_query({"world": "two_branch", **query})
+    assert found == {"world": "two_branch", "alpha": 0.3}
+    assert "gamma-min" in notes[0]
 
 
 def test_a_world_that_its_parameters_make_too_large_is_noted():

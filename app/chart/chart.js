@@ -19,6 +19,7 @@ function themed(layout, host) {
     plot_bgcolor: 'rgba(0,0,0,0)',
     font: { family: style.fontFamily, color: colour, size: 12 },
     autosize: true,
+    modebar: { bgcolor: 'rgba(0,0,0,0)', color: 'rgba(138, 143, 152, 0.8)', activecolor: colour },
   };
   for (const name of Object.keys(layout)) {
     if (/^[xy]axis\d*$/.test(name)) painted[name] = { ...axis, ...layout[name] };
@@ -43,8 +44,8 @@ function draw(box) {
     const config = {
       displaylogo: false,
       responsive: true,
-      modeBarButtonsToRemove: ['select2d', 'lasso2d', 'autoScale2d'],
-      modeBarButtonsToAdd: [TO_SVG],
+      displayModeBar: window.innerWidth > 640 ? 'hover' : false,
+      modeBarButtons: [['toImage', TO_SVG], layout.scene ? ['resetCameraDefault3d'] : ['zoom2d', 'pan2d', 'resetScale2d']],
       toImageButtonOptions: { filename: name, scale: 2 },
     };
     Plotly.react(box, data, themed({ ...layout, uirevision: revision }, box), config);
@@ -54,7 +55,11 @@ function draw(box) {
       const picked = event.points[0]?.customdata;
       if (box.clickable && Array.isArray(picked)) box.report('clicked', picked[0]);
     });
-    new ResizeObserver(() => Plotly.Plots.resize(box)).observe(box.parentElement);
+    const resized = new ResizeObserver(() => {
+      if (!box.isConnected) resized.disconnect();
+      else if (box.offsetParent) Plotly.Plots.resize(box);
+    });
+    resized.observe(box.parentElement);
     matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => setTimeout(() => {
       box.drawn = null;
       draw(box);
@@ -69,7 +74,7 @@ export default function (component) {
     box = document.createElement('div');
     box.className = 'laplace-chart';
     box.style.height = `${data.height}px`;
-    box.setAttribute('role', 'img');
+    box.setAttribute('role', 'group');
     parentElement.append(box);
   }
   box.setAttribute('aria-label', data.alt);

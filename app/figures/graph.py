@@ -162,8 +162,8 @@ def _add_edges(edges, arrows, world, places, s, a, colour, lit, labelled) -> Non
         )  # fmt: skip
         if labelled and (lit or p < 0.999 or any(row.reward for row in rows)):
             text = _rewards(rows) if p > 0.999 else f"{p:.2g}: {_rewards(rows)}"
-            font = {"size": 12 if lit else 10, "color": colour}
-            place = {"x": x[len(x) // 2], "y": y[len(y) // 2], "yshift": 9}
+            font = {"size": 13 if lit else 11, "color": colour}
+            place = {"x": x[2 * len(x) // 5], "y": y[2 * len(y) // 5], "yshift": 10}
             arrows.append({**place, "text": text, "showarrow": False, "font": font})
 
 

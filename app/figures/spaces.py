@@ -18,7 +18,7 @@ def gamma_space(study: Study, action: int, surface: bool = False) -> Figure:
     hover = "theta %{x:.3g}<br>gamma %{customdata:.3f}<br>%{z:.3g} discounted steps<extra></extra>"
     custom = np.repeat(gammas[:, None], values.shape[1], axis=1)
     rows = _rows_axis("discount gamma", gammas)
-    return _space(values, study.midpoints, limit, hover, custom, surface, "gamma-space", rows, [])
+    return _space(values, study.midpoints, limit, hover, custom, surface, "gamma-space", "discounted steps", rows, [])
 
 
 def tau_space(study: Study, action: int, surface: bool = False) -> Figure:
@@ -31,9 +31,9 @@ def tau_space(study: Study, action: int, surface: bool = False) -> Figure:
     custom = np.repeat(study.taus[:, None], values.shape[1], axis=1)
     outline = []
     if truth is not None:
-        outline = _ridges(truth, study.midpoints, limit) if surface else _outline(truth, study.midpoints)
+        outline = _ridges(truth, study.midpoints, limit) if surface else _outline(truth, study.gamma_space.thetas)
     rows = _rows_axis("future step tau", study.taus)
-    return _space(values, study.midpoints, limit, hover, custom, surface, "tau-space", rows, outline)
+    return _space(values, study.midpoints, limit, hover, custom, surface, "tau-space", "probability", rows, outline)
 
 
 def probability_limit(study: Study) -> float:
@@ -43,7 +43,7 @@ def probability_limit(study: Study) -> float:
     return float(study.truth.tau_space.max() / study.settings.time_step) or 1.0
 
 
-def _space(values, midpoints, limit, hover, custom, surface, name, rows_axis, outline) -> Figure:
+def _space(values, midpoints, limit, hover, custom, surface, name, unit, rows_axis, outline) -> Figure:
     rows, low = np.arange(len(values)), -UNDER_RANGE * limit
     data = {"x": midpoints, "y": rows, "z": values, "customdata": custom, "hovertemplate": hover}
     data["colorscale"] = probability_scale()
@@ -51,9 +51,14 @@ def _space(values, midpoints, limit, hover, custom, surface, name, rows_axis, ou
         traces = [{"type": "surface", **data, "cmin": low, "cmax": limit, "showscale": False}, *outline]
         heights = [min(low, float(values.min())), max(limit, float(values.max()))]
         return build(
-            name, traces, margin={"l": 0, "r": 0, "t": 28, "b": 0}, showlegend=False, scene=_scene(rows_axis, heights)
+            name,
+            traces,
+            margin={"l": 0, "r": 0, "t": 28, "b": 0},
+            showlegend=False,
+            scene=_scene(rows_axis, heights, unit),
         )
     bar = {"thickness": 8, "len": 1.0, "x": 1.01, "xpad": 0, "tickfont": {"size": 10}, "nticks": 5}
+    bar["title"] = {"text": unit, "side": "right", "font": {"size": 10}}
     traces = [{"type": "heatmap", **data, "zmin": low, "zmax": limit, "colorbar": bar}, *outline]
     return build(
         name,
@@ -64,20 +69,21 @@ def _space(values, midpoints, limit, hover, custom, surface, name, rows_axis, ou
     )
 
 
-def _scene(rows_axis: dict[str, object], heights: list[float]) -> dict[str, object]:
+def _scene(rows_axis: dict[str, object], heights: list[float], unit: str) -> dict[str, object]:
     small = {"tickfont": {"size": 9}}
     return {
         "xaxis": {"title": {"text": "theta", "font": {"size": 11}}, **small},
         "yaxis": {"title": {"text": rows_axis["title"]["text"], "font": {"size": 11}}, **_ticks(rows_axis), **small},
-        "zaxis": {"title": {"text": ""}, "range": heights, **small},
+        "zaxis": {"title": {"text": unit, "font": {"size": 11}}, "range": heights, **small},
         "camera": {"eye": {"x": -1.45, "y": -1.75, "z": 1.05}, "center": {"x": 0.0, "y": 0.0, "z": -0.2}},
         "aspectratio": {"x": 1.25, "y": 1.25, "z": 0.7},
     }
 
 
 def _rows_axis(title: str, labels: np.ndarray) -> dict[str, object]:
-    """About six labelled rows; rows are drawn at equal heights whatever they stand for."""
-    shown = np.unique(np.linspace(0, len(labels) - 1, min(6, len(labels))).round().astype(int))
+    """About six labelled rows, evenly spaced; rows are drawn at equal heights whatever they stand for."""
+    stride = next(n for n in (1, 2, 5, 10, 20, 50, 100, 200, 500) if len(labels) / n <= 8)
+    shown = np.arange(0, len(labels), stride)
     return {"title": {"text": title}, "tickvals": shown, "ticktext": [f"{labels[i]:.3g}" for i in shown]}
 
 
@@ -85,13 +91,11 @@ def _ticks(rows_axis: dict[str, object]) -> dict[str, object]:
     return {name: rows_axis[name] for name in ("tickvals", "ticktext")}
 
 
-def _outline(truth: np.ndarray, midpoints: np.ndarray) -> list[dict]:
+def _outline(truth: np.ndarray, thetas: np.ndarray) -> list[dict]:
     """Boxes around the cells where the true probability rises above the foot of its row's peak.
 
     With many rows only the sides are drawn: caps would hide what they enclose.
     """
-    middle = (midpoints[1:] + midpoints[:-1]) / 2.0
-    edges = [2 * midpoints[0] - middle[0], *middle, 2 * midpoints[-1] - middle[-1]]
     half, capped = (0.46, True) if len(truth) <= _FEW_ROWS else (0.5, False)
     x: list[float | None] = []
     y: list[float | None] = []
@@ -100,7 +104,7 @@ def _outline(truth: np.ndarray, midpoints: np.ndarray) -> list[dict]:
         high = row > max(_FOOT * row.max(), least)
         flips = np.flatnonzero(np.diff(np.concatenate([[False], high, [False]]).astype(int)))
         for first, last in zip(flips[::2], flips[1::2], strict=True):
-            left, right, low, top = float(edges[first]), float(edges[last]), tau - half, tau + half
+            left, right, low, top = float(thetas[first]), float(thetas[last]), tau - half, tau + half
             x += [left, right, right, left, left, None] if capped else [left, left, None, right, right, None]
             y += [low, low, top, top, low, None] if capped else [low, top, None, low, top, None]
     common = {"type": "scatter", "x": x, "y": y, "mode": "lines", "hoverinfo": "skip"}

@@ -20,7 +20,8 @@ def rewards_and_survival(study: Study, action: int) -> Figure:
                 "hovertemplate": hover, **style}  # fmt: skip
 
     if truth is not None:
-        bars = line("true reward", truth.expected_reward)
+        whose = "" if study.settings.policy == "shared" else f" (policy of gamma {study.settings.acting_gamma:g})"
+        bars = line(f"true reward{whose}", truth.expected_reward)
         del bars["mode"]
         marker = {"color": "rgba(138,143,152,0.30)", "line": {"color": NEUTRAL, "width": 1}}
         traces.append({**bars, "type": "bar", "width": 0.8 * step, "marker": marker})
@@ -30,35 +31,18 @@ def rewards_and_survival(study: Study, action: int) -> Figure:
     traces.append(line("decoded reward", decoded.expected_reward, "lines+markers" if few else "lines", line=colour))
     dots = {"color": NEUTRAL, "width": 2, "dash": "dot"}
     traces.append(line("decoded survival", decoded.survival, line=dots, yaxis="y2"))
-    rewards, survival = _aligned_ranges(study, action)
+    span = _least_span(study)
+    shown = [trace["y"] for trace in traces if "yaxis" not in trace]
+    low, high = min(0.0, float(np.min(shown))), max(0.0, float(np.max(shown)))
+    flat = {"range": [-span, span]} if high - low < span else {}
     return build(
         "rewards and survival",
         traces,
-        margin={"r": 44, "t": 66},
-        xaxis=axis("future step tau"),
-        yaxis=axis("expected reward", range=rewards, zeroline=True),
-        yaxis2=axis("survival", range=survival, tickvals=[0, 0.5, 1], showgrid=False, overlaying="y", side="right"),
+        margin={"t": 66},
+        xaxis=axis("future step tau", anchor="y2"),
+        yaxis=axis("expected reward", domain=[0.38, 1.0], zeroline=True, **flat),
+        yaxis2=axis("survival", domain=[0.0, 0.3], range=[-0.2, 1.3], tickvals=[0, 1], zeroline=True),
     )
-
-
-def _aligned_ranges(study: Study, action: int) -> tuple[list[float], list[float]]:
-    """Ranges of the two axes whose zeros lie at the same height."""
-    rewards, survival = [study.decoded.expected_reward[action]], [study.decoded.survival[action]]
-    if study.truth is not None:
-        rewards.append(study.truth.expected_reward[action])
-        survival.append(study.truth.survival[action])
-    step = study.settings.time_step
-    top = max(float(np.max(rewards)) / step, 0.0)
-    bottom = min(float(np.min(rewards)) / step, 0.0)
-    if top - bottom < _least_span(study):
-        top, bottom = _least_span(study), -_least_span(study) / 4.0
-    size = top - bottom
-    alive_top, alive_bottom = max(1.0, float(np.max(survival)) / step), min(0.0, float(np.min(survival)) / step)
-    below = max(-bottom / size, -alive_bottom / (alive_top - alive_bottom), 0.05)  # share of the height under zero
-    above = max(top / size, 0.35 if below < 0.6 else 0.2)
-    height = max(top / above if top else 0.0, -bottom / below if bottom else 0.0) * 1.08 or 1.0
-    alive_height = max(alive_top / above, -alive_bottom / below) * 1.08
-    return [-below * height, above * height], [-below * alive_height, above * alive_height]
 
 
 def values_over_horizon(study: Study, row: int) -> Figure:
@@ -93,7 +77,7 @@ def values_over_horizon(study: Study, row: int) -> Figure:
 
 def _least_span(study: Study) -> float:
     """Below this a difference is rounding, and an axis should not blow it up."""
-    return 1e-6 * float(study.midpoints[-1] - study.midpoints[0])
+    return 1e-3 * float(study.midpoints[-1] - study.midpoints[0])
 
 
 def _value_range(study: Study) -> dict[str, list[float]]:

@@ -28,6 +28,7 @@ def page() -> None:
         st.button("Reset to the world's own settings", on_click=state.reset, width="stretch")
         try:
             world = load_world(state.world_name(), state.world_params())
+            state.drop_missing(world)
             wanted = resolve(state.settings(), world)
         except InputError as error:
             st.error(str(error))
@@ -124,8 +125,10 @@ def _pick_state(found: Study, picked: object) -> None:
 def _artefacts(settings: Settings, action: int, name: str) -> None:
     st.html(f'<div class="panel-title">artefacts in the tau-space of {escape(name)}</div>')
     found = compute.artefacts_for(settings, action)
-    if not found:
-        st.html('<div class="artefact">None found for this action.</div>')
+    others = compute.artefacts_elsewhere(settings, action)
+    if not found or others:
+        here = "" if found else "None found for this action. "
+        st.html(f'<div class="artefact">{here}{escape(others)}</div>')
     with st.container(key="artefacts"):
         for artefact in found:
             text, button = st.columns([2.0, 1], vertical_alignment="center")
@@ -154,10 +157,12 @@ def _footer(settings: Settings, horizon: float) -> None:
             required=True,
         )
     lost = compute.episode_regrets(settings)
-    if lost is not None:
+    if lost is not None and len(lost):
         whole = int(np.clip(round(horizon), 1, len(lost)))
         loss = lost[whole - 1] if lost[whole - 1] > 1e-6 else 0.0  # below that it is a near tie
-        regret.caption(f"Acting by these values for an episode of {whole} steps loses {loss:.3g} against the best.")
+        regret.caption(
+            f"Acting by these values for an episode of {whole} step{'s' if whole > 1 else ''} loses {loss:.3g}."
+        )
     # What lies in a closed popover is left out: formulas and code bring large scripts along.
     words = reading.popover("How to read this", width="stretch", on_change="rerun", key="reading")
     if words.open:

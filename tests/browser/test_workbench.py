@@ -103,3 +103,41 @@ def test_the_page_does_not_jump_between_verdicts(page, address):
     page.get_by_role("button", name="Keep survival").first.click()
     expect(verdict).to_have_class(re.compile("ok"))
     assert chart.bounding_box()["y"] == pytest.approx(before, abs=1)
+
+
+def test_the_formulas_are_set(page, address):
+    open_at(page, address)
+    page.get_by_role("button", name="How to read this").click()
+    page.wait_for_selector(".katex")
+    assert page.locator(".katex-error").count() == 0
+    assert page.locator(".katex-display").count() == 4
+
+
+def test_back_returns_to_the_view_before(page, address):
+    verdict = open_at(page, address, "world=two_branch&normalise=paper")
+    expect(verdict).to_have_class(re.compile("bad"))
+    page.get_by_role("button", name="Keep survival").first.click()
+    expect(verdict).to_have_class(re.compile("ok"))
+    expect(page).to_have_url(re.compile("normalise=none"))
+    page.go_back()
+    expect(verdict).to_have_class(re.compile("bad"))
+    expect(page).to_have_url(re.compile("normalise=paper"))
+
+
+def test_no_picture_is_offered_to_a_third_party(page, address):
+    open_at(page, address)
+    titles = page.evaluate("() => [...document.querySelectorAll('.modebar-btn')].map((b) => b.dataset.title)")
+    assert titles
+    assert not [title for title in titles if "share" in title.lower() or "cloud" in title.lower()]
+
+
+def test_zoom_survives_a_change_of_alpha(page, address):
+    open_at(page, address, "world=cliff_grid")
+    zoom = "(p) => Plotly.relayout(p, {'xaxis.range': [8, 11]})"
+    chart = page.locator(".js-plotly-plot", has_text="tau-space")
+    chart.evaluate(zoom)
+    page.get_by_role("slider", name="alpha").focus()
+    page.keyboard.press("ArrowLeft")
+    expect(page).to_have_url(re.compile("alpha="))
+    page.wait_for_timeout(1000)
+    assert chart.evaluate("(p) => p.layout.xaxis.range.map(Math.round)") == [8, 11]
