@@ -100,7 +100,7 @@ def _wrong_elsewhere(found: Study, row: int) -> str:
         for first, last in zip(edges[::2], edges[1::2], strict=True)
     ]
     shown = ", ".join(ranges[:4]) + (", ..." if len(ranges) > 4 else "")
-    return f" It is wrong at T = {shown}."
+    return f" The choice is wrong at T = {shown}."
 
 
 def _is_wrong(found: Study, row: int) -> bool:

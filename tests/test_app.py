@@ -110,9 +110,9 @@ def test_reset_returns_to_the_world_s_own_settings():
 
 
 def test_the_command_shown_reproduces_the_view():
-    code = opened("command", alpha="0.05").code[0].value
-    assert code.startswith("python -m laplace_core decode two_branch")
-    assert "--alpha 0.05" in code
+    sent = next(block.proto for block in opened(alpha="0.05").get("bidi_component") if "Copy as" in str(block.proto))
+    assert "python -m laplace_core decode two_branch" in str(sent)
+    assert "--alpha 0.05" in str(sent)
 
 
 @pytest.mark.parametrize(

@@ -123,7 +123,7 @@ def test_the_verdict_names_the_other_horizons_that_go_wrong():
     assert wrong.any()
     verdict = judge(found, 109)
     first = found.horizons[np.flatnonzero(wrong)[0]]
-    assert f"It is wrong at T = {first:g}" in verdict.sentence
+    assert f"The choice is wrong at T = {first:g}" in verdict.sentence
 
 
 def test_the_cause_names_its_action():

@@ -9,6 +9,7 @@ import streamlit as st
 
 from app import compute, controls, explain, state
 from app.chart import chart
+from app.copy import copy_button
 from app.figures.theme import HEIGHT
 from laplace_core import InputError, Settings, Study, World, load_world
 from laplace_core.settings import resolve
@@ -126,9 +127,8 @@ def _artefacts(settings: Settings, action: int, name: str) -> None:
     st.html(f'<div class="panel-title">artefacts in the tau-space of {escape(name)}</div>')
     found = compute.artefacts_for(settings, action)
     others = compute.artefacts_elsewhere(settings, action)
-    if not found or others:
-        here = "" if found else "None found for this action. "
-        st.html(f'<div class="artefact">{here}{escape(others)}</div>')
+    if not found:
+        st.html(f'<div class="artefact">None found for this action. {escape(others)}</div>')
     with st.container(key="artefacts"):
         for artefact in found:
             text, button = st.columns([2.0, 1], vertical_alignment="center")
@@ -141,6 +141,8 @@ def _artefacts(settings: Settings, action: int, name: str) -> None:
                     remedy.label, key=f"fix {artefact.name}", on_click=state.apply_changes, args=(remedy.changes,),
                     width="stretch", wrap=True,
                 )  # fmt: skip
+        if found and others:
+            st.html(f'<div class="artefact">{escape(others)}</div>')
 
 
 def _footer(settings: Settings, horizon: float) -> None:
@@ -160,16 +162,14 @@ def _footer(settings: Settings, horizon: float) -> None:
     if lost is not None and len(lost):
         whole = int(np.clip(round(horizon), 1, len(lost)))
         loss = lost[whole - 1] if lost[whole - 1] > 1e-6 else 0.0  # below that it is a near tie
-        regret.caption(
-            f"Acting by these values for an episode of {whole} step{'s' if whole > 1 else ''} loses {loss:.3g}."
-        )
-    # What lies in a closed popover is left out: formulas and code bring large scripts along.
+        length = f"{whole} step" + ("s" if whole > 1 else "")
+        regret.caption(f"Acting by these values for an episode of {length} loses {loss:.3g} against the best.")
+    # What lies in a closed popover is left out: formulas bring a large script along.
     words = reading.popover("How to read this", width="stretch", on_change="rerun", key="reading")
     if words.open:
         words.markdown(explain.READING)
-    line = command.popover("decode command", width="stretch", on_change="rerun", key="command")
-    if line.open:
-        line.code(settings.to_command("view.npz"), language="bash", wrap_lines=True)
+    with command:
+        copy_button("Copy as command", settings.to_command("view.npz"), "command")
     download.download_button(
         "Download NPZ", lambda: compute.npz_bytes(settings), file_name=f"{settings.world.replace(':', '_')}.npz",
         mime="application/octet-stream", width="stretch", on_click="ignore",

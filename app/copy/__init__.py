@@ -1,0 +1,20 @@
+"""A button that copies a text to the clipboard, in the browser."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import cache
+from pathlib import Path
+
+import streamlit as st
+
+
+def copy_button(label: str, text: str, key: str) -> None:
+    """Copy ``text`` on a click; where the browser allows no clipboard, show it to be copied by hand."""
+    _component()(key=key, data={"label": label, "text": text})
+
+
+@cache
+def _component() -> Callable:
+    source = Path(__file__).with_name("copy.js").read_text(encoding="utf-8")
+    return st.components.v2.component("laplace_copy", js=source, isolate_styles=False)
