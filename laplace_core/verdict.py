@@ -62,15 +62,15 @@ def judge(found: Study, row: int) -> Verdict:
     if len(names) == 1:
         sentence = f"{at} the decoded value is {_two(values[0])}; the true one is {_two(true[0])}."
     else:
-        sentence = f"{at} the decoded values choose {names[chosen]}{numbers}, and no action is better.{elsewhere}"
+        sentence = f"{at} the decoded values choose {names[chosen]}{numbers}, and no action is better."
     if _value_error(found, row) <= VALUE_TOLERANCE:
-        return Verdict("right", sentence, chosen, best)
+        return Verdict("right", sentence + elsewhere, chosen, best)
     off = int(np.argmax(np.abs(values - true)))
     cause, where = _cause(found, row)
     blame = f"Cause: {_named(found, cause, where)}." if cause else "No single setting explains it."
     if len(names) > 1:
         sentence += f" But {names[off]} is worth {_two(true[off])}, not {_two(values[off])}."
-    return Verdict("lucky", f"{sentence} {blame}", chosen, best, 0.0, cause, where)
+    return Verdict("lucky", f"{sentence} {blame}{elsewhere}", chosen, best, 0.0, cause, where)
 
 
 def _numbers(values: np.ndarray, chosen: int, names: tuple[str, ...]) -> str:
