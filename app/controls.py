@@ -100,8 +100,7 @@ def live_group(found: Study, horizon: float) -> None:
     with first:
         _logarithmic("alpha", settings.alpha, 1e-6, 10.0)
     with second:
-        low, high = settings.slope, settings.slope
-        _logarithmic("slope", settings.slope, min(0.1, low), max(1000.0, high))
+        _logarithmic("slope", settings.slope, min(0.1, settings.slope), max(1000.0, settings.slope))
     with third:
         _horizon(found, horizon)
     with fourth:

@@ -6,10 +6,9 @@ schema below; None means "what suits the world" and is filled in by :func:`resol
 
 from __future__ import annotations
 
-import json
 import shlex
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass, replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -53,9 +52,6 @@ class Settings:
     acting_gamma: float | None = None
     softness: float | None = None
     solver: str | None = None
-
-    def to_json(self) -> str:
-        return json.dumps(asdict(self) | {"params": dict(self.params)})
 
     def to_command(self, out: str | None = None) -> str:
         """The ``decode`` command that reproduces this study."""

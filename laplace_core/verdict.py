@@ -52,12 +52,12 @@ def judge(found: Study, row: int) -> Verdict:
         return Verdict("unknown", f"{at} the decoded values choose {names[chosen]}{numbers}.", chosen)
     best = int(greedy_action(truth.optimum[:, row]))
     lost = float(regret(truth.optimum[:, [row]], np.array([chosen]))[0])
-    elsewhere = _wrong_elsewhere(found, row)
     if _is_wrong(found, row):
         cause, where = _cause(found, row)
         sentence = f"{at} the decoded values choose {names[chosen]}{numbers}; the best is {names[best]}."
         sentence = f"{sentence} {_blame(found, cause, where, row)}"
         return Verdict("wrong", sentence, chosen, best, lost, cause, where)
+    elsewhere = _wrong_elsewhere(found, row)
     true = truth.horizon_values[:, row]
     if len(names) == 1:
         sentence = f"{at} the decoded value is {_two(values[0])}; the true one is {_two(true[0])}."
@@ -91,7 +91,8 @@ def _two(value: float, digits: int = 2) -> str:
 
 def _wrong_elsewhere(found: Study, row: int) -> str:
     """The other horizons at which the choice is wrong, as ranges: the strip of the page in words."""
-    wrong = [k != row and _is_wrong(found, k) for k in range(len(found.horizons))]
+    wrong = _wrong_rows(found)
+    wrong[row] = False
     edges = np.flatnonzero(np.diff([0, *wrong, 0]))
     if not edges.size:
         return ""
@@ -103,11 +104,15 @@ def _wrong_elsewhere(found: Study, row: int) -> str:
     return f" The choice is wrong at T = {shown}."
 
 
+def _wrong_rows(found: Study) -> np.ndarray:
+    """Whether the chosen action loses anything, beyond a tie, against the best; bool ``(K,)``, one a horizon."""
+    optimum = found.truth.optimum
+    tie = TIE_TOLERANCE * np.maximum(1.0, np.abs(optimum.max(axis=0)))
+    return regret(optimum, found.decoded.actions) > tie
+
+
 def _is_wrong(found: Study, row: int) -> bool:
-    """Whether the chosen action loses anything, beyond a tie, against the best."""
-    optimum = found.truth.optimum[:, row]
-    chosen = greedy_action(found.decoded.horizon_values[:, row])
-    return bool(optimum.max() - optimum[chosen] > TIE_TOLERANCE * max(1.0, abs(optimum.max())))
+    return bool(_wrong_rows(found)[row])
 
 
 def _value_error(found: Study, row: int) -> float:

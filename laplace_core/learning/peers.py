@@ -7,6 +7,7 @@ state gives a distribution of r + gamma Z(s', a*), and the update moves the tabl
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from typing import NamedTuple
 
 import numpy as np
@@ -19,7 +20,7 @@ from laplace_core.worlds.model import END, World
 _RATE = Decay()
 
 
-class _Peer:
+class _Peer(ABC):
     """What the peers share: the target policy, the learning rate and the mean of every state and action.
 
     Args:
@@ -44,9 +45,9 @@ class _Peer:
         """The target policy's action; it is deterministic, so ``draw`` does not matter."""
         return first_best(self.values[state].tolist()) if self.policy is None else int(self.policy[state])
 
+    @abstractmethod
     def distribution(self, state: int, action: int) -> tuple[np.ndarray, np.ndarray]:
         """The learned distribution of the return: locations and masses, ``(N,)`` each."""
-        raise NotImplementedError
 
     def _target(self, transition: Transition) -> tuple[np.ndarray, np.ndarray]:
         """Distribution of r + gamma Z(s', a*), of r alone where the episode terminated."""
