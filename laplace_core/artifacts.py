@@ -90,8 +90,8 @@ def mixed_policies(study: Study, action: int, least: float = 0.01) -> Artefact |
     """Discounts that follow other policies than the acting one: largest change of (1 - gamma) Q."""
     if study.world is None or study.settings.policy != "per_gamma":
         return None
-    shared = encoded_under(study, "shared")
-    change = np.abs(study.gamma_space.values - shared.values)[action] * (1.0 - shared.gammas[:, None])
+    shared, mixed = encoded_under(study, "shared"), encoded_under(study, "per_gamma")
+    change = np.abs(mixed.values - shared.values)[action] * (1.0 - shared.gammas[:, None])
     size = float(change.max())
     if size < least:
         return None

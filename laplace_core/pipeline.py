@@ -8,7 +8,7 @@ matrix product and never a solve.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 
 import numpy as np
@@ -120,12 +120,16 @@ class Study:
         return np.arange(self.settings.steps) * self.settings.time_step
 
 
-def study(world: World, settings: Settings, policy: np.ndarray | None = None) -> Study:
+def study(
+    world: World, settings: Settings, policy: np.ndarray | None = None, learned: np.ndarray | None = None
+) -> Study:
     """Run the whole line for one state of a world.
 
     Args:
         policy: a policy of your own, int ``(S,)`` or float ``(S, A)``, that every discount and the truth follow
             in place of the one that ``settings.policy`` names.
+        learned: a reward-indicator basis of this state that was learned, ``(A, G, V)``, to be decoded in place of
+            the exact one; the truth stays exact.
 
     Raises:
         InputError: settings that do not fit the world or each other.
@@ -142,7 +146,11 @@ def study(world: World, settings: Settings, policy: np.ndarray | None = None) ->
         policy = check_policy(world, policy)
         basis = reward_indicator_basis(world, state, gammas, [policy] * gammas.size)
         timeline = reward_timeline(world, state, policy, length)
-    gamma_space = encode(basis, world.reward_values, gammas, thetas, s.slope)
+    if learned is not None:
+        if learned.shape != basis.shape:
+            raise InputError(f"the learned basis is {learned.shape}; this world and grid need {basis.shape}.")
+        basis = learned
+    gamma_space = with_noise(encode(basis, world.reward_values, gammas, thetas, s.slope), s.noise, s.noise_seed)
     truth = _truth(world, timeline, _optimum(world, state, s.acting_gamma, length), thetas, s)
     decoded = decode_and_read(gamma_space, s)
     return Study(s, world.actions, gamma_space, theta_midpoints(thetas), decoded, world, state, truth)
@@ -151,6 +159,7 @@ def study(world: World, settings: Settings, policy: np.ndarray | None = None) ->
 def study_of_gamma_space(gamma_space: GammaSpace, settings: Settings) -> Study:
     """Decode a gamma-space learned elsewhere: there is no world and no truth."""
     settings = resolve_for_gamma_space(settings, gamma_space.gammas)
+    gamma_space = with_noise(gamma_space, settings.noise, settings.noise_seed)
     _check_size(*gamma_space.values.shape, settings.steps)
     names = tuple(f"action {a}" for a in range(len(gamma_space.values)))
     decoded = decode_and_read(gamma_space, settings)
@@ -167,6 +176,21 @@ def grids(settings: Settings) -> tuple[np.ndarray, np.ndarray]:
 def encode(basis: np.ndarray, rewards: np.ndarray, gammas: np.ndarray, thetas: np.ndarray, slope: float) -> GammaSpace:
     """gamma_space = W @ f for a reward-indicator basis ``(A, G, V)``; all that a change of slope costs."""
     return GammaSpace(basis @ activation(rewards, thetas, slope), basis.sum(axis=-1), gammas, thetas)
+
+
+def with_noise(gamma_space: GammaSpace, noise: float, seed: int) -> GammaSpace:
+    """Gamma-space as a learner with a random error holds it.
+
+    Every value at discount gamma gets an independent normal error of ``noise`` / (1 - gamma), the constant channel
+    too: ``noise`` is the standard deviation of (1 - gamma) Q, which is a probability.
+    """
+    if not noise:
+        return gamma_space
+    rng = np.random.default_rng(seed)
+    scale = noise / (1.0 - gamma_space.gammas)
+    values = gamma_space.values + scale[:, None] * rng.standard_normal(gamma_space.values.shape)
+    constant = gamma_space.constant + scale * rng.standard_normal(gamma_space.constant.shape)
+    return replace(gamma_space, values=values, constant=constant)
 
 
 def decode_and_read(gamma_space: GammaSpace, settings: Settings) -> Decoded:
@@ -188,9 +212,7 @@ def basis_of(study: Study, policy: str | None = None) -> np.ndarray:
 
 
 def encoded_under(study: Study, policy: str) -> GammaSpace:
-    """The gamma-space of the same state under another target policy."""
-    if policy == study.settings.policy:
-        return study.gamma_space
+    """The exact gamma-space of the same state, free of noise and learning, under this target policy."""
     space = study.gamma_space
     basis = basis_of(study, policy)
     return encode(basis, study.world.reward_values, space.gammas, space.thetas, study.settings.slope)

@@ -20,6 +20,8 @@ from laplace_core.parameters import Parameter, as_text
 from laplace_core.worlds import World
 
 SOLVERS = ("tikhonov",)
+DEADLINES = ("time_to_go", "constant")
+"""``time_to_go`` acts by V_{T-t} at step t; ``constant`` by V_T at every step, as the paper's experiment does."""
 SLOPE_TIMES_SPACING = 2.35
 """Default slope in units of 1/spacing: neighbouring sigmoids overlap, so that the midpoint proxy is unbiased
 (error below .1% of the spacing) and the blur stays near two spacings. It makes the paper's 25 on 150
@@ -51,7 +53,10 @@ class Settings:
     policy: str | None = None
     acting_gamma: float | None = None
     softness: float | None = None
+    deadline: str | None = None
     solver: str | None = None
+    noise: float | None = None
+    noise_seed: int | None = None
 
     def to_command(self, out: str | None = None) -> str:
         """The ``decode`` command that reproduces this study."""
@@ -83,7 +88,10 @@ SCHEMA: tuple[Parameter, ...] = (
     Parameter("policy", "shared", 0, 0, "Whose policy every discount evaluates.", str, TARGET_POLICIES),
     Parameter("acting_gamma", 0.99, 1e-6, 0.999999, "Discount of the policy and of the values over the horizon."),
     Parameter("softness", 0.0, 0, 10, "Width of the deadline, as a fraction of the horizon; 0 is a hard one."),
+    Parameter("deadline", "time_to_go", 0, 0, "The T that an episode is acted with at each step.", str, DEADLINES),
     Parameter("solver", "tikhonov", 0, 0, "How the transform is inverted.", str, SOLVERS),
+    Parameter("noise", 0.0, 0, 1, "Random error of gamma-space: standard deviation of (1 - gamma) Q, a probability."),
+    Parameter("noise_seed", 0, 0, 2**31 - 1, "Seed of that error.", int),
 )
 """One entry a setting, in the order of the line from world to action."""
 
