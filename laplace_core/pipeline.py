@@ -94,7 +94,10 @@ class Truth(Decoded):
 
 @dataclass(frozen=True, eq=False)
 class Study:
-    """One state, looked at through one choice of settings."""
+    """One state, looked at through one choice of settings.
+
+    ``learned`` is the learned reward-indicator basis, ``(A, G, V)``, that was decoded in place of the exact one.
+    """
 
     settings: Settings
     action_names: tuple[str, ...]
@@ -104,6 +107,7 @@ class Study:
     world: World | None = None
     state: int | None = None
     truth: Truth | None = None
+    learned: np.ndarray | None = None
 
     @property
     def horizons(self) -> np.ndarray:
@@ -153,7 +157,7 @@ def study(
     gamma_space = with_noise(encode(basis, world.reward_values, gammas, thetas, s.slope), s.noise, s.noise_seed)
     truth = _truth(world, timeline, _optimum(world, state, s.acting_gamma, length), thetas, s)
     decoded = decode_and_read(gamma_space, s)
-    return Study(s, world.actions, gamma_space, theta_midpoints(thetas), decoded, world, state, truth)
+    return Study(s, world.actions, gamma_space, theta_midpoints(thetas), decoded, world, state, truth, learned)
 
 
 def study_of_gamma_space(gamma_space: GammaSpace, settings: Settings) -> Study:
