@@ -1,101 +1,164 @@
-"""Bounded caches between the pages and the library, and the bytes of a download."""
+"""Bounded caches between the pages and the library."""
 
 from __future__ import annotations
 
-import io
 from dataclasses import replace
 from functools import lru_cache
 
 import numpy as np
 
 from app import figures
-from laplace_core import InputError, Settings, Study, load_world, study
+from app.sources import Learner, View
+from laplace_core import GammaSpace, InputError, Settings, Study, World, study, study_of_gamma_space
 from laplace_core.artifacts import Artefact, find_artefacts
+from laplace_core.compare import Difference, difference, summary, value_difference
 from laplace_core.control import episode_regret_of
+from laplace_core.learned import Bands, Learned, bands, return_distributions
 from laplace_core.learning import greedy_policy
-from laplace_core.saved import study_arrays
 from laplace_core.verdict import Verdict, judge
+
+Subject = World | Learner | GammaSpace
 
 
 @lru_cache(maxsize=32)
-def study_for(settings: Settings) -> Study:
-    return study(load_world(settings.world, dict(settings.params)), settings)
+def _study(subject: Subject, settings: Settings) -> Study:
+    if isinstance(subject, GammaSpace):
+        return study_of_gamma_space(subject, settings)
+    if isinstance(subject, Learner):
+        return study(subject.world, settings, learned=subject.basis(subject.world.state_index(settings.state)))
+    return study(subject, settings)
+
+
+def study_for(view: View) -> Study:
+    return _study(view.subject, view.settings)
+
+
+def row_of(view: View) -> int:
+    """The row of the horizon that is asked for; the last one by default."""
+    found = study_for(view)
+    return len(found.horizons) - 1 if view.horizon is None else found.row_at(view.horizon)
 
 
 @lru_cache(maxsize=128)
-def verdict_for(settings: Settings, row: int) -> Verdict:
-    return judge(study_for(settings), row)
+def verdict_for(view: View) -> Verdict:
+    return judge(study_for(view), row_of(view))
 
 
 @lru_cache(maxsize=128)
-def artefacts_for(settings: Settings, action: int) -> tuple[Artefact, ...]:
-    return tuple(find_artefacts(study_for(settings), action))
+def _artefacts(subject: Subject, settings: Settings, action: int) -> tuple[Artefact, ...]:
+    return tuple(find_artefacts(_study(subject, settings), action))
 
 
-def artefacts_elsewhere(settings: Settings, action: int) -> str:
+def artefacts_for(view: View, action: int | None = None) -> tuple[Artefact, ...]:
+    """Artefacts in the tau-space of the shown action, or of another."""
+    return _artefacts(view.subject, view.settings, view.action if action is None else action)
+
+
+def artefacts_elsewhere(view: View) -> str:
     """One line that names artefacts which only other actions have."""
-    here = {artefact.name for artefact in artefacts_for(settings, action)}
+    here = {artefact.name for artefact in artefacts_for(view)}
     lines: dict[str, list[str]] = {}
-    for other, name in enumerate(study_for(settings).action_names):
-        for artefact in artefacts_for(settings, other) if other != action else ():
+    for other, name in enumerate(study_for(view).action_names):
+        for artefact in artefacts_for(view, other) if other != view.action else ():
             if artefact.name not in here:
                 lines.setdefault(artefact.name, []).append(name)
     return " ".join(f"Also {name}, in {', '.join(actions)}." for name, actions in lines.items())
 
 
 @lru_cache(maxsize=32)
-def episode_regrets(settings: Settings) -> np.ndarray | None:
-    """Loss of whole episodes under the decoded rule from the study's state, by T; None if too large to ask."""
-    found = study_for(settings)
+def _episode_regrets(subject: Subject, settings: Settings) -> np.ndarray | None:
+    found = _study(subject, settings)
     try:
         return episode_regret_of(found.world, found.settings)[:, found.state]
     except InputError:
         return None
 
 
-def npz_bytes(settings: Settings) -> bytes:
-    buffer = io.BytesIO()
-    np.savez_compressed(buffer, **study_arrays(study_for(settings)))
-    return buffer.getvalue()
+def episode_regrets(view: View) -> np.ndarray | None:
+    """Loss of whole episodes under the decoded rule from the study's state, by T; None where it cannot be had."""
+    return None if view.world is None else _episode_regrets(view.subject, view.settings)
 
 
 # What each picture does not depend on; it is drawn once for all values of these.
-_DECODING = {"alpha": 1.0, "steps": 1, "time_step": 1.0, "normalise": "none", "softness": 0.0}
+_NOISE = {"noise": 0.0, "noise_seed": 0}
+_DECODING = {"alpha": 1.0, "steps": 1, "time_step": 1.0, "normalise": "none", "softness": 0.0, "deadline": "constant"}
+_GRIDS = {"thetas": 2, "gammas": 2, "theta_min": 0.0, "theta_max": 1.0, "slope": 1.0, "policy": "shared"}
 _ANY = {
-    "world": {
-        **_DECODING,
-        "thetas": 2,
-        "gammas": 2,
-        "theta_min": 0.0,
-        "theta_max": 1.0,
-        "slope": 1.0,
-        "policy": "shared",
-    },
+    "world": {**_DECODING, **_NOISE, **_GRIDS},
     "gamma-space": _DECODING,
-    "tau-space": {"softness": 0.0},
-    "rewards": {"softness": 0.0},
-    "values": {},
+    "tau-space": {"softness": 0.0, "deadline": "constant"},
+    "rewards": {"softness": 0.0, "deadline": "constant"},
+    "values": {"deadline": "constant"},
+    "fit": {"softness": 0.0, "deadline": "constant"},
 }
 
 
-def figure(name: str, settings: Settings, action: int, row: int, surface: bool) -> str:
+def figure(name: str, view: View, surface: bool = False) -> str:
     """One of the page's pictures as JSON."""
-    if name != "values":
-        row = 0
-    return _figure(name, replace(settings, **_ANY[name]), action, row, surface)
+    row = row_of(view) if name == "values" else 0
+    settings = replace(view.settings, **_ANY[name])
+    return _figure(name, view.subject, settings, view.action, row, surface)
 
 
 @lru_cache(maxsize=64)
-def _figure(name: str, settings: Settings, action: int, row: int, surface: bool) -> str:
+def _figure(name: str, subject: Subject, settings: Settings, action: int, row: int, surface: bool) -> str:
     if name == "world":
-        world = load_world(settings.world, dict(settings.params))
-        policy = greedy_policy(world, settings.acting_gamma)
+        learned = isinstance(subject, Learner)
+        world = subject.world if learned else subject
+        policy = subject.policy if learned else greedy_policy(world, settings.acting_gamma)
         return figures.to_json(figures.world_graph(world, world.state_index(settings.state), action, policy))
-    found = study_for(settings)
+    found = _study(subject, settings)
+    several = (
+        _bands(subject.learned, settings) if isinstance(subject, Learner) and len(subject.learned.basis) > 1 else None
+    )
     drawn = {
         "gamma-space": lambda: figures.gamma_space(found, action, surface),
         "tau-space": lambda: figures.tau_space(found, action, surface),
-        "rewards": lambda: figures.rewards_and_survival(found, action),
-        "values": lambda: figures.values_over_horizon(found, row),
+        "rewards": lambda: figures.rewards_and_survival(found, action, several),
+        "values": lambda: figures.values_over_horizon(found, row, several),
+        "fit": lambda: figures.fit(found, action),
     }[name]()
     return figures.to_json(drawn)
+
+
+@lru_cache(maxsize=8)
+def _bands(learned: Learned, settings: Settings) -> Bands:
+    return bands(learned, settings)
+
+
+_LEARNING = {"deadline": "constant", "softness": 0.0}
+
+
+def learning_figure(name: str, view: View) -> str:
+    """One of the pictures that only learning has."""
+    return _learning_figure(
+        name, view.learned, replace(view.settings, **_LEARNING), view.action, view.subject.index or 0
+    )
+
+
+@lru_cache(maxsize=32)
+def _learning_figure(name: str, learned: Learned, settings: Settings, action: int, index: int) -> str:
+    drawn = {
+        "curve": lambda: figures.learning_curve(learned),
+        "probabilities": lambda: figures.reward_bands(_bands(learned, settings), action),
+        "returns": lambda: figures.return_laws(return_distributions(learned, settings.state, action, index, settings)),
+    }[name]()
+    return figures.to_json(drawn)
+
+
+@lru_cache(maxsize=16)
+def comparison(a: View, b: View, what: str) -> tuple[str, dict[str, str]]:
+    """One sentence on two views, and the pictures of a space of A, of B and of B - A.
+
+    Where the spaces have no common grid, the sentence says so and there are no pictures.
+    """
+    first, second = study_for(a), study_for(b)
+    values = value_difference(first, second, a.action, b.action)
+    try:
+        found: Difference | None = difference(first, second, a.action, b.action, what)
+    except InputError as error:
+        return f"{error} {summary(None, values)}", {}
+    step = b.settings.time_step if what == "tau_space" else 1.0
+    drawn = figures.comparison(found, step)
+    note = f" {found.note}" if found.note else ""
+    return summary(found, values) + note, {name: figures.to_json(figure) for name, figure in drawn.items()}

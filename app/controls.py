@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import streamlit as st
 
-from app import state
+from app import sources, state
 from laplace_core import PRESETS, Settings, Study, World
 from laplace_core.parameters import Parameter
 from laplace_core.settings import BY_NAME
@@ -28,6 +28,9 @@ _TITLES = {
     "alpha": "alpha, regularisation",
     "slope": "slope (1/reward)",
     "softness": "softness of the deadline",
+    "noise": "noise in gamma-space",
+    "noise_seed": "Seed of the noise",
+    "deadline": "Acting with",
 }
 WORDS = {
     "none": "none: keep survival",
@@ -35,6 +38,8 @@ WORDS = {
     "paper": "paper: every row to 1",
     "shared": "shared: one policy",
     "per_gamma": "per gamma: each its own",
+    "time_to_go": "the time to go",
+    "constant": "constant T at every step",
 }
 _MOST_NAMES = 1000
 
@@ -42,23 +47,26 @@ _MOST_NAMES = 1000
 def world_group() -> None:
     """World and its parameters."""
     key = state.show("world", state.world_name())
-    st.selectbox("World", state.WORLDS, key=key, on_change=state.choose_world, format_func=_world_title)
-    world = state.world_name()
-    if world in PRESETS:
-        st.caption(PRESETS[world].summary)
-    parameters = parameters_of(world)
+    here = state.world_name()
+    brought = [name for name in sources.BROUGHT if name != sources.DATA or here == sources.DATA]
+    st.selectbox("World", (*sources.WORLDS, *brought), key=key, on_change=state.choose_world, format_func=_world_title)
+    if here in PRESETS:
+        st.caption(PRESETS[here].summary)
+    parameters = parameters_of(here)
     long_names = any(len(parameter.name) > 11 for parameter in parameters)
     columns = st.columns(1 if long_names else 2) if parameters else []
     for i, parameter in enumerate(parameters):
         with columns[i % len(columns)]:
-            _number(f"p.{parameter.name}", parameter, parameter.default, parameter.name)
+            number(f"p.{parameter.name}", parameter, parameter.default, parameter.name)
 
 
 def _world_title(name: str) -> str:
+    if name in sources.TITLES:
+        return sources.TITLES[name]
     return PRESETS[name].title if name in PRESETS else name.replace("gym:", "gymnasium ")
 
 
-def look_group(world: World, settings: Settings, action: str) -> None:
+def look_group(world: World, settings: Settings, action: int) -> None:
     """State and action looked at."""
     if world.n_states <= _MOST_NAMES:
         key = state.show("state", settings.state)
@@ -68,23 +76,50 @@ def look_group(world: World, settings: Settings, action: str) -> None:
         st.session_state["state_index"] = index
         st.number_input("State", 0, world.n_states - 1, key="state_index", on_change=_keep_state, args=(world,))
         st.caption(settings.state)
-    key = state.show("action", action)
-    st.selectbox("Action", world.actions, key=key, on_change=state.keep, args=(key,), help=state.VIEW[0].help)
+    _action(world.actions, action)
+
+
+def look_group_of_file(states: int, names: tuple[str, ...], action: int) -> None:
+    """State and action of a gamma-space from a file."""
+    if states > 1:
+        st.session_state["state_index"] = int(state.chosen().get("state", 0))
+        st.number_input("State", 0, states - 1, key="state_index", on_change=_keep_index)
+    _action(names, action)
+
+
+def _keep_index() -> None:
+    state.choose("state", str(st.session_state["state_index"]))
+
+
+def _action(names: tuple[str, ...], action: int) -> None:
+    st.session_state["action"] = names[action]
+    help_ = "Action whose spaces are shown."
+    st.selectbox("Action", names, key="action", on_change=state.keep, args=("action",), help=help_)
 
 
 def _keep_state(world: World) -> None:
     state.choose("state", world.states[int(st.session_state["state_index"])])
 
 
-def grid_group(settings: Settings) -> None:
-    """Discounts, sensitivities, target policy, length: what is learned."""
-    _choice("policy", settings.policy)
-    _field("acting_gamma", settings.acting_gamma)
-    st.caption("Discount grid")
-    _choice("spacing", settings.spacing)
-    if settings.spacing != "paper":
-        _field("gammas", settings.gammas)
-        _pair("gamma_min", "gamma_max", settings)
+def grid_group(settings: Settings, decided: bool = False) -> None:
+    """Discounts, sensitivities, target policy, length: what is learned.
+
+    ``decided`` leaves out what an agent that learned before has decided.
+    """
+    if settings.policy is None:  # a file's gamma-space: only the reading is left to choose
+        _field("acting_gamma", settings.acting_gamma)
+        _pair("steps", "time_step", settings)
+        return
+    if decided:
+        st.caption(f"{settings.gammas} discounts, policy {settings.policy}: decided when the agent learned.")
+    else:
+        _choice("policy", settings.policy)
+        _field("acting_gamma", settings.acting_gamma)
+        st.caption("Discount grid")
+        _choice("spacing", settings.spacing)
+        if settings.spacing != "paper":
+            _field("gammas", settings.gammas)
+            _pair("gamma_min", "gamma_max", settings)
     st.caption("Reward sensitivities")
     _choice("theta_spacing", settings.theta_spacing)
     _field("thetas", settings.thetas)
@@ -100,7 +135,10 @@ def live_group(found: Study, horizon: float) -> None:
     with first:
         _logarithmic("alpha", settings.alpha, 1e-6, 10.0)
     with second:
-        _logarithmic("slope", settings.slope, min(0.1, settings.slope), max(1000.0, settings.slope))
+        if settings.slope is None:  # a file's gamma-space: its slope was chosen where it was learned
+            _noise(settings)
+        else:
+            _logarithmic("slope", settings.slope, min(0.1, settings.slope), max(1000.0, settings.slope))
     with third:
         _horizon(found, horizon)
     with fourth:
@@ -113,6 +151,23 @@ def live_group(found: Study, horizon: float) -> None:
         _choice("normalise", settings.normalise)
 
 
+def study_group(settings: Settings) -> None:
+    """What is added to or done with a gamma-space, beside the inverse."""
+    _noise(settings)
+    if settings.noise:
+        _field("noise_seed", settings.noise_seed)
+    if settings.policy is not None:
+        _choice("deadline", settings.deadline)
+
+
+def _noise(settings: Settings) -> None:
+    stops = sorted({0.0, settings.noise, *(float(f"{stop:.1g}") for stop in np.geomspace(1e-7, 1e-1, 19))})
+    key = state.show("noise", settings.noise)
+    st.select_slider(
+        _TITLES[key], stops, key=key, on_change=state.keep, args=(key,), help=BY_NAME[key].help, format_func=_short
+    )
+
+
 def _horizon(found: Study, horizon: float) -> None:
     key = "horizon"
     st.session_state[key] = horizon  # the nearest that exists: a shorter world may not reach what was asked for
@@ -123,7 +178,7 @@ def _horizon(found: Study, horizon: float) -> None:
         return
     st.slider(
         "horizon T (steps)", float(found.horizons[0]), last, step=float(step), key=key, format=shown,
-        on_change=state.keep, args=(key,), help=state.VIEW[1].help,
+        on_change=state.keep, args=(key,), help="Deadline T, in steps of the world.",
     )  # fmt: skip
 
 
@@ -160,10 +215,10 @@ def _pair(first: str, second: str, settings: Settings) -> None:
 
 
 def _field(name: str, value: object) -> None:
-    _number(name, BY_NAME[name], value, _TITLES[name])
+    number(name, BY_NAME[name], value, _TITLES[name])
 
 
-def _number(key: str, parameter: Parameter, value: object, label: str) -> None:
+def number(key: str, parameter: Parameter, value: object, label: str) -> None:
     state.show(key, value)
     kept = {"key": key, "on_change": state.keep, "args": (key,), "help": parameter.help}
     if parameter.type is bool:

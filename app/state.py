@@ -10,26 +10,14 @@ from collections.abc import Mapping
 
 import streamlit as st
 
-from laplace_core import PRESETS, InputError, Settings, World, load_world
-from laplace_core.parameters import Parameter, as_text, parse_named
-from laplace_core.pipeline import grids
-from laplace_core.settings import BY_NAME, resolve
-from laplace_core.worlds import TOY_TEXT, parameters_of
+from app import link, sources
+from app.query import OPENING, parse_query, query_of
+from app.sources import PARAM
+from laplace_core import World
+from laplace_core.settings import BY_NAME
+from laplace_core.worlds import dump_world
 
-OPENING = {"world": "two_branch", "normalise": "paper"}
-"""The paper's Fig. 4c: what a visitor without a link sees."""
-
-WORLDS = (*PRESETS, *(f"gym:{name}" for name in TOY_TEXT))
-
-VIEW = (
-    Parameter("action", None, 0, 0, "Action whose spaces are shown.", str),
-    Parameter("horizon", None, 1e-3, 2000, "Deadline T, in steps of the world.", float),
-    Parameter("look", "heatmap", 0, 0, "How the spaces are drawn.", str, ("heatmap", "surface")),
-)
-"""What is looked at, beside the settings of the study."""
-
-_KEPT_ACROSS_WORLDS = {"normalise", "policy", "softness", "look"}
-_PARAM = "p."  # prefix of world parameters, in the session and in the URL
+_KEPT_ACROSS_WORLDS = {"normalise", "policy", "softness", "look", "pin", "compare", "deadline", "source"}
 
 
 def chosen() -> dict[str, object]:
@@ -41,16 +29,6 @@ def world_name() -> str:
     return chosen().get("world", OPENING["world"])
 
 
-def settings() -> Settings:
-    """The study settings that were set by hand; the rest is None."""
-    values = {name: value for name, value in chosen().items() if name in BY_NAME}
-    return Settings(world=world_name(), params=tuple(sorted(world_params().items())), **values)
-
-
-def world_params() -> dict[str, object]:
-    return {name.removeprefix(_PARAM): value for name, value in chosen().items() if name.startswith(_PARAM)}
-
-
 def keep(name: str) -> None:
     """Callback of the widget with key ``name``: its value is now set by hand."""
     chosen()[name] = st.session_state[name]
@@ -58,8 +36,11 @@ def keep(name: str) -> None:
 
 
 def choose(name: str, value: object) -> None:
-    """Set a value by hand that no widget of that name holds."""
-    chosen()[name] = value
+    """Set a value by hand that no widget of that name holds; None takes it back."""
+    if value is None:
+        chosen().pop(name, None)
+    else:
+        chosen()[name] = value
     _touch()
 
 
@@ -70,15 +51,34 @@ def _touch() -> None:
 
 def choose_world() -> None:
     """Callback of the world widget: what belonged to the old world is dropped."""
+    name = st.session_state["world"]
+    if name == sources.OWN:
+        edit_world(sources.world_of(chosen()))
+    elif name == sources.TIMELINE:
+        go_to(world=name, timeline=chosen().get("timeline", sources.FIRST_TIMELINE), edit="yes")
+    else:
+        go_to(world=name)
+
+
+def go_to(**values: object) -> None:
+    """Look at another world; values that make sense in any world stay."""
     kept = {name: value for name, value in chosen().items() if name in _KEPT_ACROSS_WORLDS}
-    st.session_state["_chosen"] = {"world": st.session_state["world"], **kept}
+    st.session_state["_chosen"] = {**kept, **values}
+    st.session_state["_sidebar_stale"] = True
     _touch()
+
+
+def edit_world(world: World) -> None:
+    """Make a world the person's own and open it as a table; settings that suited it stay with it."""
+    suited = {name: value for name, value in world.suggested.items() if name in BY_NAME}
+    stays = {name: value for name, value in chosen().items() if name in BY_NAME or name in ("action", "horizon")}
+    go_to(**suited, **stays, world=sources.OWN, own=link.pack(dump_world(world)), edit="yes")
 
 
 def apply_changes(changes: Mapping[str, object]) -> None:
     """Callback of a remedy: set fields, ``param:NAME`` for a parameter of the world."""
     for name, value in changes.items():
-        chosen()[name.replace("param:", _PARAM)] = value
+        chosen()[name.replace("param:", PARAM)] = value
     st.session_state["_sidebar_stale"] = True
     _touch()
 
@@ -95,7 +95,8 @@ def settled() -> None:
 
 def reset() -> None:
     """Callback: back to the world's own settings."""
-    st.session_state["_chosen"] = {"world": world_name()}
+    kept = {name: chosen()[name] for name in ("own", "timeline", "data", "pin") if name in chosen()}
+    st.session_state["_chosen"] = {"world": world_name(), **kept}
     _touch()
 
 
@@ -112,6 +113,8 @@ def load_url() -> None:
     moved = query != st.session_state.get("_written") and not st.session_state.get("_touched", False)
     if opened or moved:
         found, notes = parse_query(query) if query else (dict(OPENING), [])
+        if "data" in found and found["data"] not in sources.gamma_space_files():
+            found, notes = dict(OPENING), [*notes, sources.DATA_IS_GONE]
         st.session_state["_chosen"], st.session_state["_notes"] = found, notes
 
 
@@ -122,53 +125,15 @@ def drop_missing(world: World) -> None:
             st.toast(f"The world has no {name} {chosen().pop(name)!r} any more.")
 
 
-def parse_query(query: Mapping[str, str]) -> tuple[dict[str, object], list[str]]:
-    """State and notes from URL values; the values are checked as strictly as those of the command line."""
-    found: dict[str, object] = {}
-    notes: list[str] = []
-    world = query.get("world", OPENING["world"])
-    if world not in WORLDS:
-        notes.append(f"The link asks for an unknown world, {world[:40]!r}; this is the opening view instead.")
-        return dict(OPENING), notes
-    found["world"] = world
-    known = {**BY_NAME, **{parameter.name: parameter for parameter in VIEW}}
-    for name, text in query.items():
-        try:
-            if name.startswith(_PARAM):
-                bare = name.removeprefix(_PARAM)
-                found[name] = parse_named(world, parameters_of(world), {bare: text})[bare]
-            elif name in known:
-                found[name] = known[name].parse(text)
-            elif name != "world":
-                notes.append(f"The link has an entry {name[:40]!r} that means nothing here.")
-        except InputError as error:
-            notes.append(f"Left out of the link: {error}")
-    params = {name.removeprefix(_PARAM): value for name, value in found.items() if name.startswith(_PARAM)}
-    try:
-        built = load_world(world, params)
-    except InputError as error:
-        notes.append(f"Left out of the link: {error}")
-        found = {name: value for name, value in found.items() if not name.startswith(_PARAM)}
-        built = load_world(world, {})
-    for name, members in (("state", built.states), ("action", built.actions)):
-        if name in found and found[name] not in members:
-            notes.append(f"Left out of the link: {name} {str(found.pop(name))[:40]!r} is not in {world}.")
-    try:
-        values = {name: value for name, value in found.items() if name in BY_NAME}
-        grids(resolve(Settings(world=world, **values), built))
-    except InputError as error:
-        notes.append(f"Left out of the link: {error}")
-        found = {name: value for name, value in found.items() if not name.startswith(("gamma", "theta"))}
-    return found, notes
-
-
 def notes() -> list[str]:
     return st.session_state.get("_notes", [])
 
 
 def write_url() -> None:
-    """Make the address bar a link to what is seen."""
-    query = {name: as_text(value) for name, value in chosen().items()}
+    """Make the address bar a link to what is seen, or leave it empty where that would be too long for a link."""
+    query = query_of(chosen())
+    if not link.fits(query):
+        query = {}
     if dict(st.query_params) != query:
         st.query_params.from_dict(query)
     st.session_state["_written"], st.session_state["_touched"] = query, False

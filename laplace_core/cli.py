@@ -12,9 +12,12 @@ from typing import NoReturn
 import numpy as np
 
 from laplace_core.errors import InputError
+from laplace_core.learned.command import add_learn, study_of_file
+from laplace_core.learned.settings import LEARN_SCHEMA
 from laplace_core.pipeline import Study, study, study_of_gamma_space
 from laplace_core.saved import read_gamma_space, save_study
 from laplace_core.settings import SCHEMA, flag, parse_settings
+from laplace_core.words import action_runs, named_params
 from laplace_core.worlds import PRESETS, TOY_TEXT, load_world
 
 
@@ -42,7 +45,7 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 def _joined(words: Sequence[str]) -> list[str]:
     """``--theta-min -1e-5`` as ``--theta-min=-1e-5``: argparse would take the value for an option."""
-    valued = {flag(parameter) for parameter in SCHEMA} | {"--param", "--out"}
+    valued = {flag(parameter) for parameter in (*SCHEMA, *LEARN_SCHEMA)} - {"--peers"} | {"--param", "--out"}
     joined: list[str] = []
     for word in words:
         if joined and joined[-1] in valued and word.startswith("-") and not word.startswith("--"):
@@ -69,7 +72,9 @@ def _parser() -> argparse.ArgumentParser:
         "Every option has a default that suits the world.",
     )
     decode.add_argument(
-        "world", metavar="WORLD", help="a preset, a world file (.json), a gamma-space (.npz) or gym:NAME"
+        "world",
+        metavar="WORLD",
+        help="a preset, a world file (.json), gym:NAME, a gamma-space (.npz) or a learned agent (.safetensors)",
     )
     decode.add_argument("--param", action="append", default=[], metavar="name=value", help="a parameter of the world")
     for parameter in SCHEMA:
@@ -78,9 +83,11 @@ def _parser() -> argparse.ArgumentParser:
         metavar = {int: "N", float: "X", str: "NAME"}[parameter.type]
         text = f"{parameter.help}{choices}{shown}".replace("%", "%%")
         decode.add_argument(flag(parameter), dest=parameter.name, metavar=metavar, help=text)
+    decode.add_argument("--seed-index", metavar="N", help="which learner of a learned agent, from 0")
     decode.add_argument("--out", metavar="FILE.npz", help="write all arrays and the settings here")
     decode.add_argument("--json", action="store_true", help="print JSON")
     decode.set_defaults(run=_decode)
+    add_learn(verbs)
     return parser
 
 
@@ -111,25 +118,17 @@ def _worlds(options: argparse.Namespace) -> None:
             print(f"    {p.name}={str(p.default).lower():8} {p.help}")
 
 
-def _params(entries: Sequence[str]) -> dict[str, str]:
-    params: dict[str, str] = {}
-    for entry in entries:
-        name, equals, value = entry.partition("=")
-        if not equals or not name:
-            raise InputError(f"--param {entry[:40]!r} must have the form name=value.")
-        if name in params:
-            raise InputError(f"--param {name[:40]} is given twice.")
-        params[name] = value
-    return params
-
-
 def _decode(options: argparse.Namespace) -> None:
-    params = _params(options.param)
+    params = named_params(options.param)
+    if options.seed_index is not None:
+        params["seed_index"] = options.seed_index
     given = {parameter.name: getattr(options, parameter.name) for parameter in SCHEMA}
     settings = parse_settings(options.world, params, given)
     if options.out is not None and not options.out.endswith(".npz"):
         raise InputError(f"--out {options.out[:60]!r} must end in .npz.")
-    if options.world.endswith(".npz"):
+    if options.world.endswith(".safetensors"):
+        found = study_of_file(options.world, settings)
+    elif options.world.endswith(".npz"):
         found = study_of_gamma_space(read_gamma_space(options.world, settings.state), settings)
     else:
         found = study(load_world(options.world, params), settings)
@@ -177,22 +176,11 @@ def _report(found: Study, shown: int = 8) -> str:
     for a, name in enumerate(found.action_names):
         against = "" if truth is None else f"   true {truth.horizon_values[a, -1]:8.2f}"
         lines.append(f"  {name:{width}}  decoded {decoded.horizon_values[a, -1]:8.2f}{against}")
-    lines.append(f"chosen by T   {_runs(found, decoded.actions)}")
+    lines.append(f"chosen by T   {action_runs(found, decoded.actions)}")
     if truth is not None:
-        lines.append(f"best by T     {_runs(found, truth.optimal_action)}")
+        lines.append(f"best by T     {action_runs(found, truth.optimal_action)}")
     return "\n".join(lines)
 
 
 def _numbers(values: np.ndarray) -> str:
     return " ".join(f"{value:7.2f}" for value in values)
-
-
-def _runs(found: Study, actions: np.ndarray) -> str:
-    """Actions over the horizon as runs: ``1-2 short, 3 long``."""
-    starts = np.flatnonzero(np.diff(actions, prepend=-1))
-    ends = np.append(starts[1:], len(actions)) - 1
-    parts = []
-    for first, last in zip(starts, ends, strict=True):
-        until = f"-{found.horizons[last]:g}" if last > first else ""
-        parts.append(f"{found.horizons[first]:g}{until} {found.action_names[actions[first]]}")
-    return ", ".join(parts[:12]) + (", ..." if len(parts) > 12 else "")

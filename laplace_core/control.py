@@ -15,6 +15,7 @@ from laplace_core.errors import InputError
 from laplace_core.horizon import horizon_values, row_horizons
 from laplace_core.inverse import decode
 from laplace_core.learning import finite_horizon_optimum, proxy_gamma_space, reward_indicator_basis, value_of_rule
+from laplace_core.learning.policies import selection
 from laplace_core.pipeline import decode_and_read, encode, grids, policies_of
 from laplace_core.settings import Settings
 from laplace_core.ties import greedy_action
@@ -110,8 +111,54 @@ def episode_regret(
     return optimum[: len(actions)].max(axis=2) - value_of_rule(world, actions, gamma)
 
 
+def constant_horizon_values(world: World, actions: np.ndarray, gamma: float) -> np.ndarray:
+    """What an episode of T steps collects if every step is acted as if all T were left, ``(T, S)``.
+
+    Row T - 1 belongs to the rule ``actions[T - 1]`` kept throughout; horizons with the same rule share their work.
+    """
+    collected = np.empty(actions.shape)
+    rules, which = np.unique(actions, axis=0, return_inverse=True)
+    for number, rule in enumerate(rules):
+        wanted = np.flatnonzero(which.ravel() == number)
+        pi = selection(world, rule)
+        moves, now = gamma * (pi @ world.transition_matrix), pi @ world.expected_reward.ravel()
+        later = np.zeros(world.n_states)
+        for step in range(wanted[-1] + 1):
+            later = now + moves @ later
+            if step in wanted:
+                collected[step] = later
+    return collected
+
+
 def episode_regret_of(world: World, settings: Settings, constant_horizon: int | None = None) -> np.ndarray:
-    """:func:`episode_regret` of acting by the study's decoded values, ``(T, S)``."""
+    """:func:`episode_regret` of acting by the study's decoded values, ``(T, S)``.
+
+    Under ``settings.deadline`` = constant, an episode of T steps is acted with T at every one of them.
+    """
+    if constant_horizon is None and settings.deadline == "constant":
+        constant, _, best = _episodes(world, settings)
+        return best - constant
     actions = rule_actions(values_everywhere(world, settings), settings.time_step)
     optimum = _optimum(world, len(actions), settings.acting_gamma)
     return episode_regret(world, actions, settings.acting_gamma, optimum, constant_horizon)
+
+
+def constant_horizon_loss(world: World, settings: Settings) -> tuple[np.ndarray, np.ndarray]:
+    """What an episode of T steps loses by acting with T throughout instead of by the time to go, ``(T, S)``.
+
+    Returns:
+        the loss, negative where wrong values make the constant T the better one, and the value of the best episode.
+
+    Raises:
+        InputError: the world is too large for whole episodes.
+    """
+    constant, by_time_to_go, best = _episodes(world, settings)
+    return by_time_to_go - constant, best
+
+
+@lru_cache(maxsize=4)
+def _episodes(world: World, settings: Settings) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Value of an episode of T steps acted with constant T, by the time to go, and at best, ``(T, S)`` each."""
+    actions, gamma = rule_actions(values_everywhere(world, settings), settings.time_step), settings.acting_gamma
+    best = _optimum(world, len(actions), gamma).max(axis=2)
+    return constant_horizon_values(world, actions, gamma), value_of_rule(world, actions, gamma), best

@@ -96,7 +96,8 @@ class Truth(Decoded):
 class Study:
     """One state, looked at through one choice of settings.
 
-    ``learned`` is the learned reward-indicator basis, ``(A, G, V)``, that was decoded in place of the exact one.
+    ``learned`` is the learned reward-indicator basis, ``(A, G, V)``, that was decoded in place of the exact one;
+    ``policy`` is the one that was given in place of the target policy of the settings.
     """
 
     settings: Settings
@@ -108,6 +109,7 @@ class Study:
     state: int | None = None
     truth: Truth | None = None
     learned: np.ndarray | None = None
+    policy: np.ndarray | None = None
 
     @property
     def horizons(self) -> np.ndarray:
@@ -157,7 +159,8 @@ def study(
     gamma_space = with_noise(encode(basis, world.reward_values, gammas, thetas, s.slope), s.noise, s.noise_seed)
     truth = _truth(world, timeline, _optimum(world, state, s.acting_gamma, length), thetas, s)
     decoded = decode_and_read(gamma_space, s)
-    return Study(s, world.actions, gamma_space, theta_midpoints(thetas), decoded, world, state, truth, learned)
+    midpoints = theta_midpoints(thetas)
+    return Study(s, world.actions, gamma_space, midpoints, decoded, world, state, truth, learned, policy)
 
 
 def study_of_gamma_space(gamma_space: GammaSpace, settings: Settings) -> Study:
@@ -210,9 +213,22 @@ def decode_and_read(gamma_space: GammaSpace, settings: Settings) -> Decoded:
 
 
 def basis_of(study: Study, policy: str | None = None) -> np.ndarray:
-    """The reward-indicator basis behind a study of a world, ``(A, G, V)``, under its own or another target policy."""
+    """The exact reward-indicator basis of a study of a world, ``(A, G, V)``, under its own or another target policy.
+
+    A policy that was given stays: it is the process of every discount, whatever the settings name.
+    """
     s = study.settings
+    if study.policy is not None:
+        policies = [study.policy] * study.gamma_space.gammas.size
+        return reward_indicator_basis(study.world, study.state, study.gamma_space.gammas, policies)
     return _basis(study.world, study.state, study.gamma_space.gammas.tobytes(), policy or s.policy, s.acting_gamma)
+
+
+def timeline_of(study: Study, length: int) -> np.ndarray:
+    """P(r_tau = v, alive) at whole steps, ``(A, length, V)``, under the policy of the study's truth."""
+    if study.policy is not None:
+        return reward_timeline(study.world, study.state, study.policy, length)
+    return _timeline(study.world, study.state, study.settings.acting_gamma, length)
 
 
 def encoded_under(study: Study, policy: str) -> GammaSpace:

@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
+import io
 import json
 import math
-import os
-import tempfile
 import warnings
 import zipfile
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import asdict
 from pathlib import Path
+from typing import BinaryIO
 
 import numpy as np
 
+from laplace_core.atomic import atomic_write
 from laplace_core.errors import InputError
 from laplace_core.pipeline import GammaSpace, Study
 
@@ -56,40 +59,39 @@ def save_study(study: Study, path: str | Path) -> None:
     Raises:
         InputError: the folder is missing or not writable.
     """
-    path = Path(path)
-    try:
-        handle, temporary = tempfile.mkstemp(suffix=".tmp", prefix=path.name, dir=path.parent)
-    except OSError as error:
-        raise InputError(f"{path} cannot be written: {(error.strerror or 'unknown error').lower()}.") from None
-    except ValueError:  # a zero byte, or a character that the file system cannot hold
-        raise InputError(f"{path.name!r} cannot be the name of a file.") from None
-    try:
-        with os.fdopen(handle, "wb") as file:
-            np.savez_compressed(file, **study_arrays(study))
-        os.chmod(temporary, 0o644)
-        os.replace(temporary, path)
-    except OSError as error:
-        Path(temporary).unlink(missing_ok=True)
-        raise InputError(f"{path} cannot be written: {(error.strerror or 'unknown error').lower()}.") from None
-    except BaseException:
-        Path(temporary).unlink(missing_ok=True)
-        raise
+    with atomic_write(path) as file:
+        np.savez_compressed(file, **study_arrays(study))
 
 
-def read_gamma_space(path: str | Path, state: str | None = None) -> GammaSpace:
+def npz_bytes(study: Study) -> bytes:
+    """What :func:`save_study` writes, for a download that needs no file."""
+    file = io.BytesIO()
+    np.savez_compressed(file, **study_arrays(study))
+    return file.getvalue()
+
+
+def read_gamma_space(
+    source: str | Path | bytes | BinaryIO, state: str | None = None, name: str | None = None
+) -> GammaSpace:
     """A gamma-space from an ``.npz`` with ``gamma_space``, ``gammas`` and ``thetas``.
 
     ``gamma_space`` is ``(A, G, H)``, or ``(G, H)`` for one action, or ``(S, A, G, H)`` with ``state`` as an
     index. Without a ``constant_channel`` ``(A, G)`` the tail at the lowest sensitivity stands in for it: it
     is the same thing as long as no reward lies below that sensitivity.
 
+    Args:
+        source: a path, the content of a file, or an open binary file, as an upload brings it.
+        name: what to call the source in a refusal; by default the name of the file.
+
     Raises:
         InputError: not such a file; the sentence names the array.
     """
-    arrays = _read_arrays(Path(path))
-    for name in ("gamma_space", "gammas", "thetas"):
-        if name not in arrays:
-            raise InputError(f"{Path(path).name} holds no array {name!r}; it needs gamma_space, gammas and thetas.")
+    name = _name_of(source, name)
+    with _opened(source, name) as archive:
+        arrays = _read_arrays(archive)
+    for wanted in ("gamma_space", "gammas", "thetas"):
+        if wanted not in arrays:
+            raise _lacks(name, wanted)
     gammas, thetas, values = arrays["gammas"], arrays["thetas"], arrays["gamma_space"]
     if gammas.ndim != 1 or gammas.size < 2 or not np.all((gammas > 0) & (gammas < 1)):
         raise InputError("'gammas' must be a list of at least 2 numbers between 0 and 1, both excluded.")
@@ -125,27 +127,63 @@ def _state_index(state: str | None, count: int) -> int:
     return int(text)
 
 
-def _read_arrays(path: Path) -> dict[str, np.ndarray]:
-    """The wanted members as finite float64 arrays, each measured before it is read; nothing is unpickled."""
+def states_of(source: str | Path | bytes | BinaryIO, name: str | None = None) -> int:
+    """How many states a gamma-space file holds: S of ``(S, A, G, H)``, else 1. Only a header is read.
+
+    Raises:
+        InputError: as :func:`read_gamma_space`, as far as the header of ``gamma_space`` shows it.
+    """
+    name = _name_of(source, name)
+    with _opened(source, name) as archive:
+        if "gamma_space.npy" not in archive.namelist():
+            raise _lacks(name, "gamma_space")
+        shape = _checked_shape(archive, "gamma_space", MAX_BYTES)
+    if len(shape) not in (2, 3, 4) or 0 in shape:
+        raise InputError(f"'gamma_space' has shape {_shown(shape)}; it must be (actions, gammas, thetas).")
+    return shape[0] if len(shape) == 4 else 1
+
+
+def _name_of(source: str | Path | bytes | BinaryIO, name: str | None) -> str:
+    if name is not None:
+        return name[:60] if name.isprintable() else repr(name[:60])
+    return Path(source).name if isinstance(source, str | Path) else "the file"
+
+
+def _lacks(name: str, array: str) -> InputError:
+    return InputError(f"{name} holds no array {array!r}; it needs gamma_space, gammas and thetas.")
+
+
+@contextmanager
+def _opened(source: str | Path | bytes | BinaryIO, name: str) -> Iterator[zipfile.ZipFile]:
+    """The archive; whatever a hostile one raises while it is read becomes one sentence."""
     try:
-        with zipfile.ZipFile(path) as archive, warnings.catch_warnings():
+        with (
+            zipfile.ZipFile(io.BytesIO(source) if isinstance(source, bytes) else source) as archive,
+            warnings.catch_warnings(),
+        ):
             warnings.simplefilter("ignore")  # what numpy remarks on odd headers is not for the user
-            arrays: dict[str, np.ndarray] = {}
-            for name in _WANTED:
-                if f"{name}.npy" in archive.namelist():
-                    room = MAX_BYTES - sum(array.nbytes for array in arrays.values())
-                    arrays[name] = _read_member(archive, name, room)
-            return arrays
+            yield archive
     except InputError:
         raise
     except Exception as error:  # noqa: BLE001 - a hostile zip or npy header may raise anything; none of it is ours
         if isinstance(error, OSError) and error.strerror:
-            raise InputError(f"{path.name} cannot be read: {error.strerror.lower()}.") from None
-        raise InputError(f"{path.name!r} is not an .npz file of plain number arrays.") from None
+            raise InputError(f"{name} cannot be read: {error.strerror.lower()}.") from None
+        raise InputError(f"{name!r} is not an .npz file of plain number arrays.") from None
 
 
-def _read_member(archive: zipfile.ZipFile, name: str, room: int) -> np.ndarray:
-    """One array of at most ``room`` bytes, its header held against the bytes that are really there."""
+def _read_arrays(archive: zipfile.ZipFile) -> dict[str, np.ndarray]:
+    """The wanted members as finite float64 arrays, each measured before it is read; nothing is unpickled."""
+    arrays: dict[str, np.ndarray] = {}
+    present = archive.namelist()
+    for name in _WANTED:
+        if f"{name}.npy" in present:
+            room = MAX_BYTES - sum(array.nbytes for array in arrays.values())
+            arrays[name] = _read_member(archive, name, room)
+    return arrays
+
+
+def _checked_shape(archive: zipfile.ZipFile, name: str, room: int) -> tuple[int, ...]:
+    """The shape in an array's header, held against the bytes that are really there and the ``room`` left."""
     member = f"{name}.npy"
     with archive.open(member) as file:
         version = np.lib.format.read_magic(file)
@@ -158,7 +196,13 @@ def _read_member(archive: zipfile.ZipFile, name: str, room: int) -> np.ndarray:
         raise InputError(f"{name!r} claims the shape {_shown(shape)} but is too short for it; save it again.")
     if 8 * math.prod(shape) > room:
         raise InputError(f"{name!r} brings the arrays above {MAX_BYTES // 10**6} MB; save fewer states or thetas.")
-    with archive.open(member) as file:
+    return shape
+
+
+def _read_member(archive: zipfile.ZipFile, name: str, room: int) -> np.ndarray:
+    """One array of at most ``room`` bytes."""
+    _checked_shape(archive, name, room)
+    with archive.open(f"{name}.npy") as file:
         array = np.lib.format.read_array(file, allow_pickle=False).astype(np.float64, copy=False)
     if not (array.min(initial=0.0) >= -1e12 and array.max(initial=0.0) <= 1e12):  # NaN fails both
         raise InputError(f"{name!r} holds a value that is not a number within +-1e12.")

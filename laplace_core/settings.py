@@ -69,6 +69,32 @@ class Settings:
                 words += [flag(parameter), as_text(value)]
         return shlex.join(words + (["--out", out] if out else []))
 
+    def to_python(self, world_expression: str | None = None) -> str:
+        """A Python script that repeats this study: only what was chosen is written, the rest suits the world.
+
+        Args:
+            world_expression: how to get the world, such as ``read_world("edited.json")``, where ``world`` does not
+                name it.
+        """
+        chosen = [(p.name, getattr(self, p.name)) for p in SCHEMA if getattr(self, p.name) is not None]
+        words = [f"{name}={_literal(BY_NAME[name].parse(value))}" for name, value in chosen]
+        if world_expression is None and self.world.endswith(".npz"):
+            state = "" if self.state is None else f", {_literal(self.state)}"
+            words.insert(0, f"world={_literal(self.world)}")
+            return _script(
+                ["from laplace_core import Settings, study_of_gamma_space",
+                 "from laplace_core.saved import read_gamma_space"],
+                f"gamma_space = read_gamma_space({_literal(self.world)}{state})",
+                "study_of_gamma_space", "gamma_space", words, truth=False,
+            )  # fmt: skip
+        if world_expression is None:
+            params = ", ".join(f"{_literal(name)}: {_literal(value)}" for name, value in self.params)
+            world_expression = f"load_world({_literal(self.world)}{f', {{{params}}}' if params else ''})"
+        loaders = [name for name in WORLD_MAKERS if f"{name}(" in world_expression]
+        imports = ["from laplace_core import Settings, study"]
+        imports += [f"from laplace_core.worlds import {', '.join(loaders)}"] if loaders else []
+        return _script(imports, f"world = {world_expression}", "study", "world", words, truth=True)
+
 
 SCHEMA: tuple[Parameter, ...] = (
     Parameter("state", None, 0, 0, "State to look from, by name or index (default: the likeliest start).", str),
@@ -96,6 +122,32 @@ SCHEMA: tuple[Parameter, ...] = (
 """One entry a setting, in the order of the line from world to action."""
 
 BY_NAME: Mapping[str, Parameter] = {parameter.name: parameter for parameter in SCHEMA}
+
+
+WORLD_MAKERS = ("load_world", "parse_world", "read_world", "timeline_world", "world_from_rows")
+"""What :meth:`Settings.to_python` imports where the world's expression calls it."""
+
+
+def _literal(value: object) -> str:
+    """A value as Python source, in double quotes where that needs no escape."""
+    text = repr(value.item() if isinstance(value, np.generic) else value)
+    return f'"{text[1:-1]}"' if isinstance(value, str) and text[0] == "'" and '"' not in text else text
+
+
+def _script(imports: list[str], source: str, function: str, argument: str, words: list[str], truth: bool) -> str:
+    """The lines of a script; long settings take a line each."""
+    line = f"found = {function}({argument}, Settings({', '.join(words)}))"
+    if len(line) > 100:
+        listed = "".join(f"    {word},\n" for word in words)
+        line = f"settings = Settings(\n{listed})\nfound = {function}({argument}, settings)"
+    looks = [
+        "found.decoded.tau_space  # (actions, steps, sensitivities - 1): how likely each reward is at each future step",
+        "found.decoded.horizon_values  # (actions, steps): the value of each action for the horizon T = 1, 2, ...",
+        "found.decoded.actions  # (steps,): the action chosen for each horizon",
+    ]
+    if truth:
+        looks.append("found.truth.optimal_action  # (steps,): the best one")
+    return "\n".join([*imports, "", source, line, "", *looks, ""])
 
 
 def flag(parameter: Parameter) -> str:

@@ -10,7 +10,7 @@ import plotly.graph_objects as go
 import pytest
 
 from app import compute, figures
-from app.state import WORLDS
+from app.sources import WORLDS, View
 from laplace_core import Settings, load_world, study
 
 NAMES = ("world", "gamma-space", "tau-space", "values", "rewards")
@@ -19,8 +19,9 @@ NAMES = ("world", "gamma-space", "tau-space", "values", "rewards")
 def drawn(
     name: str, world: str = "two_branch", action: int = 0, row: int = 0, surface: bool = False, **settings
 ) -> dict:
-    resolved = study(load_world(world), Settings(world=world, **settings)).settings
-    return json.loads(compute.figure(name, resolved, action, row, surface))
+    found = study(load_world(world), Settings(world=world, **settings))
+    view = View(found.world, found.settings, action, float(found.horizons[row]))
+    return json.loads(compute.figure(name, view, surface))
 
 
 @pytest.mark.parametrize("surface", [False, True])

@@ -11,7 +11,7 @@ import pytest
 from laplace_core import InputError, load_world
 from laplace_core import saved as saved_module
 from laplace_core.pipeline import GammaSpace, study, study_of_gamma_space
-from laplace_core.saved import read_gamma_space, save_study, study_arrays
+from laplace_core.saved import npz_bytes, read_gamma_space, save_study, states_of, study_arrays
 from laplace_core.settings import Settings
 from tests.hostile import assert_nothing_written, assert_one_sentence
 from tests.malformed_saved import CASES, DATA, GOOD, described, npy, npy_by_hand, npz, pickles, with_arrays, with_member
@@ -92,6 +92,16 @@ def test_a_study_without_truth_saves_none(tmp_path, own):
         assert not [name for name in file.files if name.startswith("true") or name == "optimal_action"]
 
 
+def test_a_download_holds_what_a_saved_file_holds(tmp_path):
+    found = study(load_world("two_branch"), Settings(thetas=10))
+    save_study(found, tmp_path / "study.npz")
+    with np.load(tmp_path / "study.npz") as file, np.load(io.BytesIO(npz_bytes(found))) as download:
+        assert file.files == download.files
+        for name in file.files:
+            np.testing.assert_array_equal(download[name], file[name])
+    np.testing.assert_array_equal(read_gamma_space(npz_bytes(found)).values, found.gamma_space.values)
+
+
 def test_a_study_that_cannot_be_written_leaves_the_old_file_and_no_other(tmp_path, monkeypatch):
     path = tmp_path / "study.npz"
     path.write_bytes(b"old")
@@ -166,12 +176,46 @@ def test_states_that_the_data_does_not_hold_are_refused(own, state):
         assert_one_sentence(refusal(own(content), state), "state", state[:10])
 
 
+@pytest.mark.parametrize("leading", [(), (1,), (2,), (5, 2), (1, 1)])
+def test_uploads_need_no_file(own, leading):
+    values = np.random.default_rng(0).normal(size=(*leading, 3, 4))
+    content = with_arrays(gamma_space=values, constant_channel=None)
+    count = leading[0] if len(leading) == 2 else 1
+    path = own(content)
+    for make in (lambda: content, lambda: io.BytesIO(content), lambda: path, lambda: str(path)):
+        assert states_of(make()) == count
+        for state in (None, *map(str, range(count))):
+            found = read_gamma_space(make(), state)
+            np.testing.assert_array_equal(found.values, read_gamma_space(path, state).values)
+        assert str(count) in refusal(make(), str(count)) or count == 1
+    with path.open("rb") as file:
+        file.seek(20)
+        assert states_of(file) == count  # and once more from the same file, as a page that is drawn again does
+        np.testing.assert_array_equal(read_gamma_space(file).values, read_gamma_space(path).values)
+
+
+def test_an_upload_is_called_by_its_name():
+    assert "the file holds no array 'gammas'" in refusal(with_arrays(gammas=None))
+    for name in ("mine.npz", "two\nlines.npz", "x" * 400 + ".npz", "\ud800.npz"):
+        for content in (with_arrays(gammas=None), b"no zip"):
+            with pytest.raises(InputError) as refused:
+                read_gamma_space(content, name=name)
+            assert_one_sentence(f"laplace: {refused.value}", name[:3].strip("\ud800"))
+
+
 # --- what is refused ---
 
 
 @pytest.mark.parametrize(("content", "named"), [case[1:] for case in CASES], ids=[case[0] for case in CASES])
 def test_a_malformed_file_is_refused_by_name(own, content, named):
-    assert_one_sentence(refusal(own(content)), *named)
+    path = own(content)
+    message = refusal(path)
+    assert_one_sentence(message, *named)
+    assert refusal(content) == refusal(io.BytesIO(content)) == message.replace("own.npz", "the file")
+    try:
+        assert 1 <= states_of(content) <= 10**6  # what the header shows may be sound all the same
+    except InputError as error:
+        assert_one_sentence(f"laplace: {error}")
 
 
 def test_the_catalogue_is_long_and_its_seed_is_valid(own):
@@ -269,6 +313,8 @@ def test_a_shape_without_its_numbers_takes_no_memory(own):
     tracemalloc.start()
     try:
         assert_one_sentence(refusal(path), "'gamma_space'", "too short")
+        with pytest.raises(InputError, match="too short"):
+            states_of(path)
         assert tracemalloc.get_traced_memory()[1] < 10_000_000
     finally:
         tracemalloc.stop()

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from app.state import OPENING, WORLDS, parse_query
+from app.query import OPENING, parse_query
+from app.sources import WORLDS
 from laplace_core.settings import BY_NAME, SCHEMA
 
 

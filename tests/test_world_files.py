@@ -44,6 +44,9 @@ def assert_same_world(one: World, other: World) -> None:
     assert (one.name, one.states, one.actions) == (other.name, other.states, other.actions)
     for column in ("state", "action", "next_state", "reward"):
         np.testing.assert_array_equal(getattr(one, column), getattr(other, column))
+    assert (one.positions is None) == (other.positions is None)
+    if one.positions is not None:
+        np.testing.assert_array_equal(one.positions, other.positions)
     for column in ("start", "probability"):
         np.testing.assert_allclose(getattr(one, column), getattr(other, column), rtol=1e-15, atol=0)
 
@@ -165,6 +168,61 @@ def test_names_in_any_alphabet_come_back_through_a_file(tmp_path):
         assert_same_world(world, parse_world(dump_world(world)))
 
 
+# --- where states are drawn ---
+
+PLACES = {"start": [0, 0.5], "short": [1, -1], "long": [1e9, 2]}
+
+
+def test_positions_are_those_of_the_states_whatever_their_order():
+    text = json.dumps(VALID | {"positions": dict(reversed(PLACES.items()))})
+    world = parse_world(text)
+    np.testing.assert_array_equal(world.positions, [[0, 0.5], [1, -1], [1e9, 2]])
+    assert_same_world(world, parse_world(dump_world(world)))
+    assert parse_world(TEXT).positions is None
+    assert "positions" not in json.loads(dump_world(parse_world(TEXT)))
+
+
+@pytest.mark.parametrize("source", ["cliff_grid", "gym:FrozenLake8x8-v1"])
+def test_the_file_of_a_map_keeps_its_map(source):
+    world = load_world(source)
+    written = json.loads(dump_world(world))["positions"]
+    assert [written[state] for state in world.states] == world.positions.tolist()
+
+
+BAD_PLACES = {
+    "no object": (None, True, 0, "", "start", [], [[0, 0]] * 3),
+    "no pair": (None, True, 0, "0, 0", [], [0], [0, 0, 0], {}, {"x": 0, "y": 0}),
+    "no number": (None, True, "0", [], {}, 1.1e9, -1e300, 10**400),
+}
+
+
+def test_positions_that_are_no_map_are_refused_by_name():
+    def refused(positions: object, *named: str) -> None:
+        with pytest.raises(InputError) as refusal:
+            parse_world(json.dumps(VALID | {"positions": positions}))
+        assert_one_sentence(f"laplace: {refusal.value}", "'positions'", *named)
+
+    for positions in BAD_PLACES["no object"]:
+        refused(positions, "must be an object")
+    for place in BAD_PLACES["no pair"]:
+        refused(PLACES | {"short": place}, "'short'", "pair")
+    for number in BAD_PLACES["no number"]:
+        refused(PLACES | {"short": [number, 0]}, "'short'")
+        refused(PLACES | {"short": [0, number]}, "'short'")
+    for name in ("cave", "END", "*", "", "two\nlines"):
+        refused(PLACES | {name: [0, 0]}, "not in 'states'")
+    for state in PLACES:
+        refused({name: place for name, place in PLACES.items() if name != state}, f"lacks the state '{state}'")
+    refused({}, "lacks the state 'start'")
+    for literal in ("NaN", "Infinity", "-Infinity", "1e999", "9" * 5000):
+        text = json.dumps(VALID | {"positions": PLACES}).replace("0.5]", f"{literal}]")
+        with pytest.raises(InputError) as refusal:
+            parse_world(text)
+        assert_one_sentence(f"laplace: {refusal.value}")
+    with pytest.raises(InputError, match="twice"):
+        parse_world(json.dumps(VALID | {"positions": PLACES}).replace('"long": [', '"short": ['))
+
+
 # --- what is refused ---
 
 
@@ -266,9 +324,9 @@ def paths(document: object, path: tuple = ()) -> list[tuple]:
 
 
 @settings(max_examples=150)
-@given(st.lists(st.tuples(st.sampled_from(paths(VALID)), JSON), min_size=1, max_size=2))
+@given(st.lists(st.tuples(st.sampled_from(paths(VALID | {"positions": PLACES})), JSON), min_size=1, max_size=2))
 def test_any_value_at_any_place_makes_a_world_or_a_sentence(changes):
-    document = deepcopy(VALID)
+    document = deepcopy(VALID | {"positions": PLACES})
     for path, value in changes:
         holder = document
         try:

@@ -14,6 +14,8 @@ MAX_DRAWN = 26
 _GRID_MAX = 700
 _SNAKE = 6  # states in a row before a plain chain turns round
 _FAINT = 0.6
+_LONG = 3.0  # columns that an edge may span before its bend stops growing
+_NAMED_COLUMNS = 6  # more columns than this leave no room for names beneath the states
 
 Places = dict[int, tuple[float, float]]
 
@@ -42,7 +44,8 @@ def world_graph(world: World, state: int, action: int, policy: np.ndarray) -> Fi
                     labelled=_room_for_labels(world, s, a, lit, len(drawn), gridded),
                 )
     hidden = world.n_states - len(drawn)
-    (x_low, y_low), (x_high, y_high) = np.min(list(places.values()), axis=0), np.max(list(places.values()), axis=0)
+    corners = [*places.values(), *_ends_of(edges)]
+    (x_low, y_low), (x_high, y_high) = np.min(corners, axis=0), np.max(corners, axis=0)
     return build(
         "world" if not hidden else f"world ({hidden:,} states further off not drawn)",
         [*edges, *_nodes(world, drawn, places, state, action, gridded)],
@@ -52,6 +55,12 @@ def world_graph(world: World, state: int, action: int, policy: np.ndarray) -> Fi
         xaxis=axis(visible=False, range=[x_low - 0.6, x_high + 0.6]),
         yaxis=axis(visible=False, range=[y_low - 0.8, y_high + 0.8]),
     )
+
+
+def _ends_of(edges: list[dict]) -> list[tuple[float, float]]:
+    """The outermost points of curved edges: a long one bends beyond the states that it joins."""
+    curves = [edge for edge in edges if isinstance(edge["x"], np.ndarray)]
+    return [(float(pick(edge["x"])), float(pick(edge["y"]))) for edge in curves for pick in (np.min, np.max)]
 
 
 def _room_for_labels(world: World, s: int, a: int, lit: bool, drawn: int, gridded: bool) -> bool:
@@ -186,6 +195,7 @@ def _curve(start, end, bend: float, points: int = 25) -> tuple[np.ndarray, np.nd
     if start == end:
         angle = 2.0 * np.pi * t
         return x0 + 0.22 * np.sin(angle), y0 + 0.25 * (1.0 - np.cos(angle))
+    bend *= min(1.0, _LONG / max(abs(x1 - x0), abs(y1 - y0)))  # a long edge is flatter
     middle_x, middle_y = (x0 + x1) / 2.0 - bend * (y1 - y0), (y0 + y1) / 2.0 + bend * (x1 - x0)
     first, second, third = (1 - t) ** 2, 2 * t * (1 - t), t**2
     return first * x0 + second * middle_x + third * x1, first * y0 + second * middle_y + third * y1
@@ -193,7 +203,8 @@ def _curve(start, end, bend: float, points: int = 25) -> tuple[np.ndarray, np.nd
 
 def _nodes(world: World, drawn: list[int], places: Places, state: int, action: int, gridded: bool) -> list[dict]:
     names = [world.states[s] for s in drawn]
-    crowded = gridded or len(drawn) > 10
+    columns = {x for x, _ in places.values()}
+    crowded = gridded or len(drawn) > 10 or len(columns) > _NAMED_COLUMNS + 1
     size = max(6, min(22, int(190 / np.sqrt(len(drawn))))) if gridded else 24 if len(drawn) <= 12 else 17
     outline = {"color": "#5b616b", "width": 1.2}
     font = {"textposition": "bottom center", "textfont": {"size": 11}}

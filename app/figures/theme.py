@@ -26,6 +26,12 @@ def action_colour(action: int) -> str:
     return ACTION_COLOURS[action % len(ACTION_COLOURS)]
 
 
+def translucent(colour: str, opacity: float = 0.22) -> str:
+    """A ``#rrggbb`` colour as seen through."""
+    red, green, blue = (int(colour[i : i + 2], 16) for i in (1, 3, 5))
+    return f"rgba({red},{green},{blue},{opacity})"
+
+
 def probability_scale() -> list[list[object]]:
     """Viridis from zero upwards, red below; for limits (-UNDER_RANGE * m, m)."""
     zero = UNDER_RANGE / (1.0 + UNDER_RANGE)

@@ -4,12 +4,16 @@ from __future__ import annotations
 
 import numpy as np
 
-from app.figures.theme import NEUTRAL, Figure, action_colour, axis, build
+from app.figures.theme import NEUTRAL, Figure, action_colour, axis, build, translucent
 from laplace_core import Study
+from laplace_core.learned import Band, Bands
 
 
-def rewards_and_survival(study: Study, action: int) -> Figure:
-    """E[r_tau] and the chance that the episode still runs, decoded against true, for one action."""
+def rewards_and_survival(study: Study, action: int, bands: Bands | None = None) -> Figure:
+    """E[r_tau] and the chance that the episode still runs, decoded against true, for one action.
+
+    ``bands`` adds the range over several learners behind the lines.
+    """
     step, taus, decoded, truth = study.settings.time_step, study.taus, study.decoded, study.truth
     few = len(taus) <= 60
     traces: list[dict] = []
@@ -27,12 +31,15 @@ def rewards_and_survival(study: Study, action: int) -> Figure:
         traces.append({**bars, "type": "bar", "width": 0.8 * step, "marker": marker})
         shape = {"color": NEUTRAL, "width": 1, "shape": "hvh" if few else "linear"}
         traces.append(line("true survival", truth.survival, line=shape, yaxis="y2"))
+    if bands is not None and len(bands.studies) > 1:
+        traces.append(_band(taus, bands.expected_reward, action, step, action_colour(action), "y"))
+        traces.append(_band(taus, bands.survival, action, step, NEUTRAL, "y2"))
     colour = {"color": action_colour(action), "width": 2}
     traces.append(line("decoded reward", decoded.expected_reward, "lines+markers" if few else "lines", line=colour))
     dots = {"color": NEUTRAL, "width": 2, "dash": "dot"}
     traces.append(line("decoded survival", decoded.survival, line=dots, yaxis="y2"))
     span = _least_span(study)
-    shown = [trace["y"] for trace in traces if "yaxis" not in trace]
+    shown = np.concatenate([trace["y"] for trace in traces if trace.get("yaxis", "y") == "y"])
     low, high = min(0.0, float(np.min(shown))), max(0.0, float(np.max(shown)))
     flat = {"range": [-span, span]} if high - low < span else {}
     return build(
@@ -45,8 +52,19 @@ def rewards_and_survival(study: Study, action: int) -> Figure:
     )
 
 
-def values_over_horizon(study: Study, row: int) -> Figure:
-    """V_T of every action over T, and a strip that shows the chosen and the best action."""
+def _band(taus: np.ndarray, band: Band, action: int, step: float, colour: str, yaxis: str) -> dict:
+    """The range over all learners, as an area."""
+    edge = np.concatenate([band.high[action], band.low[action][::-1]]) / step
+    return {"type": "scatter", "x": np.concatenate([taus, taus[::-1]]), "y": edge, "yaxis": yaxis, "fill": "toself",
+            "fillcolor": translucent(colour), "line": {"width": 0}, "mode": "lines", "hoverinfo": "skip",
+            "showlegend": False}  # fmt: skip
+
+
+def values_over_horizon(study: Study, row: int, bands: Bands | None = None) -> Figure:
+    """V_T of every action over T, and a strip that shows the chosen and the best action.
+
+    With ``bands`` the strip's upper half shows which share of the learners chooses each action.
+    """
     horizons, names, decoded, truth = study.horizons, study.action_names, study.decoded, study.truth
     mode = "lines+markers" if len(horizons) <= 40 else "lines"
     traces: list[dict] = []
@@ -60,7 +78,12 @@ def values_over_horizon(study: Study, row: int) -> Figure:
         hover = f"T %{{x:g}}<br>decoded {name} %{{y:.3f}}<extra></extra>"
         style = {"mode": mode, "line": {"color": colour, "width": 2}, "marker": {"size": 5}}
         traces.append({**line, **style, "y": decoded.horizon_values[a], "hovertemplate": hover})
+    several = bands is not None and len(bands.studies) > 1
     strips = {"chosen": decoded.actions} if truth is None else {"best": truth.optimal_action, "chosen": decoded.actions}
+    if several:
+        traces += _value_bands(horizons, bands)
+        strips = {"best": truth.optimal_action}
+        traces += _shares(horizons, names, bands.action_share)
     traces.append(_strip(horizons, names, strips))
     at = float(horizons[row])
     cursor = {"type": "line", "x0": at, "x1": at, "y0": 0, "y1": 1, "xref": "x", "yref": "paper"}
@@ -71,8 +94,31 @@ def values_over_horizon(study: Study, row: int) -> Figure:
         shapes=[{**cursor, "line": {"color": NEUTRAL, "width": 1.5, "dash": "dash"}}],
         xaxis=axis("horizon T (steps)", anchor="y2"),
         yaxis=axis("value V<sub>T</sub>", domain=[0.24, 1.0], **_value_range(study)),
-        yaxis2=axis(domain=[0.0, 0.19], showgrid=False),
+        yaxis2=axis(domain=[0.0, 0.09 if several else 0.19], showgrid=False),
+        barmode="stack",
+        bargap=0.04,
+        **(
+            {"yaxis3": axis("", domain=[0.1, 0.21], range=[0, 1], showgrid=False, tickvals=[0.5], ticktext=["seeds"])}
+            if several
+            else {}
+        ),
     )
+
+
+def _value_bands(horizons: np.ndarray, bands: Bands) -> list[dict]:
+    """The range of every action's values over all learners."""
+    return [
+        _band(horizons, bands.horizon_values, a, 1.0, action_colour(a), "y") for a in range(len(bands.action_share))
+    ]
+
+
+def _shares(horizons: np.ndarray, names: tuple[str, ...], share: np.ndarray) -> list[dict]:
+    """Stacked bars: the share of learners that choose each action at each horizon."""
+    return [
+        {"type": "bar", "x": horizons, "y": share[a], "yaxis": "y3", "marker": {"color": action_colour(a)},
+         "showlegend": False, "hovertemplate": f"T %{{x:g}}<br>{name}: %{{y:.0%}} of the seeds<extra></extra>"}
+        for a, name in enumerate(names)
+    ]  # fmt: skip
 
 
 def _least_span(study: Study) -> float:

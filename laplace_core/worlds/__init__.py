@@ -11,11 +11,15 @@ from laplace_core.parameters import Parameter, parse_named
 from laplace_core.worlds.files import dump_world, parse_world, read_world
 from laplace_core.worlds.model import END, Outcome, World
 from laplace_core.worlds.presets import PRESETS, Preset
+from laplace_core.worlds.table import rescaled, world_from_rows, world_rows
+from laplace_core.worlds.timeline import MAX_TAU, TIMELINE_RESTS, timeline_rows, timeline_world
 from laplace_core.worlds.toy_text import TOY_TEXT, toy_text_name, toy_text_world
 
 __all__ = [
     "END",
+    "MAX_TAU",
     "PRESETS",
+    "TIMELINE_RESTS",
     "TOY_TEXT",
     "Outcome",
     "Preset",
@@ -25,6 +29,11 @@ __all__ = [
     "parameters_of",
     "parse_world",
     "read_world",
+    "rescaled",
+    "timeline_rows",
+    "timeline_world",
+    "world_from_rows",
+    "world_rows",
 ]
 
 

@@ -9,6 +9,7 @@ import json
 import re
 from collections import Counter
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -17,8 +18,8 @@ from laplace_core.errors import InputError
 from laplace_core.worlds.model import END, MAX_OUTCOMES, MAX_REWARD, PROBABILITY_TOLERANCE, Outcome, World
 
 MAX_BYTES = 50_000_000
-_NUMBER = re.compile(r"[+-]?(\d+(\.\d*)?|\.\d+)([eE][+-]?\d{1,4})?", re.ASCII)
-_KEYS = {"name", "states", "actions", "start", "transitions"}
+NUMBER = re.compile(r"[+-]?(\d+(\.\d*)?|\.\d+)([eE][+-]?\d{1,4})?", re.ASCII)
+_KEYS = {"name", "states", "actions", "start", "transitions", "positions"}
 
 
 def read_world(path: str | Path) -> World:
@@ -66,12 +67,15 @@ def parse_world(text: str) -> World:
         for entry in entries:
             if not isinstance(entry, str):
                 raise InputError(f"{key!r} holds {_show(entry)}; every entry must be a name in quotes.")
-    return World.from_outcomes(
+    world = World.from_outcomes(
         name,
         states,
         actions,
         _parse_transitions(document["transitions"], states, actions),
         _parse_start(document["start"], states) if "start" in document else None,
+    )
+    return (
+        replace(world, positions=_parse_positions(document["positions"], states)) if "positions" in document else world
     )
 
 
@@ -88,6 +92,9 @@ def dump_world(world: World) -> str:
             transitions.append({"state": state, "action": action, "outcomes": outcomes})
     start = {world.states[s]: float(world.start[s]) for s in np.flatnonzero(world.start)}
     head = {"name": world.name, "states": world.states, "actions": world.actions, "start": start}
+    if world.positions is not None:
+        places = np.asarray(world.positions, dtype=float).tolist()
+        head["positions"] = dict(zip(world.states, places, strict=True))
     return json.dumps({**head, "transitions": transitions}, indent=1, allow_nan=False)
 
 
@@ -162,6 +169,24 @@ def _parse_start(table: object, states: list[str]) -> np.ndarray:
     return start
 
 
+def _parse_positions(table: object, states: list[str]) -> np.ndarray:
+    """Where to draw the states, ``(S, 2)``: all of them, so that no state is left without a place."""
+    index = {name: i for i, name in enumerate(states)}
+    if not isinstance(table, dict):
+        raise InputError(f"'positions' is {_show(table)}; it must be an object of places, such as {{...: [0, 1]}}.")
+    positions = np.empty((len(states), 2))
+    for name, place in table.items():
+        s = _state(name, index, "'positions'")
+        where = f"'positions', {name[:40]!r}"
+        if not isinstance(place, list) or len(place) != 2:
+            raise InputError(f"{where} must be a pair of numbers, [x, y].")
+        positions[s] = [_number(coordinate, where) for coordinate in place]
+    if missing := [name for name in states if name not in table]:
+        raise InputError(f"'positions' lacks the state {missing[0]!r}; place every state or leave 'positions' out.")
+    positions.setflags(write=False)
+    return positions
+
+
 def _parse_transitions(entries: list, states: list[str], actions: list[str]) -> Iterator[Outcome]:
     """Outcomes of every (state, action); ``*`` fills the actions that no entry of that state names.
 
@@ -211,7 +236,7 @@ def _independent(entry: dict, state_index: dict[str, int], where: str) -> list[t
     successors = _distribution(entry["next"], f"{where}, 'next'")
     rewards = {}
     for text, p in _distribution(entry["reward"], f"{where}, 'reward'").items():
-        if not _NUMBER.fullmatch(text):
+        if not NUMBER.fullmatch(text):
             raise InputError(f"{where} has the reward {text[:40]!r}; it must be a number in quotes.")
         value = _number(float(text), f"{where}, reward {text[:40]!r}")
         rewards[value] = rewards.get(value, 0.0) + p

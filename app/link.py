@@ -1,0 +1,42 @@
+"""Text values of a link: parsing as strict as the command line's, and long texts packed into one word."""
+
+from __future__ import annotations
+
+import base64
+import binascii
+import zlib
+from collections.abc import Mapping
+from functools import lru_cache
+
+from laplace_core import InputError
+
+LONGEST = 6_000
+"""Characters of one packed text that still go into a link; browsers and proxies refuse much longer ones."""
+_MOST = 2_000_000  # characters that a packed text may unfold to
+
+
+def pack(text: str) -> str:
+    """A text as one word for a URL."""
+    return base64.urlsafe_b64encode(zlib.compress(text.encode(), 9)).decode().rstrip("=")
+
+
+@lru_cache(maxsize=64)
+def unpack(word: str) -> str:
+    """The text of :func:`pack`; a short word that unfolds without end is stopped.
+
+    Raises:
+        InputError: not such a word.
+    """
+    try:
+        data = base64.b64decode(word + "=" * (-len(word) % 4), altchars=b"-_", validate=True)
+        unfolding = zlib.decompressobj()
+        text = unfolding.decompress(data, _MOST)
+        if not unfolding.eof:
+            raise InputError("the link holds a text that is cut off or far too long; copy it again in full.")
+        return text.decode()
+    except (binascii.Error, ValueError, zlib.error):
+        raise InputError("the link holds a text that was damaged on its way; copy it again in full.") from None
+
+
+def fits(query: Mapping[str, str]) -> bool:
+    return all(len(value) <= LONGEST for value in query.values())

@@ -1,0 +1,176 @@
+"""What a person brings along: files to open, the world as a table, a timeline drawn by hand."""
+
+from __future__ import annotations
+
+import streamlit as st
+
+from app import sources, state
+from app.link import pack
+from app.sources import View
+from laplace_core import InputError, World
+from laplace_core.worlds import (
+    dump_world,
+    parse_world,
+    rescaled,
+    timeline_world,
+    world_from_rows,
+    world_rows,
+)
+
+MOST_ROWS = 2_000
+_KINDS = ("json", "npz", "safetensors")
+
+
+def open_group(world: World | None) -> None:
+    """In the sidebar: a file of one's own, or the present world as a table."""
+    box = st.expander("Bring your own", key="bring", on_change="rerun")
+    if not box.open:
+        return
+    with box:
+        st.file_uploader(
+            "World (.json), gamma-space (.npz) or learned agent (.safetensors)", type=list(_KINDS), key="upload",
+            on_change=_uploaded,
+            help="A world file as in the README; arrays gamma_space (actions, discounts, thetas), gammas and thetas; "
+            "or what Download agent saved.",
+        )  # fmt: skip
+        if "_refused" in st.session_state:
+            st.error(st.session_state["_refused"])
+        for name in sources.shipped_agents():
+            st.button(f"Open {name.replace('_', ' ')}", on_click=_open_agent, args=(name,), width="stretch")
+        if world is not None and state.world_name() not in sources.BROUGHT:
+            st.button("Edit this world as a table", on_click=state.edit_world, args=(world,), width="stretch")
+        if state.world_name() != sources.TIMELINE:
+            st.button("Draw a timeline", on_click=_draw, width="stretch")
+
+
+def _open_agent(name: str) -> None:
+    state.go_to(**sources.world_values(sources.agent(name).world), source="learned", agent=name)
+
+
+def _draw() -> None:
+    state.go_to(world=sources.TIMELINE, timeline=sources.FIRST_TIMELINE, edit="yes")
+
+
+def _uploaded() -> None:
+    """Callback: an uploaded file replaces the view, or says in one sentence why it cannot."""
+    st.session_state.pop("_refused", None)
+    file = st.session_state["upload"]
+    if file is None:
+        return
+    try:
+        if file.name.endswith(".json"):
+            text = file.getvalue().decode("utf-8", errors="replace")
+            parse_world(text)
+            state.go_to(world=sources.OWN, own=pack(text))
+        elif file.name.endswith(".safetensors"):
+            _open_agent(sources.open_agent(file.name, file.getvalue()))
+        else:
+            state.go_to(world=sources.DATA, data=sources.open_gamma_space(file.name, file.getvalue()))
+    except InputError as error:
+        st.session_state["_refused"] = str(error)
+
+
+def editor(view: View) -> None:
+    """Under the pictures: the world or the timeline as a table, if it is open."""
+    name = state.world_name()
+    if name == sources.OWN:
+        _world_table(view.world)
+    elif name == sources.TIMELINE:
+        _timeline_table()
+
+
+def _version(word: str, kind: str) -> str:
+    """Key of a table's widget: a new one when its content was changed from elsewhere, else the same.
+
+    A table keeps its edits relative to the rows that it was opened with, so those rows must stay.
+    """
+    kept = st.session_state.setdefault(f"_{kind}_table", {"word": None, "version": 0})
+    if kept["word"] != word:
+        kept.update(word=word, base=word, version=kept["version"] + 1)
+    return f"{kind} table {kept['version']}"
+
+
+def _edited(kind: str, word: str) -> None:
+    """Note that the table itself made this change, and take it over."""
+    st.session_state[f"_{kind}_table"]["word"] = word
+    state.choose(kind, word)
+    st.rerun()
+
+
+def _world_table(world: World) -> None:
+    word = str(state.chosen()[sources.OWN])
+    st.html('<div class="panel-title">the world as a table: every row is one thing that may happen</div>')
+    if world.state.size > MOST_ROWS:
+        st.caption(f"{world.state.size:,} outcomes are too many for a table: download the file, edit and open it.")
+        _download(world)
+        return
+    key = _version(word, sources.OWN)
+    base = sources.own_world(st.session_state["_own_table"]["base"])
+    rows = st.data_editor(
+        world_rows(base), key=key, num_rows="dynamic", height=260, width="stretch", hide_index=True,
+        column_config={
+            "probability": st.column_config.NumberColumn(min_value=0.0, max_value=1.0, format="%.6g", default=1.0),
+            "reward": st.column_config.NumberColumn(format="%.6g", default=0.0),
+            "next": st.column_config.TextColumn("next state", help="END terminates the episode.", default="END"),
+        },
+    )  # fmt: skip
+    left, right, _ = st.columns([1, 1, 3])
+    with right:
+        _download(world)
+    try:
+        made = world_from_rows(rows, base.name, base.states, base.actions, base.start, base.suggested, base.positions)
+    except InputError as error:
+        st.warning(f"Not taken over yet: {error}")
+        _offer_rescale(left, rows, base)
+        return
+    new = pack(dump_world(made))
+    if new != word:
+        _edited(sources.OWN, new)
+
+
+def _offer_rescale(place, rows: list[dict], base: World) -> None:
+    """One click for the commonest slip: probabilities that do not sum to 1."""
+    try:
+        scaled = rescaled(rows)
+        made = world_from_rows(scaled, base.name, base.states, base.actions, base.start, base.suggested, base.positions)
+    except InputError:
+        return
+    place.button("Rescale probabilities to 1", on_click=state.choose, args=(sources.OWN, pack(dump_world(made))))
+
+
+def _download(world: World) -> None:
+    st.download_button(
+        "Download world", dump_world(world), file_name=sources.file_name(world), mime="application/json",
+        on_click="ignore", width="stretch",
+    )  # fmt: skip
+
+
+def _timeline_table() -> None:
+    word = str(state.chosen()[sources.TIMELINE])
+    st.html('<div class="panel-title">your timeline: at future step tau, this reward comes with this probability</div>')
+    key = _version(word, sources.TIMELINE)
+    base, rest = sources.timeline_rows_of(st.session_state["_timeline_table"]["base"])
+    table, beside = st.columns([3, 1.2])
+    with beside:
+        words = {"zero": "pays 0 and goes on", "ended": "has ended the episode"}
+        chosen_rest = st.radio("What is left of a step's probability", list(words), list(words).index(rest),
+                               format_func=words.get, key=f"{key} rest")  # fmt: skip
+        st.caption("Each action is a line of its own; a row more is typed at the foot of the table.")
+    with table:
+        rows = st.data_editor(
+            base, key=key, num_rows="dynamic", height=230, width="stretch", hide_index=True,
+            column_config={
+                "action": st.column_config.TextColumn(default="now"),
+                "tau": st.column_config.NumberColumn("tau (steps)", min_value=0, max_value=500, step=1, default=0),
+                "reward": st.column_config.NumberColumn(format="%.6g", default=1.0),
+                "probability": st.column_config.NumberColumn(min_value=0.0, max_value=1.0, format="%.6g", default=1.0),
+            },
+        )  # fmt: skip
+    try:
+        timeline_world(rows, chosen_rest)
+    except InputError as error:
+        beside.warning(f"Not taken over yet: {error}")
+        return
+    new = sources.packed_timeline(rows, chosen_rest)
+    if new != word:
+        _edited(sources.TIMELINE, new)

@@ -1,0 +1,51 @@
+"""A view pinned as A beside the present one, B, and where they differ."""
+
+from __future__ import annotations
+
+import json
+
+import streamlit as st
+
+from app import compute, sources, state
+from app.chart import chart
+from app.figures.theme import HEIGHT
+from app.link import pack
+from app.query import query_of, unpinned
+from app.sources import View
+from laplace_core import InputError
+
+
+def pin_button() -> None:
+    """Pin what is seen as A; again to pin something else."""
+    st.button("Pin as A", on_click=_pin, width="stretch", help="Keep this view; whatever you change is B, beside it.")
+
+
+def _pin() -> None:
+    values = {name: value for name, value in state.chosen().items() if name not in ("pin", "edit")}
+    state.choose("pin", pack(json.dumps({"world": state.world_name(), **query_of(values)})))
+
+
+def comparison(view: View) -> None:
+    """Three pictures: A, B, and B minus A; and a sentence."""
+    if "pin" not in state.chosen():
+        return
+    try:
+        pinned = sources.view_of(unpinned(str(state.chosen()["pin"])))
+        compute.study_for(pinned)
+    except InputError as error:
+        st.warning(f"A cannot be shown any more: {error}")
+        return
+    title, choice, unpin = st.columns([3.2, 1, 0.7], vertical_alignment="center")
+    title.html('<div class="panel-title">A, pinned, against B, what you see above</div>')
+    with choice:
+        key = state.show("compare", "tau-space")
+        st.segmented_control("Space", ("tau-space", "gamma-space"), key=key, on_change=state.keep, args=(key,),
+                             label_visibility="collapsed", required=True)  # fmt: skip
+    with unpin:
+        st.button("Unpin", on_click=state.choose, args=("pin", None), width="stretch")
+    what = state.chosen().get("compare", "tau-space").replace("-", "_")
+    sentence, figures = compute.comparison(pinned, view, what)
+    for column, (name, figure) in zip(st.columns(3, gap="small"), figures.items(), strict=False):
+        with column:
+            chart(figure, f"compare {name}", f"{what.replace('_', '-')}: {name}", HEIGHT, what)
+    st.caption(sentence)

@@ -1,0 +1,208 @@
+"""Learning in front of the person: its settings, its progress, and the pictures that only learning has."""
+
+from __future__ import annotations
+
+import hashlib
+
+import streamlit as st
+
+from app import compute, runs, sources, state
+from app.chart import chart
+from app.controls import number
+from app.figures.theme import HEIGHT
+from app.sources import LEARN, View
+from laplace_core import InputError, World
+from laplace_core.learned import LEARN_SCHEMA, Learned, LearnSettings, learned_bytes, resolve_learning
+from laplace_core.learned.settings import DECIDED_NAMES
+
+_SHOWN = {
+    "episodes": "Episodes",
+    "seeds": "Learners (seeds)",
+    "seed": "First seed",
+    "max_steps": "Longest episode",
+    "starts": "Start",
+    "rate_first": "First rate",
+    "rate_half": "Rate half-life",
+    "rate_floor": "Least rate",
+    "epsilon_first": "First epsilon",
+    "epsilon_half": "Epsilon half-life",
+    "epsilon_floor": "Least epsilon",
+    "peers": "Also learn the four other codes of the return",
+}
+
+
+def source_group(world: World) -> None:
+    """Exact or learned; and how it is learned."""
+    key = state.show("source", "exact")
+    st.segmented_control("Gamma-space", ("exact", "learned"), key=key, on_change=state.keep, args=(key,), required=True,
+                         help="Solved exactly, or learned from sampled episodes in front of you.")  # fmt: skip
+    if state.chosen().get("source") != "learned":
+        return
+    if "agent" in state.chosen():
+        st.caption(f"Learned before, in {agent_title(str(state.chosen()['agent']))}.")
+        st.button("Learn anew instead", on_click=state.choose, args=("agent", None), width="stretch")
+        return
+    try:
+        wanted = learning_of(world)
+    except InputError as error:
+        st.error(str(error))
+        return
+    box = st.expander("How it learns", key="how", on_change="rerun")
+    if box.open:
+        with box:
+            columns = st.columns(2)
+            for i, (name, title) in enumerate(_SHOWN.items()):
+                parameter = next(p for p in LEARN_SCHEMA if p.name == name)
+                with st.container() if parameter.type is bool else columns[i % 2]:
+                    number(LEARN + name, parameter, getattr(wanted, name), title)
+    st.button("Learn", on_click=_begin, args=(world,), type="primary", width="stretch")
+
+
+def agent_title(agent: str) -> str:
+    return agent.replace("_", " ")
+
+
+def learning_of(world: World) -> LearnSettings:
+    """What would be learned now: the learner's own settings and the discounts and policy of the page.
+
+    Raises:
+        InputError: settings that do not fit the world.
+    """
+    values = state.chosen()
+    given = {name: values[name] for name in DECIDED_NAMES if name in values}
+    given |= {name.removeprefix(LEARN): value for name, value in values.items() if name.startswith(LEARN)}
+    return resolve_learning(LearnSettings(**given), world)
+
+
+def _key(world: World, wanted: LearnSettings) -> str:
+    """Names a run in the session and in the link."""
+    values = state.chosen()
+    what = (world.source, world.params, values.get("own"), values.get("timeline"), wanted)
+    return hashlib.sha256(repr(what).encode()).hexdigest()[:10]
+
+
+def _begin(world: World) -> None:
+    """Callback: (re)start the run of the present settings."""
+    try:
+        key = _key(world, learning_of(world))
+    except InputError:  # said beside the button already
+        return
+    _runs().again(key)
+    state.choose("run", key)
+
+
+def _runs() -> runs.Runs:
+    if "_runs" not in st.session_state:
+        st.session_state["_runs"] = runs.Runs()
+    return st.session_state["_runs"]
+
+
+def current(world: World) -> tuple[Learned | None, runs.Watched | None]:
+    """What was learned, or is being learned, for what the page shows; nothing under an exact gamma-space."""
+    values = state.chosen()
+    if values.get("source") != "learned":
+        return None, None
+    if "agent" in values:
+        found = sources.learned_of(sources.agent(str(values["agent"])), world)
+        if found is not None:
+            return found, None
+        state.choose("agent", None)
+        st.toast("The agent learned another world, and was closed.")
+    wanted = learning_of(world)
+    key = _key(world, wanted)
+    watched = _runs().get(key)
+    if watched is None and values.get("run") == key:
+        watched = _runs().begin(key, world, wanted)
+    if watched is None:
+        return None, None
+    found = watched.learned()
+    return None if found is None else sources.learned_of(found, world), watched
+
+
+def strip(view: View, watched: runs.Watched | None) -> None:
+    """Between the verdict and the pictures: how far learning is."""
+    if state.chosen().get("source") != "learned":
+        return
+    with st.container(key="learning_strip"):
+        text, button, seed, save = st.columns([3, 1, 1.2, 1.2], vertical_alignment="center")
+        with text:
+            _told(view, watched)
+        if watched is not None and watched.running:
+            button.button("Cancel", on_click=watched.cancel, width="stretch")
+        if view.learned is None:
+            return
+        if len(view.learned.basis) > 1:
+            with seed:
+                _which(view.learned)
+        if watched is None or not watched.running:
+            save.download_button(
+                "Download agent", lambda: learned_bytes(view.learned), mime="application/octet-stream",
+                file_name=f"{sources.plain_name(view.world)}_td.safetensors", width="stretch", on_click="ignore",
+            )  # fmt: skip
+
+
+def _told(view: View, watched: runs.Watched | None) -> None:
+    if watched is None:
+        if view.learned is None:
+            st.info("Nothing is learned with these settings yet; the pictures are exact. Press Learn.")
+        else:
+            shown = view.learned.settings
+            st.caption(f"Learned in {shown.episodes:,} episodes by {shown.seeds} learner(s), policy {shown.policy}.")
+        return
+    if watched.error:
+        st.error(watched.error)
+        return
+    told = watched.progress()
+    if watched.waiting or told is None:
+        st.progress(0.0, "Waiting for a free place: other learners are running." if watched.waiting else "Starting ...")
+        return
+    share = told["episodes"] / told["of"]
+    words = [f"{told['episodes']:,} of {told['of']:,} episodes", f"{told['steps_per_second']:,} steps/s"]
+    if told["error"] is not None:
+        words.append(f"error {100 * told['error']:.2g}% of the range")
+    if watched.running and told["eta"] is not None:
+        words.append(f"{told['eta']:.0f} s left")
+    elif not told["finished"]:
+        words.insert(0, "cancelled at")
+    st.progress(min(1.0, share), " · ".join(words))
+
+
+def _which(learned: Learned) -> None:
+    options = ["mean", *(str(i) for i in range(len(learned.basis)))]
+    key = state.show("learner", "mean")
+    st.selectbox(
+        "Learner shown", options, key=key, on_change=state.keep, args=(key,), label_visibility="collapsed",
+        format_func=lambda word: "mean of all" if word == "mean" else f"seed {learned.seeds[int(word)]}",
+    )  # fmt: skip
+
+
+def pictures(view: View) -> None:
+    """The third row: the learning curve, what the learners agree on, the codes of the return."""
+    if view.learned is None:
+        return
+    name = view.world.actions[view.action]
+    row = st.columns(3, gap="small")
+    with row[0]:
+        alt = "Error of the learned gamma-space and return over episodes, a line a seed."
+        chart(compute.learning_figure("curve", view), "curve", alt, HEIGHT, view.settings.world)
+    with row[1]:
+        alt = f"Probability of each reward after {name} over future steps: the range over all seeds, the truth dotted."
+        chart(compute.learning_figure("probabilities", view), "probabilities", alt, HEIGHT, view.settings.world)
+    with row[2]:
+        if view.learned.peers is None:
+            st.html('<div class="panel-title">return: four codes and the truth</div>')
+            st.caption(
+                "Categorical, quantile, expectile and plain Q can learn from the same transitions; they stand here "
+                "beside the true return then."
+            )
+            st.button("Learn them too", on_click=_with_peers, args=(view.world,))
+        else:
+            alt = f"Cumulated distribution of the return after {name}: four codes and the true one."
+            chart(compute.learning_figure("returns", view), "returns", alt, HEIGHT, view.settings.world)
+
+
+def _with_peers(world: World) -> None:
+    state.choose("agent", None)
+    state.choose(f"{LEARN}peers", True)
+    _begin(world)
+    st.session_state["_sidebar_stale"] = True

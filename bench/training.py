@@ -1,0 +1,190 @@
+"""The trainer: one update against a well-known QR-DQN, growth with the grids, and reading what was learned."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+from importlib.util import find_spec
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from time import perf_counter
+
+import gymnasium
+import numpy as np
+import torch
+
+from bench.report import Figure, Goal
+from bench.timing import interleaved, spread
+from laplace_core.agents import LaplaceSettings
+from laplace_core.agents.laplace import LaplaceAgent
+from laplace_core.inverse import decode
+from laplace_core.training.events import Episode
+from laplace_core.training.loop import train
+from laplace_core.training.replay import Replay
+
+OBSERVATION, ACTIONS, BATCH, QUANTILES = 8, 4, 128, 170
+STANDARD = LaplaceSettings(
+    environment="LunarLander-v3", gammas=15, thetas=100, theta_spacing="asinh", theta_min=-135.0, theta_max=135.0
+)
+SUBJECT = "Training"
+
+
+def figures() -> Iterator[Figure]:
+    torch.set_num_threads(1)
+    yield from _against_quantiles()
+    yield from _growth()
+    yield from _variants()
+    yield from _experience()
+    yield from _reading()
+
+
+def agent(settings: LaplaceSettings) -> LaplaceAgent:
+    return LaplaceAgent(settings, OBSERVATION, ACTIONS, 1000)
+
+
+def one_update(settings: LaplaceSettings) -> Callable[[], object]:
+    """Drawing a batch and learning from it: loss, gradient, optimiser and averaging."""
+    learner, random = agent(settings), np.random.default_rng(0)
+    replay = Replay(2_000, settings.rings, OBSERVATION, own=settings.experience == "per_discount")
+    for i in range(2_000 // settings.rings):
+        _add(replay, i, random)
+    return lambda: learner.update(replay.sample(settings.batch, random)[0], 0.0)
+
+
+def _add(replay: Replay, time: int, random: np.random.Generator) -> None:
+    n = replay.rings
+    replay.add(
+        np.ones(n, bool), random.normal(size=(n, OBSERVATION)), random.integers(ACTIONS, size=n),
+        random.normal(size=n), random.normal(size=(n, OBSERVATION)), np.full(n, time % 100 == 99), np.zeros(n, bool),
+        np.full(n, time % 100 + 1),
+    )  # fmt: skip
+
+
+class Noise(gymnasium.Env):
+    """Random observations of the size of LunarLander's, for an update that needs none better."""
+
+    observation_space = gymnasium.spaces.Box(-10.0, 10.0, (OBSERVATION,), np.float32)
+    action_space = gymnasium.spaces.Discrete(ACTIONS)
+
+    def reset(self, *, seed=None, options=None):
+        super().reset(seed=seed)
+        return self._draw(), {}
+
+    def step(self, action):
+        return self._draw(), float(self.np_random.normal()), bool(self.np_random.random() < 0.01), False, {}
+
+    def _draw(self) -> np.ndarray:
+        return self.np_random.normal(size=OBSERVATION).astype(np.float32)
+
+
+def quantile_update() -> Callable[[], object]:
+    """One update of sb3-contrib's QR-DQN, its batch drawn from its own buffer."""
+    from sb3_contrib import QRDQN
+
+    model = QRDQN(
+        "MlpPolicy", Noise(), batch_size=BATCH, learning_starts=2_000, buffer_size=2_000, device="cpu", seed=0,
+        policy_kwargs={"net_arch": [256, 256], "n_quantiles": QUANTILES},
+    )  # fmt: skip
+    model.learn(1_999)
+    torch.set_num_threads(1)
+    return lambda: model.train(gradient_steps=1, batch_size=BATCH)
+
+
+def _against_quantiles() -> Iterator[Figure]:
+    if find_spec("sb3_contrib") is None:
+        print("  sb3-contrib is not installed: no comparison with QR-DQN")
+        return
+    ours = one_update(STANDARD)
+    seconds = interleaved({"laplace": (ours, 3), "quantiles": (quantile_update(), 1), "again": (ours, 3)}, rounds=41)
+    sizes = f"15 discounts x 100 sensitivities, {QUANTILES} quantiles, batch {BATCH}, hidden 256 x 256"
+    yield Figure(
+        SUBJECT, "one update / one of sb3-contrib's QR-DQN", spread(seconds["laplace"] / seconds["quantiles"]), "x",
+        sizes, Goal("<=", 0.5), "drawing the batch, loss, gradient, optimiser; ours also averages the target network",
+    )  # fmt: skip
+    yield Figure(
+        SUBJECT, "one update / itself", spread(seconds["again"] / seconds["laplace"]), "x", sizes,
+        note="the same update timed twice a round: what noise alone makes",
+    )  # fmt: skip
+    yield Figure(SUBJECT, "one update", spread(1e3 * seconds["laplace"]), "ms", sizes)
+
+
+def _growth() -> Iterator[Figure]:
+    discounts = {count: one_update(replace(STANDARD, gammas=count)) for count in (1, 5, 15, 45)}
+    seconds = interleaved({str(count): (update, 2) for count, update in discounts.items()}, rounds=15)
+    for count in (5, 15, 45):
+        goal = Goal("<", count) if count == 45 else None
+        yield Figure(
+            SUBJECT, f"one update at {count} discounts / at 1", spread(seconds[str(count)] / seconds["1"]), "x",
+            f"100 sensitivities, batch {BATCH}", goal, "sublinear in discounts" if goal else "",
+        )  # fmt: skip
+    thetas = {count: one_update(replace(STANDARD, thetas=count)) for count in (25, 100, 400)}
+    seconds = interleaved({str(count): (update, 2) for count, update in thetas.items()}, rounds=15)
+    for count in (100, 400):
+        yield Figure(
+            SUBJECT, f"one update at {count} sensitivities / at 25", spread(seconds[str(count)] / seconds["25"]), "x",
+            f"15 discounts, batch {BATCH}",
+        )  # fmt: skip
+
+
+def _variants() -> Iterator[Figure]:
+    changes = {
+        "trunk": {}, "network": {"network": "network"}, "multiplexer": {"network": "multiplexer"},
+        "accumulated": {"parametrisation": "accumulated"}, "per_gamma": {"target_policy": "per_gamma"},
+    }  # fmt: skip
+    updates = {name: (one_update(replace(STANDARD, **change)), 1) for name, change in changes.items()}
+    seconds = interleaved(updates, rounds=11)
+    for name in list(changes)[1:]:
+        yield Figure(
+            SUBJECT, f"one update with {name} / the standard one", spread(seconds[name] / seconds["trunk"]), "x",
+            f"15 discounts x 100 sensitivities, batch {BATCH}",
+        )  # fmt: skip
+
+
+def _experience() -> Iterator[Figure]:
+    common = {
+        "steps": 3_000, "learning_starts": 500, "evaluate_every": 10**6, "evaluate_episodes": 1,
+        "checkpoint_every": 10**6, "hidden": 128, "features": 32, "exploration": 0.5,
+    }  # fmt: skip
+    for experience, batch in (("shared", 64), ("per_discount", 64), ("per_discount", 5)):
+        settings = LaplaceSettings(**common, experience=experience, batch=batch)
+        rates = [_steps_per_second(settings) for _ in range(3)]
+        rows = batch * (15 if experience == "per_discount" else 1)
+        yield Figure(
+            SUBJECT, f"CartPole, experience {experience}, {rows} transitions in an update", spread(rates), "steps/s",
+            f"15 discounts x {settings.thetas} sensitivities, 4 updates every 8 transitions", note="the whole loop",
+        )  # fmt: skip
+
+
+def _steps_per_second(settings: LaplaceSettings) -> float:
+    """Of the part of a run in which the agent learns."""
+    with TemporaryDirectory() as folder:
+        first = None
+        for event in train(settings, Path(folder) / "run"):
+            if first is None and event.step >= settings.learning_starts:
+                first = event.step, perf_counter()
+            if isinstance(event, Episode):
+                last = event.step, perf_counter()
+    return (last[0] - first[0]) / (last[1] - first[1])
+
+
+def _reading() -> Iterator[Figure]:
+    learned, random = agent(STANDARD), np.random.default_rng(0)
+    one, many = random.normal(size=OBSERVATION), random.normal(size=(500, OBSERVATION))
+
+    def read():
+        space = learned.gamma_space(one)
+        return decode(space.differences, space.gammas, 200, 0.1)
+
+    seconds = interleaved({"one": (read, 5), "many": (lambda: learned.gamma_spaces(many), 1)}, rounds=15)
+    sizes = f"{ACTIONS} actions x 15 discounts x 100 sensitivities"
+    yield Figure(
+        SUBJECT, "gamma-space of one state and its decode at K = 200", spread(1e3 * seconds["one"]), "ms", sizes,
+        Goal("<", 5),
+    )  # fmt: skip
+    yield Figure(
+        SUBJECT, "gamma-space of 500 states in one batch", spread(seconds["many"]), "s", sizes, Goal("<", 0.5)
+    )
+
+
+def main() -> Iterator[Figure]:
+    yield from figures()

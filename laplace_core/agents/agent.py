@@ -1,0 +1,136 @@
+"""What all agents share: two networks, the optimiser and one update. An algorithm adds its network and its loss."""
+
+from __future__ import annotations
+
+import copy
+from abc import ABC, abstractmethod
+from dataclasses import dataclass
+from typing import ClassVar
+
+import numpy as np
+import torch
+from torch import Tensor, nn
+
+from laplace_core.agents.settings import LoopSettings
+from laplace_core.ties import greedy_action
+
+
+@dataclass(frozen=True, eq=False)
+class Batch:
+    """Transitions to learn from: ``g`` is 1 where all discounts learn from the same ones, else G.
+
+    Attributes:
+        observations, next_observations: ``(B, g, O)``, float32.
+        actions: ``(B, g)``, int64.
+        rewards: ``(B, g, n)``; those from ``lengths`` on do not count.
+        lengths: ``(B, g)``, from 1 to n: steps from the observation to the next one.
+        terminated: ``(B, g)``; a truncated transition is not terminated: it bootstraps as any other.
+        elapsed: ``(B, g)``, steps of the episode up to and with the last reward.
+        weights: ``(B,)``, importance of each.
+    """
+
+    observations: Tensor
+    actions: Tensor
+    rewards: Tensor
+    lengths: Tensor
+    next_observations: Tensor
+    terminated: Tensor
+    elapsed: Tensor
+    weights: Tensor
+
+
+class Agent(ABC):
+    """An online network that learns and acts while training, and its slow average, ``target``.
+
+    The average is also what is evaluated and saved: it forgets less from one update to the next.
+
+    Args:
+        observation: numbers in an observation.
+        actions: number of actions.
+        time_limit: steps after which an episode is truncated; None if never.
+
+    Attributes:
+        heads: how many ways to act the network holds; ``acting_head`` is the one meant to be used.
+    """
+
+    settings_class: ClassVar[type[LoopSettings]]
+    heads: int = 1
+    acting_head: int = 0
+
+    def __init__(self, settings: LoopSettings, observation: int, actions: int, time_limit: int | None = None):
+        self.settings, self.time_limit = settings, time_limit
+        self.n_observations, self.n_actions = observation, actions
+        with torch.random.fork_rng(devices=[]):  # the only use of torch's random numbers
+            torch.manual_seed(settings.seed)
+            self.network = self._build()
+        self.target = copy.deepcopy(self.network).requires_grad_(False)
+        self.optimiser = torch.optim.Adam(self.network.parameters(), lr=settings.learning_rate, eps=1e-5, fused=True)
+        self._parameters = list(self.network.parameters())
+        self._averages = list(self.target.parameters())
+
+    @abstractmethod
+    def _build(self) -> nn.Module:
+        """A fresh network."""
+
+    @classmethod
+    @abstractmethod
+    def network_numbers(cls, settings: LoopSettings, observation: int, actions: int) -> int:
+        """How many weights that network has, counted without building it."""
+
+    @abstractmethod
+    def losses(self, batch: Batch) -> Tensor:
+        """Loss of every transition at every head, ``(B, g)`` or ``(B, G)``, with gradients to the network."""
+
+    @abstractmethod
+    def _action_values(self, network: nn.Module, observations: Tensor, head: int | None) -> Tensor:
+        """Values ``(B, 1, A)`` at one head, or ``(B, heads, A)`` for None, from observations ``(B, 1, O)``."""
+
+    @torch.no_grad()
+    def action_values(self, observations: np.ndarray, head: int | None = None) -> np.ndarray:
+        """Expected discounted return of every action as the average sees it, in units of reward, float64.
+
+        Args:
+            observations: ``(B, O)``.
+            head: one head, for ``(B, A)``; None is all of them, ``(B, heads, A)``.
+        """
+        values = self._action_values(self.target, _batched(observations), head).double().numpy()
+        return values if head is None else values[:, 0]
+
+    def greedy(self, observations: np.ndarray) -> np.ndarray:
+        """The action meant to be taken, int ``(B,)``, for observations ``(B, O)``."""
+        return greedy_action(self.action_values(observations, self.acting_head))
+
+    @torch.no_grad()
+    def behave(self, observations: np.ndarray, heads: np.ndarray) -> np.ndarray:
+        """Greedy actions of the learning network, int ``(B,)``, each row by its own head ``(B,)``."""
+        inputs = _batched(observations)
+        if np.all(heads == heads[0]):
+            return self._action_values(self.network, inputs, int(heads[0]))[:, 0].argmax(-1).numpy()
+        values = self._action_values(self.network, inputs, None)
+        return values[torch.arange(len(heads)), torch.from_numpy(heads)].argmax(-1).numpy()
+
+    def update(self, batch: Batch, progress: float) -> tuple[float, np.ndarray]:
+        """One step of the optimiser on a batch, and of the average after it.
+
+        Args:
+            progress: fraction of the training that lies behind, for the learning rate.
+
+        Returns:
+            the loss, and that of every transition, ``(B,)``, for its priority.
+        """
+        s = self.settings
+        rate = s.learning_rate * (1.0 + progress * (s.learning_rate_final - 1.0))
+        self.optimiser.param_groups[0]["lr"] = rate
+        each = self.losses(batch).mean(dim=1)
+        loss = (batch.weights * each).mean()
+        self.optimiser.zero_grad(set_to_none=True)
+        loss.backward()
+        nn.utils.clip_grad_norm_(self._parameters, s.gradient_clip)
+        self.optimiser.step()
+        with torch.no_grad():
+            torch._foreach_lerp_(self._averages, self._parameters, s.averaging)
+        return float(loss.detach()), each.detach().numpy()
+
+
+def _batched(observations: np.ndarray) -> Tensor:
+    return torch.from_numpy(np.asarray(observations, dtype=np.float32)).unsqueeze(1)

@@ -1,0 +1,126 @@
+"""Laplace DQN: the values of every reward threshold at every discount, by one network (paper, section 3).
+
+Deviations from the paper, each a setting: the softmax over reward bins, the shared target policy and the shared
+experience are the defaults; ``accumulated``, ``per_gamma``, ``per_discount`` and ``multiplexer`` are the paper's.
+"""
+
+from __future__ import annotations
+
+from typing import ClassVar
+
+import numpy as np
+import torch
+from torch import Tensor, nn
+from torch.nn.functional import smooth_l1_loss
+
+from laplace_core.agents import networks, parametrisations
+from laplace_core.agents.agent import Agent, Batch
+from laplace_core.agents.sensitivities import Sensitivities
+from laplace_core.agents.settings import LaplaceSettings
+from laplace_core.errors import InputError
+from laplace_core.pipeline import GammaSpace
+
+
+class LaplaceAgent(Agent):
+    """Laplace DQN.
+
+    Attributes:
+        gammas: ``(G,)``, increasing; each is a head that can act.
+        thetas: ``(H,)``, increasing, in units of reward.
+    """
+
+    settings_class: ClassVar[type[LaplaceSettings]] = LaplaceSettings
+
+    def __init__(self, settings: LaplaceSettings, observation: int, actions: int, time_limit: int | None = None):
+        if settings.termination == "auxiliary" and time_limit is None:
+            raise InputError("termination 'auxiliary' needs an environment with a time limit.")
+        self.gammas = settings.discounts()
+        self.sensitivities = Sensitivities(settings)
+        self.thetas = self.sensitivities.thetas
+        self.code = parametrisations.build(settings.parametrisation, self.sensitivities)
+        self.heads = len(self.gammas)
+        self.acting_head = int(np.abs(self.gammas - settings.acting_gamma).argmin())
+        self._gammas = torch.tensor(self.gammas, dtype=torch.float32)
+        super().__init__(settings, observation, actions, time_limit)
+
+    def _build(self) -> nn.Module:
+        return networks.build(self.gammas, self.n_observations, self.n_actions, self.code.initial(), self.settings)
+
+    @classmethod
+    def network_numbers(cls, settings: LaplaceSettings, observation: int, actions: int) -> int:
+        channels = settings.thetas + (2 if settings.parametrisation == "softmax" else 1)
+        return networks.count_numbers(settings.n_discounts, observation, actions, channels, settings)
+
+    def _values(self, scaled: Tensor, gammas: Tensor) -> Tensor:
+        """sum_h bin value * bin mass / (1 - gamma): ``(..., C)`` to ``(...)`` (paper, Eq. 9)."""
+        return scaled @ self.code.value_weights / (1.0 - gammas)
+
+    def _action_values(self, network: nn.Module, observations: Tensor, head: int | None) -> Tensor:
+        gammas = self._gammas if head is None else self._gammas[head : head + 1]
+        return self._values(self.code.scaled(network(observations, only=head)), gammas[:, None])
+
+    def following(self, next_observations: Tensor) -> Tensor:
+        """a* of the target policy, ``(B, 1)`` where it is shared by all discounts, else ``(B, G)``."""
+        network = self.network if self.settings.double else self.target
+        shared = self.settings.target_policy == "shared"
+        if shared and next_observations.shape[1] > 1:  # each discount has an observation of its own
+            batch, discounts = next_observations.shape[:2]
+            flat = next_observations.reshape(batch * discounts, 1, -1)
+            return self._action_values(network, flat, self.acting_head).argmax(-1).view(batch, discounts)
+        return self._action_values(network, next_observations, self.acting_head if shared else None).argmax(-1)
+
+    @torch.no_grad()
+    def targets(self, batch: Batch) -> Tensor:
+        """What the scaled outputs are moved to, ``(B, G, C)``; the equation is that of :mod:`.parametrisations`."""
+        gammas, code = self._gammas, self.code
+        actions = self.following(batch.next_observations).expand(-1, len(gammas))
+        later = code.scaled(self.target(batch.next_observations, actions=actions))
+        ended = batch.terminated.unsqueeze(-1)
+        if ended.any():
+            later = torch.where(ended, self._after_the_end(batch), later)
+        later = later * (gammas**batch.lengths).unsqueeze(-1)
+        step = torch.arange(batch.rewards.shape[-1])
+        counts = (step < batch.lengths.unsqueeze(-1)).float() * gammas[:, None] ** step  # (B, G, n)
+        counts = counts * (1.0 - gammas)[:, None]
+        for k in range(len(step)):
+            later += counts[..., k, None] * code.encode(batch.rewards[..., k])
+        return later
+
+    def _after_the_end(self, batch: Batch) -> Tensor:
+        """Scaled outputs after termination, broadcast against ``(B, G, C)``.
+
+        ``auxiliary`` is the paper's proposal (section 5), reward 0 for the n steps left to the time limit, in closed
+        form: (1 - gamma^n) encode(0) + gamma^n ended; ``absorbing`` is its limit, n without end.
+        """
+        nothing = self.code.encode(torch.zeros(()))
+        if self.settings.termination == "plain":
+            return self.code.ended
+        if self.settings.termination == "absorbing":
+            return nothing
+        over = (self._gammas ** (self.time_limit - batch.elapsed)).unsqueeze(-1)
+        return (1.0 - over) * nothing + over * self.code.ended
+
+    def losses(self, batch: Batch) -> Tensor:
+        target = self.targets(batch)
+        outputs = self.network(batch.observations, actions=batch.actions.expand(-1, self.heads))
+        losses, scaled = self.code.loss(outputs, target, self._gammas)
+        if self.settings.consistency > 0:
+            error = smooth_l1_loss(
+                self._values(scaled, self._gammas), self._values(target, self._gammas), reduction="none"
+            )
+            losses = losses + self.settings.consistency * error
+        return losses
+
+    @torch.no_grad()
+    def gamma_spaces(self, observations: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Q[b, a, g, h], ``(B, A, G, H)``, and the constant channel, ``(B, A, G)``, for observations ``(B, O)``."""
+        inputs = torch.from_numpy(np.asarray(observations, dtype=np.float32)).unsqueeze(1)
+        scaled = self.code.scaled(self.target(inputs).transpose(1, 2))
+        tails = self.code.tails(scaled) / (1.0 - self._gammas)[:, None]
+        tails = tails.double().numpy()
+        return tails[..., 1:], tails[..., 0]
+
+    def gamma_space(self, observation: np.ndarray) -> GammaSpace:
+        """What the agent has learned for one observation ``(O,)``, ready to be decoded."""
+        values, constant = self.gamma_spaces(np.asarray(observation)[None])
+        return GammaSpace(values[0], constant[0], self.gammas, self.thetas)

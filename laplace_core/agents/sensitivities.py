@@ -1,0 +1,45 @@
+"""Reward sensitivities of an agent: the activation, the bins between thresholds and the value of each bin.
+
+With ``asinh`` spacing the activation, too, is a sigmoid in asinh(r / scale): one slope then suits the dense middle and
+the sparse ends, where a slope in 1/reward would blur the one or round the other (evidence on reward quantisation).
+"""
+
+from __future__ import annotations
+
+import numpy as np
+import torch
+from torch import Tensor
+
+from laplace_core.agents.settings import LaplaceSettings
+from laplace_core.encoding import sensitivity_grid, theta_midpoints
+
+
+class Sensitivities:
+    """The grid of thresholds and everything that follows from a reward through it.
+
+    Attributes:
+        thetas: ``(H,)``, in units of reward, float64.
+        bin_values: ``(H+1,)``, what a reward in each bin counts as: the midpoints, and for the two outermost bins,
+            below the first and above the last threshold, those thresholds themselves.
+    """
+
+    def __init__(self, settings: LaplaceSettings):
+        s = settings
+        self.thetas = sensitivity_grid(s.thetas, s.theta_min, s.theta_max, s.theta_spacing)
+        self._scale = max(abs(s.theta_min), abs(s.theta_max)) / 100.0 if s.theta_spacing == "asinh" else None
+        places = self.thetas if self._scale is None else np.arcsinh(self.thetas / self._scale)
+        self._places = torch.tensor(places, dtype=torch.float32)
+        self.slope = s.slope_times_spacing / float(np.diff(places).max())
+        midpoints = theta_midpoints(self.thetas)
+        self.bin_values = np.concatenate([self.thetas[:1], midpoints, self.thetas[-1:]])
+
+    def tails(self, rewards: Tensor) -> Tensor:
+        """The constant channel, 1, and f_1(r), ..., f_H(r): shape ``rewards.shape + (H+1,)``, never increasing."""
+        place = rewards if self._scale is None else torch.asinh(rewards / self._scale)
+        values = torch.sigmoid(self.slope * (place.unsqueeze(-1) - self._places))
+        return torch.cat([torch.ones_like(values[..., :1]), values], dim=-1)
+
+    def masses(self, rewards: Tensor) -> Tensor:
+        """1 - f_1, f_1 - f_2, ..., f_H: the mass of a reward in each bin, ``rewards.shape + (H+1,)``; the sum is 1."""
+        tails = self.tails(rewards)
+        return tails - torch.nn.functional.pad(tails[..., 1:], (0, 1))

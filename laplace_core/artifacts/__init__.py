@@ -1,0 +1,49 @@
+"""Names, measures and explains what in a tau-space is not real.
+
+An artefact is measured for one action, from what was decoded and how, and carries the change of settings that
+removes it. Each size has the unit that its name suggests and is listed from one level on, :data:`VISIBLE`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from laplace_core.artifacts.deadline import constant_horizon, soft_deadline
+from laplace_core.artifacts.inverse import negative_mass, over_smoothing
+from laplace_core.artifacts.look import Look
+from laplace_core.artifacts.model import VISIBLE, Artefact, Remedy
+from laplace_core.artifacts.noise import noise_amplification
+from laplace_core.artifacts.process import folding, mixed_policies, repeated_reward
+from laplace_core.artifacts.rewards import edge_clipping, reward_quantisation, slope_blur
+from laplace_core.pipeline import Study
+
+MEASURES: dict[str, Callable[[Look], Artefact | None]] = {
+    "repeated reward": repeated_reward,
+    "mixed policies": mixed_policies,
+    "noise amplification": noise_amplification,
+    "folding": folding,
+    "edge clipping": edge_clipping,
+    "slope blur": slope_blur,
+    "reward quantisation": reward_quantisation,
+    "over-smoothing": over_smoothing,
+    "negative mass": negative_mass,
+    "soft deadline": soft_deadline,
+    "constant horizon": constant_horizon,
+}
+"""Every artefact by name, the gravest kinds first."""
+
+
+def find_artefacts(study: Study, action: int, horizon: float | None = None) -> list[Artefact]:
+    """Every artefact present in the tau-space of one action, the gravest kinds first.
+
+    A gamma-space without a world has no truth to measure against; only what shows in the data is found.
+
+    Args:
+        horizon: the T at which a constant horizon is judged; default: the one at which it costs most.
+    """
+    look = Look(study, action, horizon)
+    found = (measure(look) for measure in MEASURES.values())
+    return [artefact for artefact in found if artefact is not None]
+
+
+__all__ = ["MEASURES", "VISIBLE", "Artefact", "Remedy", "find_artefacts"]

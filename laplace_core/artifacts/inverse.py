@@ -1,0 +1,64 @@
+"""Artefacts of the regularised linear inverse itself: too much alpha smears, and a linear inverse rings."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from laplace_core.artifacts.look import Look
+from laplace_core.artifacts.model import VISIBLE, Artefact, Remedy
+
+LEAST_ALPHA = 1e-9
+
+
+def over_smoothing(look: Look) -> Artefact | None:
+    """What a smaller alpha would bring back from the gamma-space that is there: fall of the timeline's error."""
+    alpha = look.settings.alpha
+    if not look.has_truth or alpha == 0:
+        return None
+    here = look.error()
+    if here < VISIBLE:
+        return None
+    smaller = np.append(alpha / 10.0 ** np.arange(0.5, 9.0, 0.5), LEAST_ALPHA)
+    tried = {a: look.error(a) for a in smaller if LEAST_ALPHA <= a < alpha}
+    size = here - min(tried.values(), default=here)
+    if size < VISIBLE:
+        return None
+    # The largest alpha that leaves little to gain: the smaller alpha is, the louder any noise.
+    enough = here - size + min(0.1 * size, 0.5 * VISIBLE)
+    best = float(f"{max(a for a, left in tried.items() if left <= enough):.2g}")
+    return Artefact(
+        "over-smoothing",
+        size,
+        f"{100 * size:.0f}% of the timeline is smeared over time by alpha",
+        f"Alpha {alpha:g} suppresses components that gamma-space still holds, so rewards spread over neighbouring "
+        "steps.",
+        (Remedy(f"Lower alpha to {best:g}", {"alpha": best}),),
+    )
+
+
+def negative_mass(look: Look) -> Artefact | None:
+    """Ringing of the linear inverse: largest negative probability in a row."""
+    s = look.settings
+    if s.normalise == "paper":
+        return None
+    size = _negative(look.study.decoded.tau_space[look.action] / s.time_step)
+    if size < VISIBLE:
+        return None
+    trials = {float(f"{alpha:.1g}") for alpha in np.geomspace(1e-8, 10, 28)}
+    trials = sorted(trials, key=lambda a: abs(np.log(a / max(s.alpha, 1e-9))))
+    # Ringing and smearing trade off: no remedy may make the timeline worse.
+    allowed = look.error() + 1e-3 if look.has_truth else np.inf
+    calm = (a for a in trials if _negative(look.rows(a)) < VISIBLE)
+    nearest = [a for a in [next((a for a in calm if not look.has_truth or look.error(a) <= allowed), None)] if a]
+    return Artefact(
+        "negative mass",
+        size,
+        f"up to {size:.2f} of negative probability in a row",
+        "A linear inverse rings around sharp events; negative probability is the trough beside a peak."
+        + ("" if nearest else " With these discounts less ringing would mean more smearing."),
+        tuple(Remedy(f"Set alpha to {a:g}", {"alpha": a}) for a in nearest),
+    )
+
+
+def _negative(rows: np.ndarray) -> float:
+    return float(-np.minimum(rows, 0.0).sum(axis=-1).min())

@@ -1,0 +1,92 @@
+"""One action of a study, taken apart: what each stage adds to its rows.
+
+The inverse is linear, so that before any rescaling the picture is a sum,
+
+    rows = truth + (D F - 1) truth + D (what comes after the last row) + D (other policies) + D (noise),
+
+with D the decode matrix and F the transform. Each artefact of the inverse is measured on its own summand.
+"""
+
+from __future__ import annotations
+
+from functools import cached_property
+
+import numpy as np
+
+from laplace_core.encoding import bin_masses
+from laplace_core.inverse import decode, decode_matrix, normalise_rows
+from laplace_core.pipeline import Study, basis_of, timeline_of
+
+
+class Look:
+    """The parts of one action's picture, each computed when first asked for and then kept.
+
+    ``alpha`` and ``steps`` default to those of the study everywhere.
+    """
+
+    def __init__(self, study: Study, action: int, horizon: float | None = None):
+        self.study, self.action, self.horizon, self.settings = study, action, horizon, study.settings
+        self.gammas = study.gamma_space.gammas
+        self._errors: dict[float, float] = {}
+
+    @property
+    def has_truth(self) -> bool:
+        return self.study.truth is not None
+
+    @cached_property
+    def differences(self) -> np.ndarray:
+        """Z of this action as it is there, noise and all, ``(G, H-1)``."""
+        return self.study.gamma_space.differences[self.action]
+
+    @cached_property
+    def masses(self) -> np.ndarray:
+        """What each distinct reward leaves at each midpoint, ``(V, H-1)``."""
+        return bin_masses(self.study.world.reward_values, self.study.gamma_space.thetas, self.settings.slope)
+
+    def basis(self, policy: str | None = None) -> np.ndarray:
+        """The exact reward-indicator basis of this action, ``(G, V)``."""
+        return basis_of(self.study, policy)[self.action]
+
+    def exact(self, policy: str | None = None) -> np.ndarray:
+        """Exact Z under the study's own target policy or another one, ``(G, H-1)``."""
+        return self.basis(policy) @ self.masses
+
+    def timeline(self, steps: int | None = None) -> np.ndarray:
+        """True P(r_tau = v, alive) at the whole steps that ``steps`` rows hold, ``(N, V)``."""
+        dt, steps = self.settings.time_step, steps or self.settings.steps
+        # Row k stands for half a time_step on either side of k * time_step.
+        whole = int(np.floor((steps - 0.5) * dt + 1e-9)) + 1
+        return timeline_of(self.study, whole)[self.action]
+
+    def decode(self, values: np.ndarray, alpha: float | None = None, steps: int | None = None) -> np.ndarray:
+        """D @ values for ``(G, n)``, as probability a row, ``(steps, n)``."""
+        s = self.settings
+        alpha = s.alpha if alpha is None else alpha
+        return decode(values, self.gammas, steps or s.steps, alpha, s.time_step) / s.time_step
+
+    def decode_matrix(self, alpha: float | None = None) -> np.ndarray:
+        """D, as probability a row, ``(K, G)``."""
+        s = self.settings
+        return decode_matrix(self.gammas, s.steps, s.alpha if alpha is None else alpha, s.time_step) / s.time_step
+
+    def rows(self, alpha: float) -> np.ndarray:
+        """The picture at another alpha, rescaled as the study's, as probability, ``(K, H-1)``."""
+        s, rows = self.settings, self.decode(self.differences, alpha)
+        if s.normalise == "none":
+            return rows
+        survival = self.decode(self.study.gamma_space.constant[self.action][:, None], alpha)[:, 0]
+        return normalise_rows(rows, survival, s.normalise)
+
+    def error(self, alpha: float | None = None) -> float:
+        """Timeline error at an alpha, before rescaling: total variation from the truth, as a share of the truth."""
+        alpha = self.settings.alpha if alpha is None else alpha
+        if alpha not in self._errors:
+            true = self.study.truth.tau_space[self.action] / self.settings.time_step
+            off = np.abs(self.decode(self.differences, alpha) - true).sum()
+            self._errors[alpha] = float(off / max(2.0 * true.sum(), 1e-12))
+        return self._errors[alpha]
+
+
+def largest_change(rows: np.ndarray) -> float:
+    """The most probability that a change ``(K, n)`` of the rows moves in one of them: half the absolute sum."""
+    return 0.5 * float(np.abs(rows).sum(axis=-1).max())

@@ -1,0 +1,95 @@
+"""Random error of a gamma-space, and what the inverse makes of it."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from laplace_core.artifacts.look import Look, largest_change
+from laplace_core.artifacts.model import VISIBLE, Artefact, Remedy
+
+LARGEST_ALPHA = 10.0
+_SENTENCE = (
+    "Gamma-space carries random error, as anything learned does, and the inverse divides it by small singular values."
+)
+
+
+def noise_amplification(look: Look) -> Artefact | None:
+    """Error of gamma-space magnified by the inverse: the most probability that it moves in a row.
+
+    Without a truth, only what no exact gamma-space can hold counts as error, and the size is a lower bound.
+    """
+    return _against_truth(look) if look.has_truth else _from_violations(look)
+
+
+def _against_truth(look: Look) -> Artefact | None:
+    study, s = look.study, look.settings
+    if not s.noise and study.learned is None:
+        return None
+    error = look.differences - look.exact()
+    size = largest_change(look.decode(error))
+    if size < VISIBLE:
+        return None
+    here = look.error()
+    calmer = [(look.error(a), a) for a in _larger(s.alpha) if largest_change(look.decode(error, a)) < VISIBLE]
+    remedies = [Remedy(f"Raise alpha to {a:g}", {"alpha": a}) for left, a in sorted(calmer)[:1] if left < here]
+    if s.noise and study.learned is None:
+        remedies.append(Remedy("Leave out the noise", {"noise": 0.0}))
+    return Artefact(
+        "noise amplification",
+        size,
+        f"noise moves up to {size:.2f} of a row's probability",
+        _SENTENCE,
+        tuple(remedies),
+    )
+
+
+def _from_violations(look: Look) -> Artefact | None:
+    error = violations(look)
+    size = _expected_change(look, error)
+    if size < VISIBLE:
+        return None
+    calm = (a for a in _larger(look.settings.alpha) if _expected_change(look, error, a) < VISIBLE)
+    return Artefact(
+        "noise amplification",
+        size,
+        f"noise moves at least {size:.2f} of a row's probability",
+        _SENTENCE + " Here it shows in differences that are negative or fall with gamma, which exact ones never do.",
+        tuple(Remedy(f"Raise alpha to {a:g}", {"alpha": a}) for a in [next(calm, None)] if a is not None),
+    )
+
+
+def violations(look: Look) -> np.ndarray:
+    """The least error, in size, that explains what no exact Z does, ``(G, H-1)``, in the units of Z.
+
+    Z = sum_tau gamma^tau P is never negative and never falls with gamma. A fall between two discounts is shared
+    between them as an error whose size grows like 1 / (1 - gamma) would spread it.
+    """
+    Z = look.differences
+    order = np.argsort(look.gammas)
+    scale = (1.0 / (1.0 - look.gammas[order])) ** 2
+    fall = np.minimum(np.diff(Z[order], axis=0), 0.0) ** 2
+    share = (scale[1:] / (scale[1:] + scale[:-1]))[:, None]
+    variance = np.minimum(Z[order], 0.0) ** 2
+    variance[1:] = np.maximum(variance[1:], share * fall)
+    variance[:-1] = np.maximum(variance[:-1], (1.0 - share) * fall)
+    least = np.empty_like(Z)
+    least[order] = np.sqrt(variance)
+    return least
+
+
+def propagated(look: Look, error: np.ndarray, alpha: float | None = None) -> np.ndarray:
+    """Standard deviation of each decoded entry, ``(K, n)``, for independent errors of these sizes, ``(G, n)``."""
+    return np.sqrt(look.decode_matrix(alpha) ** 2 @ error**2)
+
+
+def _expected_change(look: Look, error: np.ndarray, alpha: float | None = None) -> float:
+    """Expected :func:`largest_change`; a normal error is sqrt(2 / pi) of its standard deviation on average."""
+    return float(np.sqrt(2.0 / np.pi) * largest_change(propagated(look, error, alpha)))
+
+
+def _larger(alpha: float) -> list[float]:
+    """Alphas above this one, two digits each, up to where little of a picture is left."""
+    first = np.log10(max(alpha, 1e-9))
+    count = max(0, int(np.ceil(3.0 * (np.log10(LARGEST_ALPHA) - first))))
+    grid = [float(f"{10.0 ** (first + (n + 1) / 3.0):.2g}") for n in range(min(count, 30))]
+    return [a for a in grid if a > alpha]

@@ -1,0 +1,117 @@
+"""Artefacts of the reward axis: its edges, and a slope that is too gentle or too steep for its spacing."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from laplace_core.artifacts.look import Look
+from laplace_core.artifacts.model import VISIBLE, Artefact, Remedy
+from laplace_core.artifacts.noise import propagated, violations
+from laplace_core.encoding import sigmoid
+from laplace_core.settings import SLOPE_TIMES_SPACING, Settings
+
+MOST_THETAS = 2_000
+SEEN = 0.02
+"""A reward that never gets this much of a row is not missed where it runs into another."""
+
+NEGLIGIBLE = 1e-3
+"""A reward that has less than this outside the sensitivities lies inside them."""
+
+
+def edge_clipping(look: Look) -> Artefact | None:
+    """Rewards outside the sensitivities, or on their edge: largest probability lost in a row."""
+    study, s, least = look.study, look.settings, VISIBLE
+    if study.world is not None:
+        outside = 1.0 - look.masses.sum(axis=-1)
+        outside[outside < NEGLIGIBLE] = 0.0  # the tail of any activation, which a small alpha would magnify
+        lost = look.decode((look.basis() @ outside)[:, None])[:, 0]
+    elif s.normalise == "none":
+        lost = (study.decoded.survival - study.decoded.mass)[look.action] / s.time_step
+        # Two decoded rows differ by their own noise: that of the constant channel and of both end tails.
+        noise = np.sqrt(3.0 * (violations(look) ** 2).mean(axis=-1, keepdims=True))
+        least = max(2.0 * VISIBLE, 4.0 * float(propagated(look, noise).max()))
+    else:
+        return None
+    size = float(lost.max())
+    if size < least:
+        return None
+    remedies = ()
+    if study.world is not None:
+        rewards = study.world.reward_values
+        over = max(0.2 * (rewards[-1] - rewards[0]), 6.0 / s.slope)
+        low, high = min(s.theta_min, float(rewards[0] - over)), max(s.theta_max, float(rewards[-1] + over))
+        remedies = (Remedy("Widen the sensitivities", _theta_range(s, low, high)),)
+    return Artefact(
+        "edge clipping",
+        size,
+        f"up to {size:.2f} of a row's probability is missing",
+        "A reward at the edge of the sensitivities, or beyond it, leaves part of its probability outside the picture.",
+        remedies,
+    )
+
+
+def _theta_range(s: Settings, low: float, high: float) -> dict[str, object]:
+    """A wider range at the same spacing, as far as the number of sensitivities allows."""
+    thetas = min(MOST_THETAS, int(np.ceil((s.thetas - 1) * (high - low) / (s.theta_max - s.theta_min))) + 1)
+    return {"theta_min": float(f"{low:.6g}"), "theta_max": float(f"{high:.6g}"), "thetas": max(s.thetas, thetas)}
+
+
+def slope_blur(look: Look) -> Artefact | None:
+    """Neighbouring rewards that run together: largest probability in a row that lands nearer to another reward.
+
+    The activation smears a reward by a logistic law, which passes the middle of a gap with sigmoid(-slope gap / 2).
+    """
+    if look.study.world is None:
+        return None
+    s, timeline = look.settings, look.timeline()
+    seen = timeline.max(axis=0) >= SEEN
+    rewards = look.study.world.reward_values[seen]
+    if rewards.size < 2:
+        return None
+    gaps = np.diff(rewards)
+    beyond = sigmoid(-s.slope * gaps / 2.0)
+    size = float((timeline[:, seen] @ (np.append(beyond, 0.0) + np.append(0.0, beyond))).max())
+    if size < VISIBLE:
+        return None
+    gap = float(gaps.min())
+    slope = float(f"{9.0 / gap:.2g}")  # leaves sigmoid(-4.5) = .011 on either side
+    thetas = int(np.ceil((s.theta_max - s.theta_min) * slope / SLOPE_TIMES_SPACING)) + 1
+    return Artefact(
+        "slope blur",
+        size,
+        f"{size:.2f} of a row's probability lands nearer to another reward; a reward is {4.4 / s.slope:.2g} wide where "
+        f"the next lies {gap:.2g} away",
+        "The activation is too gentle: neighbouring rewards run together in every row.",
+        (Remedy("Steepen the slope", {"slope": slope, "thetas": min(MOST_THETAS, max(s.thetas, thetas))}),),
+    )
+
+
+def reward_quantisation(look: Look) -> Artefact | None:
+    """Midpoints that miss the rewards: largest error of a row's mean, in units of the spacing, never cancelling.
+
+    Only a slope steeper than the default for the spacing rounds; a reward that is cut off at the edges is not judged.
+    """
+    if look.study.world is None:
+        return None
+    thetas, slope = look.study.gamma_space.thetas, look.settings.slope
+    rewards, chance = look.study.world.reward_values, look.timeline()
+    spacing = np.diff(thetas)[np.clip(np.searchsorted(thetas, rewards) - 1, 0, thetas.size - 2)]
+    inside = (rewards > thetas[0] + 6.0 / slope) & (rewards < thetas[-1] - 6.0 / slope)
+    inside &= (slope * spacing > 1.1 * SLOPE_TIMES_SPACING) & (chance.max(axis=0) > 1e-6)
+    if not inside.any():
+        return None
+    rewards, spacing, masses = rewards[inside], spacing[inside], look.masses[inside]
+    proxy = masses @ look.study.midpoints / masses.sum(axis=-1)
+    off = np.abs(proxy - rewards) / spacing
+    size = float((chance[:, inside] @ off).max())
+    if size < VISIBLE:
+        return None
+    worst = int(np.argmax(off * chance[:, inside].max(axis=0)))
+    gentle = float(f"{SLOPE_TIMES_SPACING / np.diff(thetas).max():.2g}")
+    return Artefact(
+        "reward quantisation",
+        size,
+        f"reward {rewards[worst]:g} counts as {proxy[worst]:.4g}, off by {off[worst]:.2f} of the spacing",
+        "The slope is so steep that no two sensitivities overlap, and every reward is rounded to a midpoint.",
+        (Remedy("Soften the slope", {"slope": gentle}),),
+    )

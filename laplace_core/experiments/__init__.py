@@ -1,0 +1,1 @@
+"""Experiments: each a configuration, a run and a report."""

@@ -1,0 +1,288 @@
+"""Learned agents as .safetensors files: written whole or not at all, read with suspicion.
+
+Tensors: ``table_shapes`` names them; tables are float32, values float64. Metadata, all JSON: ``kind``, ``version``,
+``world`` (preset and parameters, or the text of a world file), ``settings``, ``curves`` and ``finished``.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import struct
+import tempfile
+from collections.abc import Mapping
+from dataclasses import asdict
+from pathlib import Path
+
+import numpy as np
+
+from laplace_core.errors import InputError
+from laplace_core.learned.model import CURVE_NAMES, Learned, PeerTables
+from laplace_core.learned.reading import bounds_of
+from laplace_core.learned.settings import (
+    BY_NAME,
+    LearnSettings,
+    parse_learn_settings,
+    resolve_learning,
+    table_shapes,
+)
+from laplace_core.worlds import PRESETS, World, dump_world, load_world, parse_world
+
+KIND, VERSION = "laplace learned", 1
+MAX_BYTES = 64_000_000
+MAX_HEADER = 8_000_000
+MAX_NOTES = 5_000
+"""Most points of a learning curve that are read."""
+_KEYS = ("kind", "version", "world", "settings", "curves", "finished")
+_DTYPES = {"acting_values": "F64", "laplace_values": "F64", "plain": "F64"}  # the others: F32
+_NUMPY = {"F32": np.float32, "F64": np.float64}
+
+
+def learned_bytes(learned: Learned) -> bytes:
+    """The content of the file.
+
+    Raises:
+        InputError: a world whose description alone is too long.
+    """
+    from safetensors.numpy import save
+
+    tensors = {"basis": learned.basis, "acting_values": learned.acting_values}
+    if learned.peers is not None:
+        names = ("laplace_values", "plain", "categorical", "quantile", "expectile")
+        tensors |= {name: getattr(learned.peers, name) for name in names}
+    tensors = {name: np.ascontiguousarray(array, _NUMPY[_DTYPES.get(name, "F32")]) for name, array in tensors.items()}
+    curves = [{name: [_short(x) for x in curve[name]] for name in CURVE_NAMES} for curve in learned.curves]
+    entries = {
+        "kind": KIND,
+        "version": VERSION,
+        "world": _describe(learned.world),
+        "settings": asdict(learned.settings),
+        "curves": curves,
+        "finished": learned.finished,
+    }
+    metadata = {name: json.dumps(value, allow_nan=False, separators=(",", ":")) for name, value in entries.items()}
+    if sum(map(len, metadata.values())) > MAX_HEADER // 2:  # quotes are escaped once more
+        raise InputError(f"world {learned.world.name!r} is too large to be saved with what was learned of it.")
+    return save(tensors, metadata)
+
+
+def _short(x: float) -> float:
+    return float(f"{x:.6g}")
+
+
+def _describe(world: World) -> dict[str, object]:
+    if world.source in PRESETS or world.source.startswith("gym:"):
+        return {"source": world.source, "params": dict(world.params)}
+    return {"text": json.dumps(json.loads(dump_world(world)), separators=(",", ":"))}
+
+
+def save_learned(learned: Learned, path: str | Path) -> None:
+    """Write ``learned_bytes`` to ``path``: whole or not at all.
+
+    Raises:
+        InputError: the folder is missing or not writable, or the world too large.
+    """
+    path, content = Path(path), learned_bytes(learned)
+    try:
+        handle, temporary = tempfile.mkstemp(suffix=".tmp", prefix=path.name, dir=path.parent)
+    except OSError as error:
+        raise InputError(f"{path} cannot be written: {(error.strerror or 'unknown error').lower()}.") from None
+    except ValueError:  # a zero byte, or a character that the file system cannot hold
+        raise InputError(f"{path.name!r} cannot be the name of a file.") from None
+    try:
+        with os.fdopen(handle, "wb") as file:
+            file.write(content)
+        os.chmod(temporary, 0o644)
+        os.replace(temporary, path)
+    except OSError as error:
+        Path(temporary).unlink(missing_ok=True)
+        raise InputError(f"{path} cannot be written: {(error.strerror or 'unknown error').lower()}.") from None
+    except BaseException:
+        Path(temporary).unlink(missing_ok=True)
+        raise
+
+
+def read_learned(path: str | Path, limit: int = MAX_BYTES) -> Learned:
+    """Read what :func:`save_learned` wrote.
+
+    Raises:
+        InputError: missing, larger than ``limit`` bytes, or in any way not such a file.
+    """
+    path = Path(path)
+    try:
+        with path.open("rb") as file:
+            content = file.read(limit + 1)
+    except OSError as error:
+        raise InputError(f"{path.name} cannot be read: {(error.strerror or 'unknown error').lower()}.") from None
+    except ValueError:
+        raise InputError(f"{path.name!r} cannot be the name of a file.") from None
+    return parse_learned(content, path.name, limit)
+
+
+def parse_learned(content: bytes, name: str = "the file", limit: int = MAX_BYTES) -> Learned:
+    """A learned agent from the content of its file (an upload); ``name`` is what the sentences call it.
+
+    Nothing is allocated or built before the header fits the bytes, the settings their schema, and every tensor the
+    world and the settings.
+
+    Raises:
+        InputError: not such a file; the sentence names the entry at fault.
+    """
+    if len(content) > limit:
+        raise InputError(f"{name} is larger than {limit / 1e6:g} MB; a learned agent is not.")
+    header = _header(content, name)
+    metadata = _metadata(header.pop("__metadata__", None), name)
+    world = _world(metadata["world"])
+    settings = _settings(metadata["settings"], world)
+    curves = _curves(metadata["curves"], settings)
+    if not isinstance(metadata["finished"], bool):
+        raise InputError("'finished' must be true or false.")
+    tensors = _tensors(content, header, table_shapes(settings, world))
+    low, high = bounds_of(world, settings) if settings.peers else (0.0, 0.0)
+    _check_ranges(tensors, world, settings, low, high)
+    basis, acting_values = tensors.pop("basis"), tensors.pop("acting_values")
+    peers = PeerTables(**tensors, low=low, high=high) if settings.peers else None
+    return Learned(world, settings, basis, acting_values, curves, metadata["finished"], peers)
+
+
+def _header(content: bytes, name: str) -> dict[str, object]:
+    if len(content) < 8:
+        raise InputError(f"{name} is not a .safetensors file: it has {len(content)} bytes.")
+    length = struct.unpack("<Q", content[:8])[0]
+    if not 2 <= length <= min(MAX_HEADER, len(content) - 8):
+        raise InputError(f"{name} is not a .safetensors file, or it is cut short: its header does not fit.")
+    header = _json(content[8 : 8 + length], f"the header of {name}")
+    if not isinstance(header, dict):
+        raise InputError(f"the header of {name} is not one JSON object.")
+    return header
+
+
+def _json(text: bytes | str, what: str) -> object:
+    def refuse(constant: str):
+        raise InputError(f"{what} contains {constant}; every number must be finite.")
+
+    def unique(pairs: list[tuple[str, object]]) -> dict:
+        found = dict(pairs)
+        if len(found) < len(pairs):
+            raise InputError(f"{what} has an entry that stands twice.")
+        return found
+
+    try:
+        return json.loads(text, parse_constant=refuse, object_pairs_hook=unique)
+    except InputError:
+        raise
+    except (ValueError, RecursionError):  # no JSON, no UTF-8, too many digits, or nested without end
+        raise InputError(f"{what} is not JSON.") from None
+
+
+def _metadata(found: object, name: str) -> dict[str, object]:
+    if not isinstance(found, dict) or not all(isinstance(value, str) for value in found.values()):
+        raise InputError(f"{name} holds no agent learned here: its metadata is missing or no text.")
+    if _json(found.get("kind", "null"), "'kind'") != KIND:
+        raise InputError(f"{name} holds no agent learned here: its 'kind' is not {KIND!r}.")
+    for key in _KEYS:
+        if key not in found:
+            raise InputError(f"the metadata of {name} lacks {key!r}.")
+    for key in found:
+        if key not in _KEYS:
+            raise InputError(f"the metadata of {name} has an unknown entry {key[:40]!r}.")
+    metadata = {key: _json(found[key], f"the metadata entry {key!r}") for key in _KEYS}
+    if metadata["version"] != VERSION or isinstance(metadata["version"], bool):
+        raise InputError(f"{name} was saved in version {str(metadata['version'])[:20]}; this reads {VERSION}.")
+    return metadata
+
+
+def _world(entry: object) -> World:
+    if isinstance(entry, dict) and set(entry) == {"text"} and isinstance(entry["text"], str):
+        return parse_world(entry["text"])
+    if isinstance(entry, dict) and set(entry) == {"source", "params"}:
+        source, params = entry["source"], entry["params"]
+        if isinstance(source, str) and (source in PRESETS or source.startswith("gym:")) and isinstance(params, dict):
+            return load_world(source, params)
+        raise InputError(f"'world' names {str(source)[:40]!r}; it must be a preset or a listed gym environment.")
+    raise InputError("'world' must have 'source' and 'params', or the 'text' of a world file.")
+
+
+def _settings(entry: object, world: World) -> LearnSettings:
+    if not isinstance(entry, dict) or set(entry) != set(BY_NAME):
+        raise InputError(f"'settings' must have exactly these entries: {', '.join(BY_NAME)}.")
+    for name, value in entry.items():
+        kind = BY_NAME[name].type
+        fits = isinstance(value, bool) == (kind is bool) and isinstance(value, int | float if kind is float else kind)
+        if not fits:
+            raise InputError(f"the setting {name!r} must be of the type {kind.__name__}.")
+    settings = parse_learn_settings(entry)
+    if resolve_learning(settings, world) != settings:
+        raise InputError("'settings' contradict each other: the discounts are not those of their spacing.")
+    return settings
+
+
+def _curves(entry: object, settings: LearnSettings) -> tuple[Mapping[str, np.ndarray], ...]:
+    if not isinstance(entry, list) or len(entry) != settings.seeds:
+        raise InputError(f"'curves' must be a list of {settings.seeds}, one a seed.")
+    curves = []
+    for curve in entry:
+        if not isinstance(curve, dict) or set(curve) != set(CURVE_NAMES):
+            raise InputError(f"every curve must have exactly {', '.join(CURVE_NAMES)}.")
+        for name, values in curve.items():
+            if not isinstance(values, list) or len(values) > MAX_NOTES or len(values) != len(curve["episode"]):
+                raise InputError(f"the curve {name!r} must be a list as long as the others, up to {MAX_NOTES:,}.")
+            if not all(type(x) in (int, float) and abs(x) <= 1e15 for x in values):
+                raise InputError(f"the curve {name!r} holds something that is not a number within +-1e15.")
+        arrays = {name: np.array(curve[name], dtype=float) for name in CURVE_NAMES}
+        episodes = arrays["episode"]
+        if not np.all(np.diff(episodes, prepend=0.0, append=np.inf) > 0) or episodes.max(initial=0) > settings.episodes:
+            raise InputError(f"the curve 'episode' must increase and end at {settings.episodes:,} at most.")
+        curves.append(arrays)
+    return tuple(curves)
+
+
+def _tensors(content: bytes, header: dict, shapes: dict[str, tuple[int, ...]]) -> dict[str, np.ndarray]:
+    """The tensors named in ``shapes`` and no others, each of its type and shape, back to back in the file."""
+    from safetensors import SafetensorError
+    from safetensors.numpy import load
+
+    for name in header:
+        if name not in shapes:
+            raise InputError(f"there is an unknown tensor {name[:40]!r}; known are {', '.join(shapes)}.")
+    for name, shape in shapes.items():
+        if name not in header:
+            raise InputError(f"the tensor {name!r} is missing.")
+        entry, dtype = header[name], _DTYPES.get(name, "F32")
+        if not isinstance(entry, dict) or set(entry) != {"dtype", "shape", "data_offsets"}:
+            raise InputError(f"the tensor {name!r} must have dtype, shape and data_offsets.")
+        if entry["dtype"] != dtype:
+            raise InputError(f"the tensor {name!r} is {str(entry['dtype'])[:20]}; it must be {dtype}.")
+        if entry["shape"] != list(shape):
+            raise InputError(f"the tensor {name!r} has shape {str(entry['shape'])[:60]}; it must be {list(shape)}.")
+    try:
+        return {name: np.array(array) for name, array in load(content).items()}
+    except (SafetensorError, ValueError, KeyError, OverflowError):
+        raise InputError("the tensors do not lie in the file as its header says; save it again.") from None
+
+
+def _check_ranges(
+    tensors: Mapping[str, np.ndarray], world: World, settings: LearnSettings, low: float, high: float
+) -> None:
+    """Refuse what no learner can hold: every update is an average, and so stays within the bounds of what it learns."""
+    for name, array in tensors.items():
+        if not np.all(np.isfinite(array)):
+            raise InputError(f"the tensor {name!r} holds a value that is not a finite number.")
+    basis = tensors["basis"]
+    most = 1.0 / (1.0 - settings.discounts)
+    if basis.min() < -1e-6 or np.any(basis.sum(axis=-1) > 1.0001 * most + 1e-6):
+        raise InputError("the tensor 'basis' lies outside what counts of rewards can be: 0 to 1 / (1 - gamma).")
+    largest = float(np.abs(world.reward_values).max()) * 1.0001 + 1e-9
+    for name, gamma in (("acting_values", settings.acting_gamma), ("laplace_values", settings.peer_gamma),
+                        ("plain", settings.peer_gamma)):  # fmt: skip
+        if name in tensors and np.abs(tensors[name]).max() > largest / (1.0 - gamma):
+            raise InputError(f"the tensor {name!r} lies outside what returns can be in this world.")
+    if "categorical" in tensors:
+        masses = tensors["categorical"]
+        if masses.min() < -1e-4 or np.abs(masses.sum(axis=-1) - 1.0).max() > 1e-3:
+            raise InputError("the tensor 'categorical' holds rows that are no probabilities.")
+        # Quantiles step by a share of the bounds' distance, expectiles may jump past their target by as much again.
+        room = 4.0 * (largest + high - low) / (1.0 - settings.peer_gamma)
+        for name in ("quantile", "expectile"):
+            if np.abs(tensors[name]).max() > room:
+                raise InputError(f"the tensor {name!r} lies outside what returns can be in this world.")

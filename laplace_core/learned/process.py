@@ -1,0 +1,160 @@
+"""Learning in a process of its own, to be watched from a page: no thread, no shell, and an end within a second.
+
+The process is the command ``learn``; what passes between the two are files in one folder: the world where it is no
+preset, lines of progress, and a snapshot that is always whole.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import threading
+from pathlib import Path
+
+import laplace_core
+from laplace_core.errors import InputError
+from laplace_core.learned.files import read_learned
+from laplace_core.learned.model import Learned
+from laplace_core.learned.settings import LEARN_SCHEMA, LearnSettings, resolve_learning
+from laplace_core.parameters import as_text
+from laplace_core.settings import flag
+from laplace_core.worlds import World, dump_world, load_world, parse_world
+
+PATIENCE = 0.7
+"""Seconds that a process is given to end after SIGTERM, before it is killed."""
+_ONE_THREAD = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"), "1")
+
+
+def start(world: World | str, settings: LearnSettings, folder: str | Path) -> Run:
+    """Begin to learn; returns at once.
+
+    Args:
+        world: a world, or the text of a world file.
+        folder: an existing one, for this run alone.
+
+    Raises:
+        InputError: what the command would refuse, said before a process is started; or a folder that cannot be used.
+    """
+    world = parse_world(world) if isinstance(world, str) else world
+    settings = resolve_learning(settings, world)
+    folder = Path(folder).resolve()
+    try:
+        if _is_named(world):
+            words = [world.source, *(word for name, value in world.params for word in _param(name, value))]
+        else:
+            (folder / "world.json").write_text(dump_world(world), encoding="utf-8")
+            words = [str(folder / "world.json")]
+        for parameter in LEARN_SCHEMA:
+            words += [flag(parameter), as_text(getattr(settings, parameter.name))]
+        files = [folder / name for name in ("learned.safetensors", "progress.jsonl", "errors.txt")]
+        words += ["--out", str(files[0]), "--progress", str(files[1]), "--parent", str(os.getpid())]
+        with files[2].open("wb") as errors:
+            process = subprocess.Popen(
+                [sys.executable, "-m", "laplace_core", "learn", *words],
+                stdin=subprocess.DEVNULL,
+                stdout=subprocess.DEVNULL,
+                stderr=errors,
+                cwd=Path(laplace_core.__file__).parents[1],  # where -m finds this very package
+                env=os.environ | _ONE_THREAD,
+                start_new_session=True,
+            )
+    except OSError as error:
+        raise InputError(f"learning cannot start: {(error.strerror or 'unknown error').lower()}.") from None
+    return Run(process, *files)
+
+
+def _is_named(world: World) -> bool:
+    """Whether source and parameters are enough to build this very world again."""
+    if not world.source or world.source.endswith(".json"):
+        return False
+    try:
+        return load_world(world.source, dict(world.params)) is world
+    except InputError:
+        return False
+
+
+def _param(name: str, value: object) -> list[str]:
+    return ["--param", f"{name}={as_text(value)}"]
+
+
+class Run:
+    """A learning process and what it has written so far; every method returns at once but ``cancel``."""
+
+    def __init__(self, process: subprocess.Popen, learned: Path, progress: Path, errors: Path):
+        self._process, self._learned, self._progress, self._errors = process, learned, progress, errors
+        self._lock = threading.Lock()  # a page may be drawn twice at a time
+        self._seen: tuple[tuple[int, ...], Learned] | None = None
+        self._lines: list[dict[str, object]] = []
+        self._offset = 0
+        self._cancelled = False
+
+    @property
+    def finished(self) -> bool:
+        """Whether the process has ended, for whatever reason."""
+        return self._process.poll() is not None
+
+    @property
+    def cancelled(self) -> bool:
+        return self._cancelled
+
+    @property
+    def error(self) -> str | None:
+        """One sentence if the process ended by itself without finishing."""
+        status = self._process.poll()
+        if status in (None, 0) or self._cancelled:
+            return None
+        lines = self._errors.read_text(encoding="utf-8", errors="replace").strip().splitlines()
+        if lines and lines[-1].startswith("laplace: "):
+            return lines[-1].removeprefix("laplace: ")
+        return (
+            f"learning ended unexpectedly, with status {status}; start it again, with fewer seeds if memory was short."
+        )
+
+    def history(self) -> list[dict[str, object]]:
+        """All lines of progress so far; see :attr:`laplace_core.learned.Learning.progress`."""
+        with self._lock:
+            try:
+                with self._progress.open("rb") as file:
+                    file.seek(self._offset)
+                    new = file.read()
+            except OSError:  # not there yet
+                return list(self._lines)
+            whole = new[: new.rfind(b"\n") + 1]  # the last line may still be in the making
+            self._offset += len(whole)
+            self._lines += [json.loads(line) for line in whole.splitlines()]
+            return list(self._lines)
+
+    def progress(self) -> dict[str, object] | None:
+        """The last line of progress, None before the first."""
+        lines = self.history()
+        return lines[-1] if lines else None
+
+    def snapshot(self) -> Learned | None:
+        """What has been learned so far, None before the first snapshot; the same object until a new one is there."""
+        with self._lock:
+            try:
+                status = self._learned.stat()
+            except OSError:
+                return None
+            stamp = status.st_mtime_ns, status.st_size, status.st_ino
+            if self._seen is None or self._seen[0] != stamp:
+                self._seen = stamp, read_learned(self._learned)
+            return self._seen[1]
+
+    def cancel(self) -> None:
+        """End the process, within a second; the last snapshot stays."""
+        if self.finished:
+            return
+        self._cancelled = True
+        for number in (signal.SIGTERM, signal.SIGKILL):
+            try:
+                os.killpg(self._process.pid, number)
+                self._process.wait(PATIENCE)
+            except ProcessLookupError:
+                self._process.wait(PATIENCE)
+            except subprocess.TimeoutExpired:
+                continue
+            return

@@ -1,0 +1,194 @@
+"""How an agent learns: every choice as one frozen, typed object, with the defaults that suit a world.
+
+The command line, the app and the saved files read and write these settings through the one schema below; None means
+"what suits the world" and is filled in by :func:`resolve_learning`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, fields, replace
+
+import numpy as np
+
+from laplace_core.encoding import GAMMA_SPACINGS, discount_grid
+from laplace_core.errors import InputError
+from laplace_core.learning import TARGET_POLICIES, Decay
+from laplace_core.parameters import Parameter
+from laplace_core.settings import Settings, resolve
+from laplace_core.worlds import World
+
+CONSTANT = 1e9
+"""A half-life beyond any count: the rate or epsilon stays as it is."""
+MAX_NUMBERS = 12_000_000
+"""Most numbers in the tables of all seeds together: a saved file stays below 64 MB."""
+
+
+@dataclass(frozen=True)
+class LearnSettings:
+    """Settings of one run of learning; see ``LEARN_SCHEMA`` for the meaning and range of each."""
+
+    episodes: int | None = None
+    seeds: int | None = None
+    seed: int | None = None
+    policy: str | None = None
+    rate_first: float | None = None
+    rate_half: float | None = None
+    rate_floor: float | None = None
+    epsilon_first: float | None = None
+    epsilon_half: float | None = None
+    epsilon_floor: float | None = None
+    max_steps: int | None = None
+    starts: str | None = None
+    gammas: int | None = None
+    spacing: str | None = None
+    gamma_min: float | None = None
+    gamma_max: float | None = None
+    acting_gamma: float | None = None
+    peers: bool | None = None
+    peer_gamma: float | None = None
+    atoms: int | None = None
+    quantiles: int | None = None
+    expectiles: int | None = None
+    quantile_half: float | None = None
+
+    @property
+    def rate(self) -> Decay:
+        return Decay(self.rate_first, self.rate_half, self.rate_floor)
+
+    @property
+    def epsilon(self) -> Decay:
+        return Decay(self.epsilon_first, self.epsilon_half, self.epsilon_floor)
+
+    @property
+    def quantile_rate(self) -> Decay:
+        return Decay(self.rate_first, self.quantile_half, self.rate_floor)
+
+    @property
+    def discounts(self) -> np.ndarray:
+        """The discount grid of resolved settings, ``(G,)``."""
+        return discount_grid(self.gammas, self.spacing, self.gamma_min, self.gamma_max)
+
+
+_GAMMA = 0.999999
+LEARN_SCHEMA: tuple[Parameter, ...] = (
+    Parameter("episodes", None, 1, 1_000_000, "Episodes of each learner.", int),
+    Parameter("seeds", 1, 1, 8, "Independent learners, one seed each; they are drawn as bands."),
+    Parameter("seed", 0, 0, 2**31 - 1, "Seed of the first learner; the next ones count up from it."),
+    Parameter("policy", "shared", 0, 0, "Whose greedy policy every discount learns.", str, TARGET_POLICIES),
+    Parameter("rate_first", 1.0, 0, 1, "Learning rate of the first visit of a state and action."),
+    Parameter("rate_half", None, 1e-3, CONSTANT, "Visits after which the learning rate has halved.", float),
+    Parameter("rate_floor", 0.0, 0, 1, "Smallest learning rate."),
+    Parameter("epsilon_first", 1.0, 0, 1, "Chance of a random action in the first episode."),
+    Parameter("epsilon_half", None, 1e-3, CONSTANT, "Episodes after which that chance has halved.", float),
+    Parameter("epsilon_floor", None, 0, 1, "Smallest chance of a random action.", float),
+    Parameter("max_steps", None, 1, 100_000, "An episode is cut after so many steps.", int),
+    Parameter("starts", None, 0, 0, "Start where the world does, or everywhere.", str, ("world", "everywhere")),
+    Parameter("gammas", None, 2, 500, "Number of discounts.", int),
+    Parameter("spacing", None, 0, 0, "How the discounts are spaced.", str, GAMMA_SPACINGS),
+    Parameter("gamma_min", None, 1e-6, _GAMMA, "Smallest discount.", float),
+    Parameter("gamma_max", None, 1e-6, _GAMMA, "Largest discount.", float),
+    Parameter("acting_gamma", 0.99, 1e-6, _GAMMA, "Discount by which the learner chooses its actions."),
+    Parameter("peers", False, 0, 1, "Also learn the categorical, quantile, expectile and plain codes of the return."),
+    Parameter("peer_gamma", None, 1e-6, _GAMMA, "Discount of that return (default: the acting gamma).", float),
+    Parameter("atoms", 51, 2, 500, "Atoms of the categorical code."),
+    Parameter("quantiles", 51, 1, 500, "Quantiles of the quantile code."),
+    Parameter("expectiles", 11, 1, 101, "Expectiles of the expectile code, an odd number."),
+    Parameter("quantile_half", 30.0, 1e-3, CONSTANT, "As rate-half, for the quantile code alone."),
+)
+"""One entry a setting. The quantile code has a rate of its own because its step has the size of the rate however small
+the error is: a rate that stays high, as suits a world without chance, would never let it settle."""
+
+BY_NAME: Mapping[str, Parameter] = {parameter.name: parameter for parameter in LEARN_SCHEMA}
+GRID_NAMES = ("gammas", "spacing", "gamma_min", "gamma_max", "acting_gamma")
+DECIDED_NAMES = (*GRID_NAMES, "policy")
+"""Settings of a study that the learner has decided already."""
+
+# Preset -> episodes, starts, rate_half, each measured to come within 2% of the exact gamma-space. A world without
+# chance forgives any large half-life; where chance decides, 10 leaves a hundredth of a sample's variance after 1,000
+# visits. The long chain needs every step of its 100 learned in turn, from the end.
+_MEASURED: dict[str, tuple[int, str, float]] = {
+    "two_branch": (200, "everywhere", 10.0),
+    "two_decisions": (200, "everywhere", 10.0),
+    "fig6_chain": (6_000, "world", 10.0),
+    "double_chain": (6_000, "world", 10.0),
+    "rise_and_fade": (400, "everywhere", 100.0),
+    "discounting_chain": (2_000, "world", 1_000.0),
+    "cliff_grid": (600, "everywhere", 1_000.0),
+}
+
+
+def parse_learn_settings(given: Mapping[str, object]) -> LearnSettings:
+    """Settings from text values by name.
+
+    Raises:
+        InputError: a value out of its range, or a name that is no setting.
+    """
+    for name in given:
+        if name not in BY_NAME:
+            raise InputError(f"{str(name)[:40]!r} is not a setting of learning; known are {', '.join(BY_NAME)}.")
+    return LearnSettings(**{name: BY_NAME[name].parse(value) for name, value in given.items() if value is not None})
+
+
+def resolve_learning(settings: LearnSettings, world: World) -> LearnSettings:
+    """Fill every None with what suits the world; resolving again changes nothing.
+
+    Raises:
+        InputError: settings that do not fit the world or each other.
+    """
+    chosen = {f.name: getattr(settings, f.name) for f in fields(settings)}
+    chosen = {name: BY_NAME[name].parse(value) for name, value in chosen.items() if value is not None}
+    grid = resolve(Settings(**{name: chosen[name] for name in GRID_NAMES if name in chosen}), world)
+    values = {parameter.name: parameter.default for parameter in LEARN_SCHEMA}
+    values |= {name: getattr(grid, name) for name in GRID_NAMES} | _suggested(world) | chosen
+    if values["spacing"] == "paper":  # these fifteen and no others
+        values |= {name: getattr(grid, name) for name in ("gammas", "gamma_min", "gamma_max")}
+    if values["peer_gamma"] is None:
+        values["peer_gamma"] = values["acting_gamma"]
+    if values["epsilon_half"] is None:
+        values["epsilon_half"] = max(1.0, values["episodes"] / 10.0)
+    resolved = replace(settings, **values)
+    for name in ("rate", "epsilon"):
+        if values[f"{name}_floor"] > values[f"{name}_first"]:
+            raise InputError(f"{name}_floor must not be above {name}_first, {values[f'{name}_first']:g}.")
+    if values["expectiles"] % 2 == 0:
+        raise InputError("expectiles must be an odd number, so that one of them is the mean.")
+    size = sum(int(np.prod(shape)) for shape in table_shapes(resolved, world).values())
+    if size > MAX_NUMBERS:
+        raise InputError(
+            f"{resolved.seeds} seeds, {world.n_states} states, {world.n_actions} actions, {resolved.gammas} discounts "
+            f"and {world.reward_values.size} distinct rewards make tables of {size:,} numbers, above "
+            f"{MAX_NUMBERS:,}: lower seeds or gammas, or round the rewards."
+        )
+    return resolved
+
+
+def table_shapes(settings: LearnSettings, world: World) -> dict[str, tuple[int, ...]]:
+    """The tables of all learners, by name; N seeds first."""
+    pairs = (settings.seeds, world.n_states, world.n_actions)
+    shapes = {"basis": (*pairs, len(settings.discounts), world.reward_values.size), "acting_values": pairs}
+    if settings.peers:
+        shapes |= {
+            "laplace_values": pairs,
+            "plain": pairs,
+            "categorical": (*pairs, settings.atoms),
+            "quantile": (*pairs, settings.quantiles),
+            "expectile": (*pairs, settings.expectiles),
+        }
+    return shapes
+
+
+def _suggested(world: World) -> dict[str, object]:
+    """Episodes, starts, rates and exploration that suit a world.
+
+    A preset has measured ones. Elsewhere a random walk may take for ever to find a reward: episodes start everywhere,
+    are cut early, and follow the learned policy more and more. A world without chance can be learned at full rate.
+    """
+    if world.source in _MEASURED:
+        episodes, starts, half = _MEASURED[world.source]
+        return {"episodes": episodes, "starts": starts, "rate_half": half, "max_steps": 1_000,
+                "epsilon_half": CONSTANT, "epsilon_floor": 0.0}  # fmt: skip
+    pairs, certain = world.n_states * world.n_actions, bool(np.all(world.probability >= 1.0))
+    each, least, half = (5, 300, 1_000.0) if certain else (200, 6_000, 100.0)
+    episodes = int(np.clip(each * pairs, least, 20_000))
+    return {"episodes": episodes, "starts": "everywhere", "rate_half": half, "max_steps": 200, "epsilon_floor": 0.1}

@@ -1,0 +1,149 @@
+"""Checkpoints: a trained agent as one ``.safetensors`` file that says what it is and is believed in nothing."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+import torch
+
+from laplace_core import __version__
+from laplace_core.agents import ENVIRONMENTS, SETTINGS, LoopSettings
+from laplace_core.agents.agent import Agent
+from laplace_core.agents.registry import AGENTS
+from laplace_core.errors import InputError
+from laplace_core.training import environments
+from laplace_core.training.tensor_file import read_tensors, write_tensors
+
+MAX_BYTES = 64_000_000
+LARGEST_WEIGHT = 1e6
+
+_FIELDS = {
+    "algorithm": str, "environment": str, "settings": dict, "seed": int, "step": int, "score": (float, int, type(None)),
+    "episodes": int, "version": str,
+}  # fmt: skip
+
+
+@dataclass(frozen=True, eq=False)
+class Loaded:
+    """An agent and what its checkpoint says of it.
+
+    Attributes:
+        score: mean return of the evaluation that it was saved after, over ``episodes``; None if there was none.
+        version: of the package that wrote it.
+    """
+
+    agent: Agent
+    algorithm: str
+    environment: str
+    settings: LoopSettings
+    seed: int
+    step: int
+    score: float | None
+    episodes: int
+    version: str
+
+
+def new_agent(settings: LoopSettings) -> Agent:
+    """An untrained agent, its network fitted to the environment.
+
+    Raises:
+        InputError: settings whose network no checkpoint could hold.
+    """
+    spec, kind = environments.spec(settings.environment), AGENTS[settings.ALGORITHM]
+    numbers = kind.network_numbers(settings, spec.observation, spec.actions)
+    if 4 * numbers > MAX_BYTES - 1_000_000:
+        raise InputError(f"these settings make a network of {numbers:,} weights: lower hidden, features or gammas.")
+    return kind(settings, spec.observation, spec.actions, spec.time_limit)
+
+
+def save_checkpoint(path: str | Path, agent: Agent, step: int, score: float | None, episodes: int = 0) -> None:
+    """Write the agent's averaged network, whole or not at all."""
+    settings = agent.settings
+    about = {
+        "algorithm": settings.ALGORITHM, "environment": settings.environment, "settings": settings.as_dict(),
+        "seed": settings.seed, "step": step, "score": score, "episodes": episodes, "version": __version__,
+    }  # fmt: skip
+    write_tensors(Path(path), {name: array.numpy() for name, array in agent.target.state_dict().items()}, about)
+
+
+def load_checkpoint(path: str | Path) -> Loaded:
+    """Read a checkpoint that anybody may have written.
+
+    Size, header, metadata, names, shapes, types and finiteness are held against a network built from the settings,
+    and the settings against their ranges and the bytes that are there, before anything is used.
+
+    Raises:
+        InputError: one sentence for whatever is wrong first.
+    """
+    arrays, about = read_tensors(path, MAX_BYTES)
+    name = Path(path).name
+    for field, kind in _FIELDS.items():
+        if not isinstance(about.get(field), kind) or isinstance(about[field], bool):
+            raise InputError(f"the metadata of {name!r} has no proper {field!r}.")
+    if set(about) != set(_FIELDS):
+        raise InputError(f"the metadata of {name!r} has entries that no checkpoint has.")
+    if about["algorithm"] not in SETTINGS:
+        raise InputError(f"{name!r} names the algorithm {about['algorithm'][:40]!r}; known: {', '.join(SETTINGS)}.")
+    if about["environment"] not in ENVIRONMENTS:
+        raise InputError(f"{name!r} names the environment {about['environment'][:40]!r}, which is not on the list.")
+    settings = _settings(SETTINGS[about["algorithm"]], about["settings"], name)
+    if settings.environment != about["environment"] or settings.seed != about["seed"]:
+        raise InputError(f"the settings in {name!r} contradict the environment or seed beside them.")
+    if about["step"] < 0 or about["episodes"] < 0 or len(about["version"]) > 40:
+        raise InputError(f"the metadata of {name!r} has a step, episodes or version that cannot be.")
+    score = about["score"]
+    if score is not None and not (abs(score) <= 1e12 and math.isfinite(score)):
+        raise InputError(f"the metadata of {name!r} has a score that cannot be.")
+    agent = _agent(settings, arrays, name)
+    about["score"] = None if score is None else float(score)
+    return Loaded(**(about | {"settings": settings}), agent=agent)
+
+
+def _settings(kind: type[LoopSettings], given: dict[str, object], name: str) -> LoopSettings:
+    types = {parameter.name: parameter.type for parameter in kind.SCHEMA}
+    for key, value in given.items():
+        wanted = types.get(key)
+        fits = type(value) is wanted or (wanted is float and type(value) is int)
+        if wanted is not None and not fits:
+            raise InputError(f"setting {key!r} in {name!r} must be of the type {wanted.__name__}.")
+    return kind.parse(given)
+
+
+def _agent(settings: LoopSettings, arrays: dict[str, np.ndarray], name: str) -> Agent:
+    spec, kind = environments.spec(settings.environment), AGENTS[settings.ALGORITHM]
+    # Counted before anything is built, so that a small file cannot ask for a large network.
+    numbers, found = (
+        kind.network_numbers(settings, spec.observation, spec.actions),
+        sum(a.size for a in arrays.values()),
+    )
+    if numbers != found:
+        raise InputError(f"the settings in {name!r} ask for {numbers:,} weights, the file holds {found:,}.")
+    agent = kind(settings, spec.observation, spec.actions, spec.time_limit)
+    check_tensors(arrays, {key: tensor.numpy() for key, tensor in agent.target.state_dict().items()}, name)
+    weights = {key: torch.from_numpy(array) for key, array in arrays.items()}
+    agent.network.load_state_dict(weights)
+    agent.target.load_state_dict(weights)
+    return agent
+
+
+def check_tensors(found: dict[str, np.ndarray], wanted: dict[str, np.ndarray], name: str) -> None:
+    """Refuse arrays that differ from those wanted in name, shape or type, or that hold no sensible numbers.
+
+    Raises:
+        InputError: naming the first of them.
+    """
+    for key in wanted:
+        if key not in found:
+            raise InputError(f"{name!r} lacks the array {key!r}.")
+    for key in found:
+        if key not in wanted:
+            raise InputError(f"{name!r} holds an array {key[:60]!r} that its settings have no place for.")
+    for key, array in found.items():
+        if array.shape != wanted[key].shape or array.dtype != wanted[key].dtype:
+            is_, should = (f"{one.dtype} {one.shape}" for one in (array, wanted[key]))
+            raise InputError(f"array {key!r} in {name!r} is {is_}, not {should}.")
+        if array.dtype.kind == "f" and not np.all(np.abs(array) <= LARGEST_WEIGHT):  # NaN fails as well
+            raise InputError(f"array {key!r} in {name!r} holds a value that is not a number within +-1e6.")

@@ -1,0 +1,73 @@
+"""What a training run tells whoever listens: one small dataclass for each kind of news. No torch here."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Step:
+    """All environments have stepped once; ``step`` counts the transitions stored so far."""
+
+    step: int
+
+
+@dataclass(frozen=True)
+class Episode:
+    """An episode has ended.
+
+    Attributes:
+        head: index of the discount whose head behaved.
+        episode_return: sum of the rewards, in units of reward.
+        loss: mean over the updates since the last episode; None before the first update.
+        seconds: since the run began or was resumed, as in all events: the only field that two equal runs differ in.
+    """
+
+    step: int
+    episode: int
+    head: int
+    episode_return: float
+    length: int
+    truncated: bool
+    epsilon: float
+    loss: float | None
+    seconds: float
+
+
+@dataclass(frozen=True)
+class Evaluation:
+    """The averaged network has acted greedily from start seeds that are never trained on."""
+
+    step: int
+    score: float
+    standard_error: float
+    episodes: int
+    best: bool
+    seconds: float
+
+
+@dataclass(frozen=True)
+class Checkpoint:
+    """Files were written: the resume point, and where the score was the best so far, the checkpoint."""
+
+    step: int
+    path: str
+    seconds: float
+
+
+@dataclass(frozen=True)
+class Resumed:
+    """A run goes on from its resume point.
+
+    Attributes:
+        exact: False where the inner state of the environments cannot be saved: all of them begin a new episode, and
+            the run differs from one never interrupted.
+    """
+
+    step: int
+    exact: bool
+    message: str
+    seconds: float
+
+
+Event = Step | Episode | Evaluation | Checkpoint | Resumed

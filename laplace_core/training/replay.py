@@ -1,0 +1,129 @@
+"""Replay: one ring of transitions for every environment, in preallocated arrays.
+
+Rings keep the steps of an environment in order, so that n-step rewards are gathered when a batch is drawn and no
+episode in progress has to be remembered elsewhere. With experience of its own for every discount, ring g belongs to
+discount g and a batch has one column a discount; otherwise all rings are drawn from as one.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+import torch
+
+from laplace_core.agents.agent import Batch
+from laplace_core.training.sum_tree import SumTree
+
+_ARRAYS = ("observations", "next_observations", "actions", "rewards", "terminated", "ended", "elapsed")
+
+
+class Replay:
+    """Transitions of N environments.
+
+    Args:
+        capacity: transitions in all rings together.
+        own: a batch takes its column g from ring g; otherwise it has one column, drawn from all rings.
+        exponent: of the priorities; None replays uniformly.
+    """
+
+    def __init__(
+        self, capacity: int, rings: int, observation: int, n_step: int = 1, own: bool = False,
+        exponent: float | None = None,
+    ):  # fmt: skip
+        self.length, self.rings, self.n_step, self.own = max(1, capacity // rings), rings, n_step, own
+        shape = (rings, self.length)
+        self.observations = np.zeros((*shape, observation), np.float32)
+        self.next_observations = np.zeros((*shape, observation), np.float32)
+        self.actions = np.zeros(shape, np.int64)
+        self.rewards = np.zeros(shape, np.float32)
+        self.terminated = np.zeros(shape, bool)
+        self.ended = np.zeros(shape, bool)  # terminated or truncated: rewards after it belong to another episode
+        self.elapsed = np.zeros(shape, np.int32)
+        self.sizes = np.zeros(rings, np.int64)
+        self.heads = np.zeros(rings, np.int64)  # where each ring is written next
+        self.exponent = exponent
+        self.tree = None if exponent is None else SumTree(rings * self.length)
+        self.top = 1.0  # largest priority so far: what a new transition gets
+
+    def __len__(self) -> int:
+        return int(self.sizes.sum())
+
+    def add(self, real, observations, actions, rewards, next_observations, terminated, truncated, elapsed) -> None:
+        """Store one step of every environment, arrays ``(N, ...)``, but for those where ``real`` is False."""
+        rings = np.flatnonzero(real)
+        places = rings, self.heads[rings]
+        self.observations[places] = observations[rings]
+        self.next_observations[places] = next_observations[rings]
+        self.actions[places] = actions[rings]
+        self.rewards[places] = rewards[rings]
+        self.terminated[places] = terminated[rings]
+        self.ended[places] = (terminated | truncated)[rings]
+        self.elapsed[places] = elapsed[rings]
+        if self.tree is not None:
+            self.tree.set(rings * self.length + places[1], np.full(rings.size, self.top**self.exponent))
+        self.heads[rings] = (places[1] + 1) % self.length
+        self.sizes[rings] = np.minimum(self.sizes[rings] + 1, self.length)
+
+    def sample(self, count: int, random: np.random.Generator, correction: float = 1.0) -> tuple[Batch, np.ndarray]:
+        """A batch of ``count`` rows, and the places of its transitions ``(count, g)`` for :meth:`prioritise`."""
+        weights = np.ones(count, np.float32)
+        if self.own:
+            # An offset counts from the oldest transition of its ring.
+            rings = np.broadcast_to(np.arange(self.rings), (count, self.rings))
+            offsets = (random.random((count, self.rings)) * self.sizes).astype(np.int64)
+            slots = (self.heads - self.sizes + offsets) % self.length
+        elif self.tree is not None:
+            places = self.tree.draw(count, random)
+            weights = (len(self) * self.tree.get(places) / self.tree.total) ** -correction
+            weights = (weights / weights.max()).astype(np.float32)
+            rings, slots = (part[:, None] for part in np.divmod(places, self.length))
+        else:
+            offsets = (random.random(count) * len(self)).astype(np.int64)
+            rings = np.searchsorted(np.cumsum(self.sizes), offsets, side="right")
+            offsets -= (np.cumsum(self.sizes) - self.sizes)[rings]
+            slots = ((self.heads - self.sizes)[rings] + offsets) % self.length
+            rings, slots = rings[:, None], slots[:, None]
+        return self._gather(rings, slots, weights), rings * self.length + slots
+
+    def _gather(self, rings: np.ndarray, slots: np.ndarray, weights: np.ndarray) -> Batch:
+        """Follow each transition for up to n steps: to the end of its episode or to the newest one stored."""
+        left = (self.heads[rings] - slots - 1) % self.length  # transitions stored after this one
+        lengths, last, going = np.ones_like(slots), slots, ~self.ended[rings, slots]
+        rewards = np.zeros((*slots.shape, self.n_step), np.float32)
+        rewards[..., 0] = self.rewards[rings, slots]
+        for k in range(1, self.n_step):
+            going = going & (k <= left)
+            place = (slots + k) % self.length
+            rewards[..., k] = np.where(going, self.rewards[rings, place], 0.0)
+            lengths, last = lengths + going, np.where(going, place, last)
+            going = going & ~self.ended[rings, place]
+        return Batch(
+            observations=torch.from_numpy(self.observations[rings, slots]),
+            actions=torch.from_numpy(self.actions[rings, slots]),
+            rewards=torch.from_numpy(rewards),
+            lengths=torch.from_numpy(lengths),
+            next_observations=torch.from_numpy(self.next_observations[rings, last]),
+            terminated=torch.from_numpy(self.terminated[rings, last]),
+            elapsed=torch.from_numpy(self.elapsed[rings, last]),
+            weights=torch.from_numpy(weights),
+        )
+
+    def prioritise(self, places: np.ndarray, losses: np.ndarray) -> None:
+        """Give the transitions at ``places`` ``(B, 1)`` the priority of their loss ``(B,)``."""
+        if self.tree is not None:
+            priorities = np.abs(losses).astype(np.float64) + 1e-3
+            self.top = max(self.top, float(priorities.max()))
+            self.tree.set(places[:, 0], priorities**self.exponent)
+
+    def arrays(self) -> dict[str, np.ndarray]:
+        """All that is stored, by name, for a resume point."""
+        kept = {name: getattr(self, name) for name in (*_ARRAYS, "sizes", "heads")}
+        if self.tree is not None:
+            kept |= {"priorities": self.tree.leaves(), "top": np.array([self.top])}
+        return kept
+
+    def restore(self, arrays: dict[str, np.ndarray]) -> None:
+        for name in (*_ARRAYS, "sizes", "heads"):
+            getattr(self, name)[...] = arrays[name]
+        if self.tree is not None:
+            self.top = float(arrays["top"][0])
+            self.tree.set(np.arange(self.rings * self.length), arrays["priorities"])
