@@ -69,7 +69,7 @@ def test_masses_agree_with_the_library_and_sum_to_one():
 
 @given(st.floats(-100.0, 100.0))
 def test_asinh_sensitivities_do_not_round_rewards(reward):
-    """The midpoint proxy of one reward misses it by less than a hundredth of the gap it falls into."""
+    """The midpoint proxy of one reward misses it by less than a twentieth of the gap it falls into."""
     settings = replace(SMALL, thetas=113, theta_spacing="asinh", theta_min=-135.0, theta_max=135.0)
     sensitivities = Sensitivities(settings)
     masses = sensitivities.masses(torch.tensor([reward], dtype=torch.float32)).double().numpy()[0]

@@ -65,7 +65,7 @@ def _uploaded() -> None:
         elif file.name.endswith(".safetensors"):
             _open_agent(sources.open_agent(file.name, file.getvalue()))
         else:
-            state.go_to(world=sources.DATA, data=sources.open_gamma_space(file.name, file.getvalue()))
+            state.go_to(world=sources.DATA, data=sources.open_gamma_space(file.name, file.getvalue()), normalise="none")
     except InputError as error:
         st.session_state["_refused"] = str(error)
 

@@ -127,6 +127,8 @@ def strip(view: View, watched: runs.Watched | None) -> None:
         text, button, seed, save = st.columns([3, 1, 1.2, 1.2], vertical_alignment="center")
         with text:
             _told(view, watched)
+        if watched is None and view.learned is None:
+            button.button("Learn now", on_click=_begin, args=(view.world,), type="primary", width="stretch")
         if watched is not None and watched.running:
             button.button("Cancel", on_click=watched.cancel, width="stretch")
         if view.learned is None:
@@ -144,7 +146,7 @@ def strip(view: View, watched: runs.Watched | None) -> None:
 def _told(view: View, watched: runs.Watched | None) -> None:
     if watched is None:
         if view.learned is None:
-            st.info("Nothing is learned with these settings yet; the pictures are exact. Press Learn.")
+            st.info("Nothing is learned with these settings yet: the pictures are exact.")
         else:
             shown = view.learned.settings
             st.caption(f"Learned in {shown.episodes:,} episodes by {shown.seeds} learner(s), policy {shown.policy}.")

@@ -13,6 +13,7 @@ from functools import cached_property
 
 import numpy as np
 
+from laplace_core.artifacts.model import VISIBLE
 from laplace_core.encoding import bin_masses
 from laplace_core.inverse import decode, decode_matrix, normalise_rows
 from laplace_core.pipeline import Study, basis_of, timeline_of
@@ -83,7 +84,8 @@ class Look:
         if alpha not in self._errors:
             true = self.study.truth.tau_space[self.action] / self.settings.time_step
             off = np.abs(self.decode(self.differences, alpha) - true).sum()
-            self._errors[alpha] = float(off / max(2.0 * true.sum(), 1e-12))
+            # Hardly anything may be left inside the sensitivities.
+            self._errors[alpha] = float(off / (2.0 * max(true.sum(), VISIBLE)))
         return self._errors[alpha]
 
 

@@ -1,6 +1,6 @@
 """What is really wrong with a picture, by brute force: the ground truth for the detector.
 
-Nothing here calls the detector or shares its formulas. Each effect is the change that turning one thing off makes,
+Nothing here calls the detector; only the level from which on a thing is visible is shared with it. Each effect is the change that turning one thing off makes,
 everything else kept: the study is run again without it, or the world is rebuilt without it, or every path of the
 world is walked. An artefact is really there if its effect exceeds the one visible level. What the inverse does is
 judged before rows are rescaled, and, where another grid or operator would draw other noise, without noise.
@@ -14,6 +14,7 @@ from functools import cached_property
 import numpy as np
 from scipy.optimize import nnls
 
+from laplace_core.artifacts import VISIBLE
 from laplace_core.experiments.cases import BASE_ALPHA, Case, spacing_of
 from laplace_core.learning import greedy_policy
 from laplace_core.pipeline import Study, grids, study
@@ -105,7 +106,7 @@ class Effects:
     def clipped(self) -> float:
         """Mass that a range beyond every reward, at the same spacing and slope, adds to a row."""
         s, rewards, spacing = self.quiet, self.world.reward_values, spacing_of(self.quiet)
-        over = 15.0 / s.slope
+        over = 8.0 / s.slope
         below = max(0, int(np.ceil((s.theta_min - rewards[0] + over) / spacing)))
         above = max(0, int(np.ceil((rewards[-1] + over - s.theta_max) / spacing)))
         thetas, low, high = s.thetas + below + above, s.theta_min - below * spacing, s.theta_max + above * spacing
@@ -123,7 +124,7 @@ class Effects:
 
     def blurred(self) -> float:
         """Probability in a row that lies nearer to another reward that is seen than to the one that was paid."""
-        s, thetas = self.settings, grids(self.settings)[1]
+        thetas = grids(self.settings)[1]
         middles = 0.5 * (thetas[1:] + thetas[:-1])
         seen = sorted({v for at in self.shown() for v, p in at.items() if p >= SEEN})
         if len(seen) < 2:
@@ -148,6 +149,8 @@ class Effects:
     def smeared(self) -> float:
         """How much nearer to the truth some smaller alpha brings the picture, in shares of its probability."""
         s, units = self.settings, {}
+        if s.alpha <= BASE_ALPHA:
+            return 0.0
         for v in self.world.reward_values:
             units[float(v)] = self.unit(float(v))
         true = np.zeros((s.steps, s.thetas - 1))
@@ -156,13 +159,16 @@ class Effects:
                 true[row] += p * units[v]
 
         def error(alpha: float) -> float:
-            return float(np.abs(self.rows(replace(s, alpha=alpha)) - true).sum() / (2.0 * true.sum()))
+            off = np.abs(self.rows(replace(s, alpha=alpha)) - true).sum()
+            return float(off / max(2.0 * true.sum(), 0.1))  # hardly anything may be left inside the sensitivities
 
-        smaller = [alpha for alpha in np.geomspace(BASE_ALPHA, 3.0, 30) if alpha < 0.9 * s.alpha]
-        return error(s.alpha) - min(map(error, smaller), default=np.inf)
+        here = error(s.alpha)
+        if here <= VISIBLE:  # no fall can exceed it
+            return 0.0
+        return here - min(error(alpha) for alpha in np.append(np.geomspace(s.alpha, BASE_ALPHA, 24)[1:], BASE_ALPHA))
 
     def negative(self) -> float:
-        """Against the inverse of the same data and alpha that may not go below zero: what it adds to a row's troughs."""
+        """What the inverse of the same data and alpha adds to a row's troughs if it may not go below zero."""
         if self.case.settings.normalise == "paper":
             return 0.0
         found = study(self.world, self.settings)

@@ -1,0 +1,215 @@
+"""Replay by hand-worked episodes: what is stored, what is not, and what a batch of it is."""
+
+from __future__ import annotations
+
+from functools import partial
+
+import gymnasium
+import numpy as np
+import pytest
+import torch
+from gymnasium.spaces import Box, Discrete
+from hypothesis import given
+from hypothesis import strategies as st
+
+from laplace_core.training.environments import Environments, make
+from laplace_core.training.replay import Replay
+from laplace_core.training.sum_tree import SumTree
+
+
+class Script(gymnasium.Env):
+    """Observations count every reset and step, so that each is told from all others.
+
+    Episodes last 3, 2, 3, 2, ... steps; the first kind terminates, the second is truncated. The reward of a step is
+    ten times the number of its observation.
+    """
+
+    observation_space = Box(-1e6, 1e6, (1,), np.float32)
+    action_space = Discrete(2)
+
+    def __init__(self, first: int = 0):
+        self._count, self._episode = first - 1, -1
+
+    def _next(self) -> np.ndarray:
+        self._count += 1
+        return np.array([self._count], np.float32)
+
+    def reset(self, *, seed=None, options=None):
+        super().reset(seed=seed)
+        self._episode, self._time = self._episode + 1, 0
+        return self._next(), {}
+
+    def step(self, action):
+        self._time += 1
+        even = self._episode % 2 == 0
+        terminated, truncated = even and self._time == 3, not even and self._time == 2
+        return self._next(), 10.0 * self._count, terminated, truncated, {}
+
+
+def gathered(steps: int, envs: int = 1, **options) -> Replay:
+    """So many steps of scripted environments; the i-th one counts from 100 i."""
+    environments = Environments([partial(Script, 100 * i) for i in range(envs)], [0] * envs)
+    replay = Replay(options.pop("capacity", 1_000), envs, 1, **options)
+    for _ in range(steps):
+        observations = environments.observations
+        s = environments.step(np.zeros(envs, np.int64))
+        replay.add(
+            s.real, observations, np.zeros(envs, np.int64), s.rewards, s.observations, s.terminated, s.truncated,
+            s.elapsed,
+        )  # fmt: skip
+    return replay
+
+
+def rows(replay: Replay, count: int = 400) -> set[tuple]:
+    """Every distinct transition in a large sample: what a small buffer holds, in the words of a batch."""
+    batch, _ = replay.sample(count, np.random.default_rng(0))
+    columns = zip(
+        batch.observations[..., 0].flatten().tolist(), batch.rewards.flatten(0, 1).tolist(),
+        batch.next_observations[..., 0].flatten().tolist(), batch.terminated.flatten().tolist(),
+        batch.lengths.flatten().tolist(), batch.elapsed.flatten().tolist(), strict=True,
+    )  # fmt: skip
+    return {(first, tuple(rewards), *others) for first, rewards, *others in columns}
+
+
+def test_the_reset_step_is_not_stored_and_final_observations_are_the_true_ones():
+    """Episode 0 shows 0 1 2 3 and terminates, episode 1 shows 4 5 6 and is truncated, episode 2 shows 7 8 ...
+
+    Six transitions by the eighth step, for two of the eight are resets. None leads from 3 to 4 or from 6 to 7, and the
+    truncated one leads to observation 6, from which it bootstraps.
+    """
+    replay = gathered(8)
+    assert len(replay) == 6
+    assert rows(replay) == {
+        (0, (10,), 1, False, 1, 1), (1, (20,), 2, False, 1, 2), (2, (30,), 3, True, 1, 3),
+        (4, (50,), 5, False, 1, 1), (5, (60,), 6, False, 1, 2),
+        (7, (80,), 8, False, 1, 1),
+    }  # fmt: skip
+
+
+def test_n_step_rewards_stop_where_the_episode_or_the_buffer_does():
+    """With n = 3: from 0 all three rewards and the end; from 1 two; from 5 one, truncated, bootstrapping from 6; and
+    from 7, the newest, the one reward there is, bootstrapping from 8."""
+    assert rows(gathered(8, n_step=3)) == {
+        (0, (10, 20, 30), 3, True, 3, 3), (1, (20, 30, 0), 3, True, 2, 3), (2, (30, 0, 0), 3, True, 1, 3),
+        (4, (50, 60, 0), 6, False, 2, 2), (5, (60, 0, 0), 6, False, 1, 2),
+        (7, (80, 0, 0), 8, False, 1, 1),
+    }  # fmt: skip
+
+
+def test_a_full_ring_forgets_the_oldest_and_never_reads_across_its_seam():
+    """Four places: of 0 1 2 | 4 5 | 7, written in this order, 2 4 5 7 are left, 7 lying in front of 2 in memory...
+
+    Ten steps later: episode 2 is 7 8 9 10, whose transitions begin at 7, 8, 9; with four places 5, 7, 8, 9 are left.
+    """
+    replay = gathered(10, n_step=3, capacity=4)
+    assert rows(replay) == {
+        (5, (60, 0, 0), 6, False, 1, 2),
+        (7, (80, 90, 100), 10, True, 3, 3), (8, (90, 100, 0), 10, True, 2, 3), (9, (100, 0, 0), 10, True, 1, 3),
+    }  # fmt: skip
+
+
+def test_all_rings_are_drawn_from_alike():
+    batch, _ = gathered(8, envs=3).sample(6_000, np.random.default_rng(0))
+    firsts, counts = np.unique(batch.observations.numpy(), return_counts=True)
+    assert firsts.tolist() == [first + 100 * i for i in range(3) for first in (0, 1, 2, 4, 5, 7)]
+    # 18 transitions, 333 expected each; five standard deviations are 89.
+    assert counts.min() > 244
+    assert counts.max() < 422
+
+
+def test_with_experience_of_their_own_each_discount_sees_one_environment():
+    batch, places = gathered(8, envs=3, own=True).sample(50, np.random.default_rng(0))
+    assert batch.observations.shape == (50, 3, 1)
+    assert places.shape == (50, 3)
+    np.testing.assert_array_equal(batch.observations[..., 0] // 100, np.tile([0, 1, 2], (50, 1)))
+
+
+def test_what_was_kept_comes_back():
+    replay, other = gathered(9, envs=2, exponent=0.6), Replay(1_000, 2, 1, exponent=0.6)
+    replay.prioritise(np.array([[0], [3]]), np.array([5.0, 0.1]))
+    other.restore({name: array.copy() for name, array in replay.arrays().items()})
+    samples = [one.sample(64, np.random.default_rng(1), 0.5) for one in (replay, other)]
+    for name in ("observations", "rewards", "terminated", "weights"):
+        assert torch.equal(getattr(samples[0][0], name), getattr(samples[1][0], name))
+    assert other.top == replay.top
+
+
+# Priorities
+
+
+@given(st.lists(st.floats(0.0, 100.0), min_size=1, max_size=40).filter(lambda values: sum(values) > 1e-3))
+def test_a_sum_tree_draws_what_a_search_in_cumulated_priorities_does(priorities):
+    tree, count = SumTree(len(priorities)), 64
+    tree.set(np.arange(len(priorities)), np.array(priorities))
+    assert tree.total == pytest.approx(sum(priorities))
+    wanted = (np.arange(count) + np.random.default_rng(3).random(count)) / count * tree.total
+    drawn = tree.draw(count, np.random.default_rng(3))
+    ends = np.cumsum(priorities)
+    assert np.all(np.array(priorities)[drawn] > 0)
+    assert np.all(wanted <= ends[drawn] + 1e-9 * tree.total)
+    assert np.all(wanted >= ends[drawn] - np.array(priorities)[drawn] - 1e-9 * tree.total)
+
+
+def test_changed_priorities_change_every_sum_above_them():
+    tree = SumTree(5)
+    tree.set(np.arange(5), np.ones(5))
+    tree.set(np.array([4, 1]), np.array([7.0, 0.0]))
+    assert tree.total == 10.0  # 1 + 0 + 1 + 1 + 7
+    assert tree.leaves().tolist() == [1, 0, 1, 1, 7]
+
+
+def test_large_losses_are_replayed_more_often_and_count_less():
+    """Two transitions of priority 8^(1/3) = 2 and 1^(1/3) = 1: 2/3 and 1/3 of the draws. Weights (N p)^-1 are 3/4 and
+    3/2, divided by the larger one: 1/2 and 1."""
+    replay = Replay(2, 1, 1, exponent=1 / 3)
+    for first in (0.0, 1.0):
+        replay.add(
+            np.array([True]), np.array([[first]]), np.array([0]), np.array([0.0]), np.array([[0.0]]),
+            np.array([False]), np.array([False]), np.array([1]),
+        )  # fmt: skip
+    replay.prioritise(np.array([[0], [1]]), np.array([8.0, 1.0]) - 1e-3)
+    batch, _ = replay.sample(3_000, np.random.default_rng(0))
+    heavy = batch.observations[:, 0, 0].numpy() == 0.0
+    assert heavy.mean() == pytest.approx(2 / 3, abs=0.01)
+    np.testing.assert_allclose(batch.weights[heavy], 0.5, rtol=1e-5)
+    np.testing.assert_allclose(batch.weights[~heavy], 1.0, rtol=1e-5)
+
+
+def test_new_transitions_have_the_largest_priority_so_far():
+    replay = gathered(3, exponent=1.0)
+    replay.prioritise(np.array([[0]]), np.array([9.0 - 1e-3]))
+    replay.add(
+        np.array([True]), np.zeros((1, 1)), np.array([0]), np.array([0.0]), np.zeros((1, 1)), np.array([False]),
+        np.array([False]), np.array([1]),
+    )  # fmt: skip
+    assert replay.tree.leaves()[:4].tolist() == pytest.approx([9.0, 1.0, 1.0, 9.0])
+
+
+# Environments
+
+
+@pytest.mark.parametrize("name", ["CartPole-v1", "Acrobot-v1", "two_branch", "cliff_grid"])
+def test_environments_go_on_from_a_saved_state(name):
+    """The state passes through JSON, as a resume point does."""
+    import json
+
+    random = np.random.default_rng(0)
+    one, other = (Environments([partial(make, name)] * 3, [seed, 1, 2]) for seed in (0, 5))
+    count = one._vector.single_action_space.n
+    for _ in range(33):
+        one.step(random.integers(count, size=3))
+    other.step(random.integers(count, size=3))
+    assert one.saves
+    other.restore(json.loads(json.dumps(one.state())))
+    for _ in range(60):
+        actions = random.integers(count, size=3)
+        np.testing.assert_array_equal(one.fresh, other.fresh)
+        for a, b in zip(one.step(actions), other.step(actions), strict=True):
+            np.testing.assert_array_equal(a, b)
+
+
+def test_worlds_show_their_states_as_one_hot_vectors():
+    env = make("two_branch")
+    observation, _ = env.reset(seed=0)
+    assert observation.tolist() == [1.0, 0.0, 0.0]
+    assert observation.dtype == np.float32
