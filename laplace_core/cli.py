@@ -87,6 +87,13 @@ def _parser() -> argparse.ArgumentParser:
     decode.add_argument("--out", metavar="FILE.npz", help="write all arrays and the settings here")
     decode.add_argument("--json", action="store_true", help="print JSON")
     decode.set_defaults(run=_decode)
+
+    report = verbs.add_parser("report", help="run an experiment and print its report")
+    report.add_argument("experiment", choices=["detectors"], help="detectors: precision and recall of each artefact")
+    report.add_argument("--cases", type=int, default=500, metavar="N", help="random cases (default: 500)")
+    report.add_argument("--seed", type=int, default=0, metavar="N", help="seed of the cases (default: 0)")
+    report.add_argument("--json", action="store_true", help="print JSON")
+    report.set_defaults(run=_report_verb)
     add_learn(verbs)
     return parser
 

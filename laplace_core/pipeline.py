@@ -25,6 +25,7 @@ from laplace_core.learning import (
     reward_timeline,
     target_policies,
 )
+from laplace_core.noise import normal_noise
 from laplace_core.settings import Settings, resolve, resolve_for_gamma_space
 from laplace_core.worlds import World
 
@@ -193,10 +194,10 @@ def with_noise(gamma_space: GammaSpace, noise: float, seed: int) -> GammaSpace:
     """
     if not noise:
         return gamma_space
-    rng = np.random.default_rng(seed)
     scale = noise / (1.0 - gamma_space.gammas)
-    values = gamma_space.values + scale[:, None] * rng.standard_normal(gamma_space.values.shape)
-    constant = gamma_space.constant + scale * rng.standard_normal(gamma_space.constant.shape)
+    values, constant = gamma_space.values, gamma_space.constant
+    values = values + scale[:, None] * normal_noise(seed, values.shape)
+    constant = constant + scale * normal_noise(seed, constant.shape, skip=values.size)
     return replace(gamma_space, values=values, constant=constant)
 
 

@@ -1,6 +1,8 @@
 """One sentence on whether the decoded values choose well, and if not, which artefact is to blame.
 
-The cause is found by experiment: an artefact causes a wrong choice if its remedy makes the choice right.
+The cause is found by experiment: an artefact causes a wrong choice if its remedy makes the choice right. A constant
+horizon does not touch the first choice of an episode but later ones; it is blamed where acting by the time to go
+takes its loss away.
 """
 
 from __future__ import annotations
@@ -11,6 +13,8 @@ from typing import Literal
 import numpy as np
 
 from laplace_core.artifacts import Artefact, Remedy, find_artefacts
+from laplace_core.artifacts.deadline import constant_horizon
+from laplace_core.artifacts.look import Look
 from laplace_core.errors import InputError
 from laplace_core.horizon import regret
 from laplace_core.pipeline import Study, study
@@ -23,7 +27,8 @@ VALUE_TOLERANCE = 0.1
 
 @dataclass(frozen=True)
 class Verdict:
-    """``right``: the best action, on values that hold. ``lucky``: the best action, on values that do not.
+    """``right``: the best action, on values that hold. ``lucky``: the best action, on values that do not, or in an
+    episode that then goes wrong because its horizon is kept constant.
 
     ``wrong``: another action. ``unknown``: there is no world to compare with.
     """
@@ -64,7 +69,11 @@ def judge(found: Study, row: int) -> Verdict:
     else:
         sentence = f"{at} the decoded values choose {names[chosen]}{numbers}, and no action is better."
     if _value_error(found, row) <= VALUE_TOLERANCE:
-        return Verdict("right", sentence + elsewhere, chosen, best)
+        constant = constant_horizon(Look(found, chosen, found.horizons[row]))
+        if constant is None:
+            return Verdict("right", sentence + elsewhere, chosen, best)
+        later = f" But with the same T at every step, {constant.shown}. Cause: {constant.name}. {constant.sentence}"
+        return Verdict("lucky", sentence + later + elsewhere, chosen, best, 0.0, constant, names[chosen])
     off = int(np.argmax(np.abs(values - true)))
     cause, where = _cause(found, row)
     blame = f"Cause: {_named(found, cause, where)}." if cause else "No single setting explains it."
@@ -146,10 +155,13 @@ def _cause(found: Study, row: int) -> tuple[Artefact, str] | tuple[None, None]:
 
 
 def _repaired(found: Study, remedy: Remedy) -> Study | None:
+    """The study under a remedy, on the same policy and learned basis; None where that cannot be had."""
     settings = remedy.apply(found.settings)
+    if found.learned is not None and settings.policy != found.settings.policy:
+        return None  # what was learned under one target policy says nothing of another
     try:
         world = load_world(settings.world, dict(settings.params)) if remedy.changes_world else found.world
-        return study(world, settings)
+        return study(world, settings, found.policy, found.learned)
     except InputError:  # a remedy may ask for more than a study may hold
         return None
 

@@ -97,9 +97,9 @@ def test_n_step_rewards_stop_where_the_episode_or_the_buffer_does():
 
 
 def test_a_full_ring_forgets_the_oldest_and_never_reads_across_its_seam():
-    """Four places: of 0 1 2 | 4 5 | 7, written in this order, 2 4 5 7 are left, 7 lying in front of 2 in memory...
+    """Ten steps are eight transitions, from 0 1 2, 4 5 and 7 8 9, and two resets: the last four are kept.
 
-    Ten steps later: episode 2 is 7 8 9 10, whose transitions begin at 7, 8, 9; with four places 5, 7, 8, 9 are left.
+    Their three ring places after the seam hold 7 8 9, the one before it 5: from 5 the episode was truncated.
     """
     replay = gathered(10, n_step=3, capacity=4)
     assert rows(replay) == {

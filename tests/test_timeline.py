@@ -105,6 +105,12 @@ def test_a_drawn_timeline_is_studied_and_saved_like_any_world():
     assert again.name == "mine"
 
 
+@pytest.mark.parametrize("left", [1e-3, 1e-7, 1e-11])
+def test_a_small_rest_is_no_rounding_error(left):
+    assert_as_drawn([row("go", 0, 5.0, 1.0 - left), row("go", 2, 5.0, left)], "zero")
+    assert_as_drawn([row("go", 0, 5.0, 1.0), row("go", 1, 5.0, 1.0 - left), row("go", 2, 5.0, left)], "ended")
+
+
 def test_an_action_whose_later_rows_have_no_chance_has_ended():
     rows = [row("go", 0, 1.0, 1.0), row("go", 1, 2.0, 0.0), row("go", 4, 3.0, 0.0)]
     assert_as_drawn(rows, "ended")
@@ -152,6 +158,11 @@ def test_rounding_never_makes_survival_rise():
     timeline_world(rows, "ended")
 
 
+def test_the_largest_remainder_is_rounded_up():
+    rows = timeline_rows(np.array([[[0.33336, 0.33334, 0.3333]]]), np.arange(3.0), ["go"])
+    assert [each["probability"] for each in rows] == [0.3334, 0.3333, 0.3333]
+
+
 @pytest.mark.parametrize("source", ["two_branch", "fig6_chain", "double_chain", "gym:FrozenLake-v1", "cliff_grid"])
 def test_a_study_starts_a_drawing(source):
     world = load_world(source)
@@ -165,8 +176,9 @@ def test_a_study_starts_a_drawing(source):
 
 
 def test_half_steps_of_a_study_are_whole_steps_of_a_drawing():
-    found = study(load_world("two_branch"), Settings(steps=6, time_step=0.5))
-    assert max(each["tau"] for each in true_timeline_rows(found)) == 2
+    for steps, last in ((2, 0), (3, 1), (4, 1), (5, 2), (20, 3)):
+        found = study(load_world("fig6_chain"), Settings(steps=steps, time_step=0.5))
+        assert max(each["tau"] for each in true_timeline_rows(found)) == last
 
 
 # --- what is refused ---

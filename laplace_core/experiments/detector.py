@@ -1,7 +1,6 @@
 """Does the list of artefacts name what is there, and nothing else? Precision and recall over random cases.
 
-``python -m laplace_core report detectors`` prints the table. Seed 1 was used while the detector was made; the
-default seed was not.
+``python -m laplace_core report detectors`` prints the table.
 """
 
 from __future__ import annotations
@@ -18,6 +17,8 @@ from laplace_core.experiments.labels import Effects
 from laplace_core.pipeline import study
 
 MOST_CASES = 100_000
+HELD_OUT_SEED = 0
+"""Not looked at while the detector's measures and levels were chosen; that was done on seeds 1 and 2."""
 
 
 @dataclass(frozen=True)
@@ -31,48 +32,54 @@ class Compared:
 
 @dataclass(frozen=True)
 class Score:
-    """How one artefact fared, over ``true_positive + ... + true_negative`` cases; ``switched`` counts its switch."""
+    """How one artefact fared.
+
+    Attributes:
+        thrown, unseen: cases in which a switch of its own was thrown, and those of them without a visible effect.
+        unthrown: cases in which it is present although no switch of its own was thrown.
+    """
 
     name: str
     true_positive: int
     false_positive: int
     false_negative: int
     true_negative: int
+    thrown: int
+    unseen: int
+    unthrown: int
 
     @property
-    def present(self) -> int:
+    def on(self) -> int:
         return self.true_positive + self.false_negative
 
     @property
-    def absent(self) -> int:
+    def off(self) -> int:
         return self.false_positive + self.true_negative
 
     @property
-    def precision(self) -> float:
+    def precision(self) -> float | None:
+        """True among listed; None where nothing was listed."""
         return _ratio(self.true_positive, self.true_positive + self.false_positive)
 
     @property
-    def recall(self) -> float:
-        return _ratio(self.true_positive, self.present)
+    def recall(self) -> float | None:
+        """Listed among true; None where nothing was there."""
+        return _ratio(self.true_positive, self.on)
 
     def as_dict(self) -> dict[str, object]:
         return {
-            "name": self.name,
-            "present": self.present,
-            "absent": self.absent,
-            "true_positive": self.true_positive,
-            "false_positive": self.false_positive,
-            "false_negative": self.false_negative,
-            "true_negative": self.true_negative,
+            **vars(self),
+            "on": self.on,
+            "off": self.off,
             "precision": self.precision,
             "precision_interval": wilson(self.true_positive, self.true_positive + self.false_positive),
             "recall": self.recall,
-            "recall_interval": wilson(self.true_positive, self.present),
+            "recall_interval": wilson(self.true_positive, self.on),
         }
 
 
-def _ratio(part: int, whole: int) -> float:
-    return part / whole if whole else float("nan")
+def _ratio(part: int, whole: int) -> float | None:
+    return part / whole if whole else None
 
 
 def wilson(part: int, whole: int, z: float = 1.96) -> tuple[float, float]:
@@ -108,6 +115,54 @@ def score(compared: list[Compared]) -> list[Score]:
     for name in MEASURES:
         present = np.array([one.effects[name] > VISIBLE for one in compared])
         listed = np.array([one.sizes[name] > 0.0 for one in compared])
+        thrown = np.array([bool(SWITCHES_OF[name] & set(one.case.switched)) for one in compared])
         counts = (present & listed, ~present & listed, present & ~listed, ~present & ~listed)
+        counts += (thrown, thrown & ~present, present & ~thrown)
         scores.append(Score(name, *(int(count.sum()) for count in counts)))
     return scores
+
+
+SWITCHES_OF: Mapping[str, set[str]] = {
+    "repeated reward": {"rescaling"},
+    "mixed policies": {"per gamma"},
+    "noise amplification": {"noise"},
+    "folding": {"few rows"},
+    "edge clipping": {"narrow edges"},
+    "slope blur": {"blur"},
+    "reward quantisation": {"quantisation"},
+    "over-smoothing": {"smearing"},
+    "negative mass": {"ringing"},
+    "soft deadline": {"softness"},
+    "constant horizon": {"constant"},
+}
+"""The switch that is meant for each artefact; others may bring it about as well."""
+
+
+def table(scores: list[Score], cases: int, seed: int) -> str:
+    """The scores for reading."""
+    lines = [
+        f"Artefacts listed against artefacts there, {cases} random cases, seed {seed}. There: turning one thing off,",
+        f"everything else kept, changes the picture or the value by more than {VISIBLE:g}. No case is left out.",
+        f"{'':20} {'there':>5} {'not':>5}   {'TP':>4} {'FP':>4} {'FN':>4}   {'precision':18} {'recall':18} "
+        "switched, of these unseen; there unswitched",
+    ]
+    for one in scores:
+        precision = _with_interval(one.precision, one.true_positive, one.true_positive + one.false_positive)
+        recall = _with_interval(one.recall, one.true_positive, one.on)
+        lines.append(
+            f"{one.name:20} {one.on:5} {one.off:5}   {one.true_positive:4} {one.false_positive:4} "
+            f"{one.false_negative:4}   {precision:18} {recall:18} {one.thrown:8} {one.unseen:6} {one.unthrown:6}"
+        )
+    return "\n".join(lines)
+
+
+def _with_interval(value: float | None, part: int, whole: int) -> str:
+    low, high = wilson(part, whole)
+    return "-" if value is None else f"{value:.3f} ({low:.2f}-{high:.2f})"
+
+
+def report(cases: int = 500, seed: int = HELD_OUT_SEED) -> tuple[dict[str, object], str]:
+    """Run the comparison: numbers for a file, and the table for reading."""
+    scores = score(list(compare(cases, seed)))
+    numbers = {"cases": cases, "seed": seed, "visible": VISIBLE, "artefacts": [one.as_dict() for one in scores]}
+    return numbers, table(scores, cases, seed)

@@ -199,7 +199,7 @@ class Effects:
 
     def constant(self) -> float:
         """Loss of an episode acted with constant T, each state decoded in a study of its own, by recursion."""
-        if self.case.settings.deadline != "constant":
+        if self.case.settings.deadline != "constant" or self.world.n_actions == 1:
             return 0.0
         s, world = replace(self.case.settings, noise=0.0), self.world
         chosen = [study(world, replace(s, state=str(state))).decoded.actions for state in range(world.n_states)]

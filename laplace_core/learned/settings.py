@@ -193,4 +193,4 @@ def _suggested(world: World) -> dict[str, object]:
         return {"episodes": max(episodes, enough), "starts": starts, "rate_half": half, "max_steps": 1_000,
                 "epsilon_half": CONSTANT, "epsilon_floor": 0.0}  # fmt: skip
     episodes = min(max(300, 5 * pairs), 20_000) if certain else max(6_000, enough)
-    return {"episodes": episodes, "starts": "everywhere", "rate_half": half, "max_steps": 200, "epsilon_floor": 0.1}
+    return {"episodes": episodes, "starts": "everywhere", "rate_half": half, "max_steps": 200, "epsilon_floor": 0.3}

@@ -40,6 +40,8 @@ class RunFolder:
             self.settings = read_config(config)
             if settings is not None and settings != self.settings:
                 raise InputError(f"{self.path.name} was begun with other settings: leave them out to resume it.")
+            for half in self.path.glob("*.tmp"):  # half-written by a process that was killed
+                half.unlink(missing_ok=True)
         else:
             if settings is None:
                 raise InputError("a new run needs settings.")
