@@ -158,7 +158,6 @@ def comparison(a: View, b: View, what: str) -> tuple[str, dict[str, str]]:
         found: Difference | None = difference(first, second, a.action, b.action, what)
     except InputError as error:
         return f"{error} {summary(None, values)}", {}
-    step = b.settings.time_step if what == "tau_space" else 1.0
-    drawn = figures.comparison(found, step)
+    drawn = figures.comparison(found)
     note = f" {found.note}" if found.note else ""
     return summary(found, values) + note, {name: figures.to_json(figure) for name, figure in drawn.items()}

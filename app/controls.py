@@ -223,6 +223,8 @@ def number(key: str, parameter: Parameter, value: object, label: str) -> None:
     kept = {"key": key, "on_change": state.keep, "args": (key,), "help": parameter.help}
     if parameter.type is bool:
         st.checkbox(label, **kept)
+    elif parameter.choices:
+        st.selectbox(label, parameter.choices, **kept)
     elif parameter.type is int:
         st.number_input(label, int(parameter.low), int(parameter.high), step=1, **kept)
     else:

@@ -110,3 +110,11 @@ def unpinned(word: str) -> dict[str, object]:
     if notes:
         raise InputError(f"the pinned view does not hold: {notes[0]}")
     return found
+
+
+def read_link(query: Mapping[str, str]) -> tuple[dict[str, object], list[str]]:
+    """:func:`parse_query`, and what this session lacks: a file that a link cannot carry."""
+    found, notes = parse_query(query)
+    if "data" in found and found["data"] not in sources.gamma_space_files():
+        return dict(OPENING), [*notes, sources.DATA_IS_GONE]
+    return found, notes

@@ -101,6 +101,10 @@ class Runs:
     def get(self, key: str) -> Watched | None:
         return self._runs.get(key)
 
+    @property
+    def running(self) -> bool:
+        return any(run.running for run in self._runs.values())
+
     def begin(self, key: str, world: World, settings: LearnSettings) -> Watched:
         """The run of this key: the one there is, or a new one; others that still run are cancelled."""
         for other, run in self._runs.items():

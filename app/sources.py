@@ -177,10 +177,16 @@ def world_values(world: World) -> dict[str, object]:
     return {"world": OWN, OWN: pack(dump_world(world))}
 
 
-@lru_cache(maxsize=8)
-def learned_of(learned: Learned, world: World) -> Learned | None:
-    """The same tables about the world object that the page holds; None if they are about another world."""
-    return replace(learned, world=world) if dump_world(learned.world) == dump_world(world) else None
+@lru_cache(maxsize=16)
+def about(learned: Learned, world: World) -> Learned:
+    """The same tables about the world object that the page holds, so that what is cached per world is found again."""
+    return replace(learned, world=world)
+
+
+@lru_cache(maxsize=16)
+def fits(learned: Learned, world: World) -> bool:
+    """Whether an agent from a file learned this very world."""
+    return dump_world(learned.world) == dump_world(world)
 
 
 @lru_cache(maxsize=32)

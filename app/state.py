@@ -6,23 +6,32 @@ world. So a link holds what matters, and a changed world brings its own defaults
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 
 import streamlit as st
 
 from app import link, sources
-from app.query import OPENING, parse_query, query_of
+from app.query import OPENING, query_of
 from app.sources import PARAM
 from laplace_core import World
 from laplace_core.settings import BY_NAME
 from laplace_core.worlds import dump_world
 
+Parse = Callable[[Mapping[str, str]], tuple[dict[str, object], list[str]]]
+"""From the values of a URL to values set by hand and notes about what did not hold."""
+
 _KEPT_ACROSS_WORLDS = {"normalise", "policy", "softness", "look", "pin", "compare", "deadline", "source"}
+
+
+def _page() -> dict[str, object]:
+    """What is kept of the page that is shown; each page has its own."""
+    kept = st.session_state.setdefault("_pages", {})
+    return kept.setdefault(st.session_state.get("_page", ""), {"chosen": {}, "notes": [], "written": None})
 
 
 def chosen() -> dict[str, object]:
     """Values set by hand, by name; ``p.NAME`` for a parameter of the world."""
-    return st.session_state.setdefault("_chosen", {})
+    return _page()["chosen"]
 
 
 def world_name() -> str:
@@ -63,7 +72,7 @@ def choose_world() -> None:
 def go_to(**values: object) -> None:
     """Look at another world; values that make sense in any world stay."""
     kept = {name: value for name, value in chosen().items() if name in _KEPT_ACROSS_WORLDS}
-    st.session_state["_chosen"] = {**kept, **values}
+    _page()["chosen"] = {**kept, **values}
     st.session_state["_sidebar_stale"] = True
     _touch()
 
@@ -96,7 +105,7 @@ def settled() -> None:
 def reset() -> None:
     """Callback: back to the world's own settings."""
     kept = {name: chosen()[name] for name in ("own", "timeline", "data", "pin") if name in chosen()}
-    st.session_state["_chosen"] = {"world": world_name(), **kept}
+    _page()["chosen"] = {"world": world_name(), **kept}
     _touch()
 
 
@@ -106,16 +115,19 @@ def show(name: str, value: object) -> str:
     return name
 
 
-def load_url() -> None:
-    """Take the state from the URL when the page is opened and when the browser goes back or forward."""
+def load_url(page: str, opening: Mapping[str, object], parse: Parse) -> None:
+    """Take the state from the URL when a page is opened by a link and when the browser goes back or forward.
+
+    A page that is come back to from another one is as it was left.
+    """
     query = {name: st.query_params[name] for name in st.query_params}
-    opened = "_chosen" not in st.session_state
-    moved = query != st.session_state.get("_written") and not st.session_state.get("_touched", False)
-    if opened or moved:
-        found, notes = parse_query(query) if query else (dict(OPENING), [])
-        if "data" in found and found["data"] not in sources.gamma_space_files():
-            found, notes = dict(OPENING), [*notes, sources.DATA_IS_GONE]
-        st.session_state["_chosen"], st.session_state["_notes"] = found, notes
+    arrived = st.session_state.get("_page") != page
+    new = page not in st.session_state.get("_pages", {})
+    st.session_state["_page"] = page
+    kept = _page()
+    moved = not arrived and query != kept["written"] and not st.session_state.get("_touched", False)
+    if new or moved or (arrived and query):
+        kept["chosen"], kept["notes"] = parse(query) if query else (dict(opening), [])
 
 
 def drop_missing(world: World) -> None:
@@ -126,7 +138,7 @@ def drop_missing(world: World) -> None:
 
 
 def notes() -> list[str]:
-    return st.session_state.get("_notes", [])
+    return _page()["notes"]
 
 
 def write_url() -> None:
@@ -136,4 +148,4 @@ def write_url() -> None:
         query = {}
     if dict(st.query_params) != query:
         st.query_params.from_dict(query)
-    st.session_state["_written"], st.session_state["_touched"] = query, False
+    _page()["written"], st.session_state["_touched"] = query, False

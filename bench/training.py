@@ -181,9 +181,7 @@ def _reading() -> Iterator[Figure]:
         SUBJECT, "gamma-space of one state and its decode at K = 200", spread(1e3 * seconds["one"]), "ms", sizes,
         Goal("<", 5),
     )  # fmt: skip
-    yield Figure(
-        SUBJECT, "gamma-space of 500 states in one batch", spread(seconds["many"]), "s", sizes, Goal("<", 0.5)
-    )
+    yield Figure(SUBJECT, "gamma-space of 500 states in one batch", spread(seconds["many"]), "s", sizes, Goal("<", 0.5))
 
 
 def main() -> Iterator[Figure]:

@@ -12,6 +12,7 @@ from typing import NoReturn
 import numpy as np
 
 from laplace_core.errors import InputError
+from laplace_core.experiments.command import add_report
 from laplace_core.learned.command import add_learn, study_of_file
 from laplace_core.learned.settings import LEARN_SCHEMA
 from laplace_core.pipeline import Study, study, study_of_gamma_space
@@ -87,14 +88,8 @@ def _parser() -> argparse.ArgumentParser:
     decode.add_argument("--out", metavar="FILE.npz", help="write all arrays and the settings here")
     decode.add_argument("--json", action="store_true", help="print JSON")
     decode.set_defaults(run=_decode)
-
-    report = verbs.add_parser("report", help="run an experiment and print its report")
-    report.add_argument("experiment", choices=["detectors"], help="detectors: precision and recall of each artefact")
-    report.add_argument("--cases", type=int, default=500, metavar="N", help="random cases (default: 500)")
-    report.add_argument("--seed", type=int, default=0, metavar="N", help="seed of the cases (default: 0)")
-    report.add_argument("--json", action="store_true", help="print JSON")
-    report.set_defaults(run=_report_verb)
     add_learn(verbs)
+    add_report(verbs)
     return parser
 
 

@@ -266,9 +266,7 @@ def test_partial_evaluations_equal_the_whole(network, dueling, columns):
         for g in range(7):
             torch.testing.assert_close(chosen[i, g], whole[i, g, actions[i, g]], rtol=1e-4, atol=1e-5)
     for g in range(7):
-        torch.testing.assert_close(
-            agent.network(batch.observations, only=g)[:, 0], whole[:, g], rtol=1e-4, atol=1e-5
-        )
+        torch.testing.assert_close(agent.network(batch.observations, only=g)[:, 0], whole[:, g], rtol=1e-4, atol=1e-5)
 
 
 @pytest.mark.parametrize("network", NETWORKS)

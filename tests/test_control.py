@@ -8,7 +8,14 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from laplace_core import InputError, Settings, control, load_world, study
-from laplace_core.control import episode_regret, episode_regret_of, rule_actions, values_everywhere
+from laplace_core.control import (
+    constant_horizon_loss,
+    constant_horizon_values,
+    episode_regret,
+    episode_regret_of,
+    rule_actions,
+    values_everywhere,
+)
 from laplace_core.inverse import NORMALISATIONS
 from laplace_core.learning import finite_horizon_optimum
 from laplace_core.settings import resolve
@@ -153,3 +160,26 @@ def test_regret_of_a_study_covers_the_whole_steps_it_decodes(time_step):
     regrets = episode_regret_of(world, settings)
     assert regrets.shape == (3, world.n_states)
     assert np.all(regrets >= -1e-12)
+
+
+@given(worlds(max_states=4))
+def test_constant_horizons_all_at_once_equal_one_after_the_other(world):
+    optimum = finite_horizon_optimum(world, 5, GAMMA)
+    rule = optimal_rule(optimum)
+    together = constant_horizon_values(world, rule, GAMMA)
+    for horizon in range(1, 6):
+        regrets = episode_regret(world, rule, GAMMA, optimum, constant_horizon=horizon)
+        expected = optimum.max(axis=2)[horizon - 1] - regrets[horizon - 1]
+        np.testing.assert_allclose(together[horizon - 1], expected, atol=1e-12)
+
+
+def test_a_constant_deadline_in_the_settings_keeps_t_for_the_whole_episode():
+    world = load_world("cliff_grid")
+    settings = {how: resolve(Settings(deadline=how), world) for how in ("time_to_go", "constant")}
+    regrets = {how: episode_regret_of(world, chosen) for how, chosen in settings.items()}
+    for horizon in (1, 7, 20):
+        expected = episode_regret_of(world, settings["time_to_go"], constant_horizon=horizon)[horizon - 1]
+        np.testing.assert_allclose(regrets["constant"][horizon - 1], expected, atol=1e-12)
+    loss, best = constant_horizon_loss(world, settings["constant"])
+    np.testing.assert_allclose(loss, regrets["constant"] - regrets["time_to_go"], atol=1e-12)
+    np.testing.assert_allclose(best, finite_horizon_optimum(world, len(best), 0.99).max(axis=2))

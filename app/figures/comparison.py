@@ -11,9 +11,9 @@ _DIVERGING = [[0.0, "#2166ac"], [0.25, "#92c5de"], [0.5, "#f7f7f7"], [0.75, "#f4
 _LABELLED = 9  # rows that get a tick
 
 
-def comparison(found: Difference, time_step: float) -> dict[str, Figure]:
+def comparison(found: Difference) -> dict[str, Figure]:
     """Maps of A, of B (one colour scale) and of B - A (zero in the middle)."""
-    a, b, change = (values / time_step for values in (found.a, found.b, found.difference))
+    a, b, change = found.a, found.b, found.difference
     limit = max(float(a.max()), float(b.max())) or 1.0
     widest = float(np.abs(change).max()) or 1.0
     common = {"colorscale": probability_scale(), "zmin": -UNDER_RANGE * limit, "zmax": limit}

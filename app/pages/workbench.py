@@ -6,13 +6,14 @@ import streamlit as st
 
 from app import compute, controls, sources, state
 from app.parts import bring, compare, export, learning, panels
+from app.query import OPENING, read_link
 from laplace_core import InputError
 
 LOOK_EVERY = 0.7  # seconds between two looks at a learner
 
 
 def page() -> None:
-    state.load_url()
+    state.load_url("worlds", OPENING, read_link)
     state.settled()
     for note in state.notes():
         st.warning(note)
@@ -27,7 +28,7 @@ def page() -> None:
             view = sources.view_of(state.chosen(), learned)
         except InputError as error:
             st.error(str(error))
-            st.button("Back to the opening view", on_click=state.go_to, kwargs=state.OPENING)
+            st.button("Back to the opening view", on_click=state.go_to, kwargs=OPENING)
             return
         if world is None:
             file = sources.gamma_space_files()[str(state.chosen()["data"])]
@@ -46,7 +47,7 @@ def page() -> None:
             with more:
                 controls.study_group(view.settings)
         st.button("Reset to the world's own settings", on_click=state.reset, width="stretch")
-    running = watched is not None and watched.running
+    running = learning.at_work()
     st.fragment(_view, run_every=LOOK_EVERY if running else None)(running)
 
 
@@ -73,7 +74,7 @@ def _view(running: bool) -> None:
     export.footer(view)
     compare.comparison(view)
     bring.editor(view)
-    if (watched is not None and watched.running) != running:  # learning began or ended: look oftener, or no more
+    if learning.at_work() != running:  # learning began or ended: look oftener, or no more
         st.rerun()
 
 

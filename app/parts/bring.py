@@ -57,12 +57,13 @@ def _uploaded() -> None:
     file = st.session_state["upload"]
     if file is None:
         return
+    ending = file.name.lower().rpartition(".")[2]
     try:
-        if file.name.endswith(".json"):
-            text = file.getvalue().decode("utf-8", errors="replace")
+        if ending == "json":
+            text = file.getvalue().decode("utf-8-sig", errors="replace")
             parse_world(text)
             state.go_to(world=sources.OWN, own=pack(text))
-        elif file.name.endswith(".safetensors"):
+        elif ending == "safetensors":
             _open_agent(sources.open_agent(file.name, file.getvalue()))
         else:
             state.go_to(world=sources.DATA, data=sources.open_gamma_space(file.name, file.getvalue()), normalise="none")
@@ -76,16 +77,17 @@ def editor(view: View) -> None:
     if name == sources.OWN:
         _world_table(view.world)
     elif name == sources.TIMELINE:
-        _timeline_table()
+        _timeline_table(view.world)
 
 
 def _version(word: str, kind: str) -> str:
     """Key of a table's widget: a new one when its content was changed from elsewhere, else the same.
 
-    A table keeps its edits relative to the rows that it was opened with, so those rows must stay.
+    A table keeps its edits relative to the rows that it was opened with, so those rows must stay; a table that was
+    off the page has lost its edits, and begins with the rows as they are now.
     """
     kept = st.session_state.setdefault(f"_{kind}_table", {"word": None, "version": 0})
-    if kept["word"] != word:
+    if kept["word"] != word or f"{kind} table {kept['version']}" not in st.session_state:
         kept.update(word=word, base=word, version=kept["version"] + 1)
     return f"{kind} table {kept['version']}"
 
@@ -135,7 +137,13 @@ def _offer_rescale(place, rows: list[dict], base: World) -> None:
         made = world_from_rows(scaled, base.name, base.states, base.actions, base.start, base.suggested, base.positions)
     except InputError:
         return
-    place.button("Rescale probabilities to 1", on_click=state.choose, args=(sources.OWN, pack(dump_world(made))))
+    place.button("Rescale probabilities to 1", on_click=_take_over, args=(pack(dump_world(made)),))
+
+
+def _take_over(word: str) -> None:
+    """Callback: show these rows, even where they make the world that is shown already."""
+    st.session_state["_own_table"]["word"] = None
+    state.choose(sources.OWN, word)
 
 
 def _download(world: World) -> None:
@@ -145,13 +153,14 @@ def _download(world: World) -> None:
     )  # fmt: skip
 
 
-def _timeline_table() -> None:
+def _timeline_table(world: World) -> None:
     word = str(state.chosen()[sources.TIMELINE])
     st.html('<div class="panel-title">your timeline: at future step tau, this reward comes with this probability</div>')
     key = _version(word, sources.TIMELINE)
     base, rest = sources.timeline_rows_of(st.session_state["_timeline_table"]["base"])
     table, beside = st.columns([3, 1.2])
     with beside:
+        _download(world)
         words = {"zero": "pays 0 and goes on", "ended": "has ended the episode"}
         chosen_rest = st.radio("What is left of a step's probability", list(words), list(words).index(rest),
                                format_func=words.get, key=f"{key} rest")  # fmt: skip

@@ -10,6 +10,7 @@ from app import compute, sources, state
 from app.chart import chart
 from app.figures.theme import HEIGHT
 from app.link import pack
+from app.parts import learning
 from app.query import query_of, unpinned
 from app.sources import View
 from laplace_core import InputError
@@ -30,7 +31,13 @@ def comparison(view: View) -> None:
     if "pin" not in state.chosen():
         return
     try:
-        pinned = sources.view_of(unpinned(str(state.chosen()["pin"])))
+        values = unpinned(str(state.chosen()["pin"]))
+        world = sources.world_of(values)
+        learned, coming = (None, False) if world is None else learning.learned_in(values, world)
+        if coming:
+            st.info("A was learned, and is learned again from its seed; it stands here in a moment.")
+            return
+        pinned = sources.view_of(values, learned)
         compute.study_for(pinned)
     except InputError as error:
         st.warning(f"A cannot be shown any more: {error}")

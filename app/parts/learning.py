@@ -62,21 +62,21 @@ def agent_title(agent: str) -> str:
     return agent.replace("_", " ")
 
 
-def learning_of(world: World) -> LearnSettings:
-    """What would be learned now: the learner's own settings and the discounts and policy of the page.
+def learning_of(world: World, values: sources.Values | None = None) -> LearnSettings:
+    """What would be learned in a view, by default the present one: the learner's settings, its discounts and policy.
 
     Raises:
         InputError: settings that do not fit the world.
     """
-    values = state.chosen()
+    values = state.chosen() if values is None else values
     given = {name: values[name] for name in DECIDED_NAMES if name in values}
     given |= {name.removeprefix(LEARN): value for name, value in values.items() if name.startswith(LEARN)}
     return resolve_learning(LearnSettings(**given), world)
 
 
-def _key(world: World, wanted: LearnSettings) -> str:
+def _key(world: World, wanted: LearnSettings, values: sources.Values | None = None) -> str:
     """Names a run in the session and in the link."""
-    values = state.chosen()
+    values = state.chosen() if values is None else values
     what = (world.source, world.params, values.get("own"), values.get("timeline"), wanted)
     return hashlib.sha256(repr(what).encode()).hexdigest()[:10]
 
@@ -103,12 +103,15 @@ def current(world: World) -> tuple[Learned | None, runs.Watched | None]:
     if values.get("source") != "learned":
         return None, None
     if "agent" in values:
-        found = sources.learned_of(sources.agent(str(values["agent"])), world)
-        if found is not None:
-            return found, None
+        opened = sources.agent(str(values["agent"]))
+        if sources.fits(opened, world):
+            return sources.about(opened, world), None
         state.choose("agent", None)
         st.toast("The agent learned another world, and was closed.")
-    wanted = learning_of(world)
+    try:
+        wanted = learning_of(world)
+    except InputError:  # said where the settings are
+        return None, None
     key = _key(world, wanted)
     watched = _runs().get(key)
     if watched is None and values.get("run") == key:
@@ -116,7 +119,37 @@ def current(world: World) -> tuple[Learned | None, runs.Watched | None]:
     if watched is None:
         return None, None
     found = watched.learned()
-    return None if found is None else sources.learned_of(found, world), watched
+    return None if found is None else sources.about(found, world), watched
+
+
+def at_work() -> bool:
+    """Whether a run of this session is going on, shown or pinned."""
+    return _runs().running
+
+
+def learned_in(values: sources.Values, world: World) -> tuple[Learned | None, bool]:
+    """What was learned for a pinned view, and whether it is still to come.
+
+    A run that this session does not have is learned again, from its seed, while no other one is at work.
+
+    Raises:
+        InputError: an agent that is not here.
+    """
+    if values.get("source") != "learned":
+        return None, False
+    if "agent" in values:
+        return sources.learned_of(sources.agent(str(values["agent"])), world), False
+    wanted = learning_of(world, values)
+    key = _key(world, wanted, values)
+    if values.get("run") != key:
+        return None, False
+    watched = _runs().get(key)
+    if watched is None:
+        if _runs().running:
+            return None, True
+        watched = _runs().begin(key, world, wanted)
+    found = watched.learned()
+    return (None, watched.running) if found is None else (sources.learned_of(found, world), False)
 
 
 def strip(view: View, watched: runs.Watched | None) -> None:
@@ -155,7 +188,10 @@ def _told(view: View, watched: runs.Watched | None) -> None:
         st.error(watched.error)
         return
     told = watched.progress()
-    if watched.waiting or told is None:
+    if told is None and not watched.running:
+        st.info("Cancelled before anything was learned: the pictures are exact.")
+        return
+    if told is None:
         st.progress(0.0, "Waiting for a free place: other learners are running." if watched.waiting else "Starting ...")
         return
     share = told["episodes"] / told["of"]

@@ -19,7 +19,7 @@ class Episode:
     Attributes:
         head: index of the discount whose head behaved.
         episode_return: sum of the rewards, in units of reward.
-        loss: mean over the updates since the last episode; None before the first update.
+        loss: mean over the updates since the last episode; None if there was none.
         seconds: since the run began or was resumed, as in all events: the only field that two equal runs differ in.
     """
 

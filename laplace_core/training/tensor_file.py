@@ -50,7 +50,7 @@ def write_whole(path: Path, data: bytes) -> None:
 
 def write_tensors(path: Path, arrays: dict[str, np.ndarray], about: dict[str, object]) -> None:
     """Write arrays and what they are about."""
-    arrays = {name: np.ascontiguousarray(array) for name, array in arrays.items()}
+    arrays = {name: np.asarray(array, order="C") for name, array in arrays.items()}
     write_whole(path, safetensors.numpy.save(arrays, {_KEY: json.dumps(about, allow_nan=False)}))
 
 

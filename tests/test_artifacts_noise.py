@@ -1,0 +1,117 @@
+"""Noise amplification: against the exact gamma-space, in a learned basis, and in data without a truth."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from laplace_core import GammaSpace, Settings, load_world, study, study_of_gamma_space
+from laplace_core.artifacts import VISIBLE, find_artefacts
+from laplace_core.artifacts.look import Look
+from laplace_core.artifacts.noise import violations
+from laplace_core.pipeline import basis_of, decode_and_read
+
+NAME = "noise amplification"
+
+
+def look(world: str, **settings):
+    return study(load_world(world, settings.pop("params", {})), Settings(world=world, **settings))
+
+
+def noise_of(found, action: int = 0):
+    return next((artefact for artefact in find_artefacts(found, action) if artefact.name == NAME), None)
+
+
+def saved(noise: float = 0.0, **settings):
+    """The gamma-space of a chain as somebody's data, without its world."""
+    space = look("rise_and_fade", gammas=20, thetas=60).gamma_space
+    data = GammaSpace(space.values, space.constant, space.gammas, space.thetas)
+    return study_of_gamma_space(data, Settings(world="mine.npz", noise=noise, steps=20, **settings))
+
+
+# --- with a truth ---
+
+
+@pytest.mark.parametrize("noise", [1e-4, 1e-3, 1e-2])
+def test_its_size_is_what_the_noise_moves(noise):
+    noisy, clean = look("rise_and_fade", noise=noise), look("rise_and_fade")
+    moved = 0.5 * np.abs(noisy.decoded.tau_space - clean.decoded.tau_space)[0].sum(axis=-1).max()
+    assert noise_of(noisy).size == pytest.approx(moved, rel=1e-9)
+
+
+def test_noise_that_does_not_show_is_not_listed():
+    assert noise_of(look("two_branch", noise=1e-5)) is None
+
+
+@pytest.mark.parametrize("seed", range(5))
+@pytest.mark.parametrize("world", ["rise_and_fade", "double_chain", "cliff_grid", "discounting_chain"])
+def test_the_larger_alpha_comes_nearer_to_the_truth_and_takes_it_away(world, seed):
+    found = look(world, noise=1e-3, noise_seed=seed)
+    first = noise_of(found).remedies[0]
+    repaired = study(found.world, first.apply(found.settings))
+    assert repaired.settings.alpha > found.settings.alpha
+    assert Look(repaired, 0).error() < Look(found, 0).error()
+    assert noise_of(repaired) is None
+
+
+def test_no_larger_alpha_is_offered_where_all_of_them_are_worse():
+    # One row: the largest alpha only shrinks it, and so little noise costs less than that.
+    found = look("two_branch", steps=1, alpha=1.0, noise=3e-3)
+    assert noise_of(found).size > VISIBLE
+    assert [remedy.changes for remedy in noise_of(found).remedies] == [{"noise": 0.0}]
+
+
+# --- a learned basis, a policy of one's own ---
+
+
+def test_a_learned_basis_is_noise_as_far_as_it_is_wrong():
+    found = look("rise_and_fade")
+    exact = basis_of(found)
+    assert noise_of(study(found.world, found.settings, learned=exact)) is None
+    wrong = exact + np.random.default_rng(0).normal(0.0, 0.02, exact.shape)
+    artefact = noise_of(study(found.world, found.settings, learned=wrong))
+    assert artefact.size > VISIBLE
+    assert [set(remedy.changes) for remedy in artefact.remedies] == [{"alpha"}]  # what was learned stays
+
+
+def test_a_policy_of_one_s_own_is_neither_noise_nor_mixture():
+    world = load_world("two_decisions")
+    settings = Settings(world="two_decisions", policy="per_gamma", alpha=1e-6)
+    assert {a.name for a in find_artefacts(study(world, settings), 1)} >= {"mixed policies"}
+    own = study(world, settings, policy=np.zeros(world.n_states, dtype=int))
+    assert find_artefacts(own, 1) == []
+
+
+# --- without a truth ---
+
+
+def test_exact_data_violate_nothing():
+    found = saved()
+    assert violations(Look(found, 0)).max() < 1e-12
+    assert noise_of(found) is None
+
+
+@pytest.mark.parametrize("noise", [1e-3, 1e-2])
+def test_noisy_data_are_found_at_their_violations(noise):
+    found, clean = saved(noise), saved()
+    artefact = noise_of(found)
+    moved = 0.5 * np.abs(found.decoded.tau_space - clean.decoded.tau_space)[0].sum(axis=-1).max()
+    # A lower bound, and no empty one: noise breaks the rules in about half of the bins.
+    assert 0.3 * moved < artefact.size < moved
+    assert "at least" in artefact.shown
+    repaired = replace(found.settings, **artefact.remedies[0].changes)
+    assert noise_of(replace(found, settings=repaired, decoded=decode_and_read(found.gamma_space, repaired))) is None
+
+
+def test_a_fall_with_gamma_is_a_violation_even_where_all_is_positive():
+    gammas, thetas = np.array([0.5, 0.9]), np.array([0.0, 1.0])
+    tails = np.array([[[2.0, 0.0], [1.0, 0.0]]])  # Z = 2 at gamma .5 and 1 at .9: impossible
+    found = study_of_gamma_space(GammaSpace(tails, tails[..., 0], gammas, thetas), Settings(world="mine.npz", steps=5))
+    # The fall of 1 is shared as the variances 1 / (1 - gamma)^2 = 4 and 100 would have it.
+    np.testing.assert_allclose(violations(Look(found, 0))[:, 0] ** 2, [4 / 104, 100 / 104])
+
+
+def test_noise_in_data_is_not_taken_for_clipped_edges():
+    assert "edge clipping" not in {artefact.name for artefact in find_artefacts(saved(1e-3), 0)}
