@@ -8,7 +8,7 @@ from functools import lru_cache
 import numpy as np
 
 from app import figures
-from app.sources import Learner, View
+from app.sources import Learner, Observed, View
 from laplace_core import GammaSpace, InputError, Settings, Study, World, study, study_of_gamma_space
 from laplace_core.artifacts import Artefact, find_artefacts
 from laplace_core.compare import Difference, difference, summary, value_difference
@@ -17,13 +17,15 @@ from laplace_core.learned import Bands, Learned, bands, return_distributions
 from laplace_core.learning import greedy_policy
 from laplace_core.verdict import Verdict, judge
 
-Subject = World | Learner | GammaSpace
+Subject = World | Learner | GammaSpace | Observed
 
 
 @lru_cache(maxsize=32)
 def _study(subject: Subject, settings: Settings) -> Study:
     if isinstance(subject, GammaSpace):
         return study_of_gamma_space(subject, settings)
+    if isinstance(subject, Observed):
+        return replace(study_of_gamma_space(subject.gamma_space, settings), action_names=subject.action_names)
     if isinstance(subject, Learner):
         return study(subject.world, settings, learned=subject.basis(subject.world.state_index(settings.state)))
     return study(subject, settings)

@@ -12,4 +12,8 @@ from app import chart
 st.set_page_config(page_title="Laplace code workbench", page_icon="∑", layout="wide")
 st.html(Path(__file__).with_name("style.css"))
 chart.preload()
-st.navigation([st.Page("pages/workbench.py", title="Tabular workbench", default=True)], position="hidden").run()
+PAGES = [
+    st.Page("screens/workbench.py", title="Worlds", default=True),
+    st.Page("screens/agents.py", title="Trained agents", url_path="agents"),
+]
+st.navigation(PAGES, position="top").run()

@@ -195,16 +195,25 @@ def learner(world: World, learned: Learned, index: int | None) -> Learner:
     return Learner(world, learned, index)
 
 
+@dataclass(frozen=True, eq=False)
+class Observed:
+    """What a trained agent has learned for one observation."""
+
+    gamma_space: GammaSpace
+    action_names: tuple[str, ...]
+
+
 @dataclass(frozen=True)
 class View:
     """One state of one subject, looked at through resolved settings.
 
     Attributes:
-        subject: the world; what was learned of it; or a gamma-space without a world.
+        subject: the world; what was learned of it; or a gamma-space without a world,
+            from a file or from a trained agent.
         horizon: the deadline that was asked for, or None for the longest.
     """
 
-    subject: World | Learner | GammaSpace
+    subject: World | Learner | GammaSpace | Observed
     settings: Settings
     action: int
     horizon: float | None
@@ -221,6 +230,8 @@ class View:
 
     @property
     def actions(self) -> int:
+        if isinstance(self.subject, Observed):
+            return len(self.subject.action_names)
         return len(self.subject.values) if self.world is None else self.world.n_actions
 
 

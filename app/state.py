@@ -77,6 +77,12 @@ def go_to(**values: object) -> None:
     _touch()
 
 
+def replace_all(values: Mapping[str, object]) -> None:
+    """Look at something else altogether."""
+    _page()["chosen"] = dict(values)
+    _touch()
+
+
 def edit_world(world: World) -> None:
     """Make a world the person's own and open it as a table; settings that suited it stay with it."""
     suited = {name: value for name, value in world.suggested.items() if name in BY_NAME}

@@ -225,7 +225,7 @@ def test_losses_equal_a_loop_over_discounts_and_channels(name, consistency):
             else:
                 expected[i, g] = np.mean([huber((p - t) / (1 - gamma)) for p, t in zip(scaled, y, strict=True)])
             error = (scaled - y) @ agent.code.value_weights.double().numpy() / (1 - gamma)
-            expected[i, g] += consistency * huber(error)
+            expected[i, g] += consistency * (1 - gamma) * error**2 / 2
     np.testing.assert_allclose(agent.losses(batch).detach(), expected, rtol=2e-4, atol=1e-5)
 
 

@@ -110,7 +110,8 @@ def test_reset_returns_to_the_world_s_own_settings():
 
 
 def test_the_command_shown_reproduces_the_view():
-    sent = next(block.proto for block in opened("copying", alpha="0.05").get("bidi_component") if "Copy as" in str(block.proto))
+    page = opened("copying", alpha="0.05")
+    sent = next(block.proto for block in page.get("bidi_component") if "Copy as" in str(block.proto))
     assert "python -m laplace_core decode two_branch" in str(sent)
     assert "--alpha 0.05" in str(sent)
 

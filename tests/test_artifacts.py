@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import numpy as np
 import pytest
 
 from laplace_core import Settings, load_world, study
@@ -27,7 +26,7 @@ CASES = {
     "over-smoothing": ("rise_and_fade", 0, {"alpha": 2.0}, CALM),
     "negative mass": ("double_chain", 0, {"alpha": 1e-4}, {"alpha": 8.0}),
     "soft deadline": ("two_branch", 0, {"softness": 1.0}, {}),
-    "noise amplification": ("rise_and_fade", 0, {"noise": 1e-3}, {}),
+    "noise amplification": ("rise_and_fade", 0, {"noise": 1e-4, "alpha": 1e-4}, {"alpha": 1e-4}),
     "constant horizon": ("cliff_grid", 0, {"deadline": "constant"}, {"deadline": "time_to_go"}),
 }
 

@@ -11,6 +11,7 @@ from laplace_core import GammaSpace, Settings, load_world, study, study_of_gamma
 from laplace_core.artifacts import VISIBLE, find_artefacts
 from laplace_core.artifacts.look import Look
 from laplace_core.artifacts.noise import violations
+from laplace_core.inverse import decode
 from laplace_core.pipeline import basis_of, decode_and_read
 
 NAME = "noise amplification"
@@ -37,7 +38,11 @@ def saved(noise: float = 0.0, **settings):
 @pytest.mark.parametrize("noise", [1e-4, 1e-3, 1e-2])
 def test_its_size_is_what_the_noise_moves(noise):
     noisy, clean = look("rise_and_fade", noise=noise), look("rise_and_fade")
-    moved = 0.5 * np.abs(noisy.decoded.tau_space - clean.decoded.tau_space)[0].sum(axis=-1).max()
+    rewards, middles = noisy.world.reward_values, noisy.midpoints
+    nearest = np.abs(middles[:, None] - rewards).argmin(axis=1)
+    change = (noisy.decoded.tau_space - clean.decoded.tau_space)[0]
+    by_reward = np.array([change[:, nearest == v].sum(axis=1) for v in range(rewards.size)])
+    moved = 0.5 * np.abs(by_reward).sum(axis=0).max()
     assert noise_of(noisy).size == pytest.approx(moved, rel=1e-9)
 
 
@@ -45,22 +50,34 @@ def test_noise_that_does_not_show_is_not_listed():
     assert noise_of(look("two_branch", noise=1e-5)) is None
 
 
-@pytest.mark.parametrize("seed", range(5))
+@pytest.mark.parametrize("seed", range(3))
 @pytest.mark.parametrize("world", ["rise_and_fade", "double_chain", "cliff_grid", "discounting_chain"])
-def test_the_larger_alpha_comes_nearer_to_the_truth_and_takes_it_away(world, seed):
-    found = look(world, noise=1e-3, noise_seed=seed)
-    first = noise_of(found).remedies[0]
-    repaired = study(found.world, first.apply(found.settings))
-    assert repaired.settings.alpha > found.settings.alpha
-    assert Look(repaired, 0).error() < Look(found, 0).error()
-    assert noise_of(repaired) is None
+@pytest.mark.parametrize("noise", [1e-4, 3e-4, 1e-3])
+def test_the_first_remedy_takes_it_away_and_a_larger_alpha_comes_nearer_to_the_truth(world, seed, noise):
+    found = look(world, noise=noise, noise_seed=seed)
+    artefact = noise_of(found)
+    if artefact is None:
+        return
+    assert noise_of(study(found.world, artefact.remedies[0].apply(found.settings))) is None
+    for remedy in artefact.remedies:
+        if "alpha" in remedy.changes:
+            assert remedy.changes["alpha"] > found.settings.alpha
+            repaired = study(found.world, remedy.apply(found.settings))
+            assert Look(repaired, 0).error() < Look(found, 0).error()
+    assert len({tuple(remedy.changes) for remedy in artefact.remedies}) == len(artefact.remedies)
+
+
+def test_a_larger_alpha_comes_first_where_it_takes_the_noise_away():
+    found = look("rise_and_fade", noise=1e-4, alpha=1e-4)
+    assert [set(remedy.changes) for remedy in noise_of(found).remedies] == [{"alpha"}, {"noise"}]
 
 
 def test_no_larger_alpha_is_offered_where_all_of_them_are_worse():
-    # One row: the largest alpha only shrinks it, and so little noise costs less than that.
-    found = look("two_branch", steps=1, alpha=1.0, noise=3e-3)
+    # Alpha 1 smears already: more of it costs more than so little noise.
+    found = look("two_branch", alpha=1.0, noise=0.01)
     assert noise_of(found).size > VISIBLE
     assert [remedy.changes for remedy in noise_of(found).remedies] == [{"noise": 0.0}]
+    assert "only learning on" in noise_of(found).sentence
 
 
 # --- a learned basis, a policy of one's own ---
@@ -93,15 +110,18 @@ def test_exact_data_violate_nothing():
     assert noise_of(found) is None
 
 
-@pytest.mark.parametrize("noise", [1e-3, 1e-2])
+@pytest.mark.parametrize("noise", [1e-3, 3e-3])
 def test_noisy_data_are_found_at_their_violations(noise):
     found, clean = saved(noise), saved()
     artefact = noise_of(found)
-    moved = 0.5 * np.abs(found.decoded.tau_space - clean.decoded.tau_space)[0].sum(axis=-1).max()
+    # The mean error of P(reward > threshold, alive) in the worst row: the decoded tails.
+    off = (found.gamma_space.values - clean.gamma_space.values)[0]
+    moved = np.abs(decode(off, found.gamma_space.gammas, 20, found.settings.alpha)).mean(axis=-1).max()
     # A lower bound, and no empty one: noise breaks the rules in about half of the bins.
     assert 0.3 * moved < artefact.size < moved
     assert "at least" in artefact.shown
     repaired = replace(found.settings, **artefact.remedies[0].changes)
+    assert repaired.alpha > found.settings.alpha
     assert noise_of(replace(found, settings=repaired, decoded=decode_and_read(found.gamma_space, repaired))) is None
 
 

@@ -25,8 +25,8 @@ from laplace_core.worlds import dump_world, parse_world
 from tests.hostile import assert_one_sentence
 
 
-def learned_to_the_end(world, settings=LearnSettings()) -> Learned:
-    learning = Learning(world, settings)
+def learned_to_the_end(world, settings: LearnSettings | None = None) -> Learned:
+    learning = Learning(world, settings or LearnSettings())
     for _ in learning:
         pass
     return learning.snapshot()

@@ -313,7 +313,7 @@ def test_a_giant_network_is_refused_before_it_is_built(tmp_path, good, monkeypat
     path = tmp_path / "giant.safetensors"
     path.write_bytes(HOSTILE["settings of a giant network"](good))
     monkeypatch.setattr("laplace_core.agents.networks.build", lambda *_: pytest.fail("it was built"))
-    with pytest.raises(InputError, match=r"ask for 53,\d+,\d+ weights"):
+    with pytest.raises(InputError, match=r"ask for 54,\d+,\d+ weights"):
         load_checkpoint(path)
 
 

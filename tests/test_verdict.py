@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 
 from laplace_core import Settings, load_world, study
-from laplace_core.artifacts import find_artefacts
 from laplace_core.pipeline import basis_of
 from laplace_core.verdict import judge
 

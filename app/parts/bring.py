@@ -60,7 +60,7 @@ def _uploaded() -> None:
     ending = file.name.lower().rpartition(".")[2]
     try:
         if ending == "json":
-            text = file.getvalue().decode("utf-8-sig", errors="replace")
+            text = file.getvalue().decode("utf-8", errors="replace")
             parse_world(text)
             state.go_to(world=sources.OWN, own=pack(text))
         elif ending == "safetensors":

@@ -2,17 +2,22 @@
 
 from __future__ import annotations
 
+import re
+from dataclasses import replace
+
 import numpy as np
 import streamlit as st
 
-from app import compute, explain, sources, state
+from app import compute, explain, link, sources, state
 from app.copy import copy_button
 from app.parts.compare import pin_button
-from app.query import VIEW
+from app.query import VIEW, query_of
 from app.sources import View
+from laplace_core import Settings
 from laplace_core.saved import npz_bytes
 from laplace_core.tables import gamma_space_csv, rewards_csv, tau_space_csv, values_csv
 
+TOO_LONG = "This view is too long for a link; download the world to keep it."
 _LOOKS = next(parameter for parameter in VIEW if parameter.name == "look").choices
 _TABLES = {
     "tau-space": tau_space_csv,
@@ -24,24 +29,40 @@ _TABLES = {
 
 def footer(view: View) -> None:
     look, regret, pin, reading, copying, download = st.columns([1.2, 2, 0.8, 1, 0.8, 0.9], vertical_alignment="center")
-    with look:
-        key = state.show("look", "heatmap")
-        st.segmented_control(
-            "Drawing", _LOOKS, key=key, on_change=state.keep, args=(key,), label_visibility="collapsed", required=True
-        )
-    regret.caption(_loss(view))
-    # What lies in a closed popover is left out: formulas bring a large script along.
-    words = reading.popover("How to read this", width="stretch", on_change="rerun", key="reading")
-    if words.open:
-        words.markdown(explain.READING)
+    _look(look)
+    regret.caption(_loss(view) if link.fits(query_of(state.chosen())) else TOO_LONG)
+    _reading(reading)
     with pin:
         pin_button()
     _copying(copying, view)
     _downloads(download, view)
 
 
+def agent_footer(view: View) -> None:
+    """The same for a trained agent, whose gamma-space no command computes anew."""
+    look, _, reading, download = st.columns([1.2, 3.8, 1, 0.9], vertical_alignment="center")
+    _look(look)
+    _reading(reading)
+    _downloads(download, view)
+
+
+def _look(place) -> None:
+    with place:
+        key = state.show("look", "heatmap")
+        st.segmented_control(
+            "Drawing", _LOOKS, key=key, on_change=state.keep, args=(key,), label_visibility="collapsed", required=True
+        )
+
+
+def _reading(place) -> None:
+    """What lies in a closed popover is left out: formulas bring a large script along."""
+    words = place.popover("How to read this", width="stretch", on_change="rerun", key="reading")
+    if words.open:
+        words.markdown(explain.READING)
+
+
 def _loss(view: View) -> str:
-    lost = compute.episode_regrets(view)
+    lost = None if view.learned is not None else compute.episode_regrets(view)  # which are those of exact values
     if lost is None or not len(lost):
         return ""
     found = compute.study_for(view)
@@ -56,21 +77,56 @@ def _copying(place, view: View) -> None:
     if not box.open:
         return
     with box:
-        brought = state.world_name() in sources.BROUGHT
-        read = None
-        if brought and view.world is not None:
-            read = f"read_world({view.settings.world!r})"
-        copy_button("Copy as command", view.settings.to_command("view.npz"), "command")
-        copy_button("Copy as Python", view.settings.to_python(read), "python")
-        if brought:
-            st.caption(f"Both read {view.settings.world}, so download or keep that file beside them.")
+        file = settings_on_disk(view).world
+        copy_button("Copy as command", settings_on_disk(view).to_command("view.npz"), "command")
+        copy_button("Copy as Python", python_of(view), "python")
+        if view.learned is not None:
+            mean = " The command shows the first learner, not the mean of all." if view.subject.index is None else ""
+            st.caption(f"Both read {file}: Download agent saves it.{mean}")
+        elif state.world_name() in sources.BROUGHT:
+            st.caption(f"Both read {file}, so download or keep that file beside them.")
+
+
+def settings_on_disk(view: View) -> Settings:
+    """The settings by which the command line repeats a view: what was learned is read from its file."""
+    if view.learned is None:
+        return view.settings
+    shown = view.subject.index
+    file = f"{sources.plain_name(view.world)}_td.safetensors"
+    return replace(view.settings, world=file, params=() if shown is None else (("seed_index", shown),))
+
+
+def python_of(view: View) -> str:
+    """A script that repeats a view."""
+    if view.learned is None:
+        brought = state.world_name() in sources.BROUGHT and view.world is not None
+        return view.settings.to_python(f'read_world("{view.settings.world}")' if brought else None)
+    settings = view.settings.to_python().partition("settings = Settings(")[2]
+    imports, found = "Settings", f"found = study_of(learned, settings, {view.subject.index})"
+    if view.subject.index is None:
+        imports = "Settings, study"
+        found = (
+            "tables = learned.basis[:, learned.world.state_index(settings.state)]  # a table a seed\n"
+            "found = study(learned.world, settings, learned=tables.astype(float).mean(axis=0))"
+        )
+    return "\n".join(
+        [
+            f"from laplace_core import {imports}",
+            f"from laplace_core.learned import read_learned{'' if view.subject.index is None else ', study_of'}",
+            "",
+            f'learned = read_learned("{settings_on_disk(view).world}")',
+            "settings = Settings(" + settings.replace("found = study(world, settings)", found),
+        ]
+    )
 
 
 def _downloads(place, view: View) -> None:
     box = place.popover("Download", width="stretch", on_change="rerun", key="downloading")
     if not box.open:
         return
-    found, name = compute.study_for(view), view.settings.world.removesuffix(".json").replace(":", "_")
+    settings = settings_on_disk(view)
+    found = replace(compute.study_for(view), settings=settings)
+    name = re.sub(r"[^A-Za-z0-9_.-]+", "_", re.sub(r"\.(json|npz|safetensors)$", "", settings.world))
     with box:
         _file("NPZ: every array and the settings", lambda: npz_bytes(found), f"{name}.npz", "application/octet-stream")
         for title, csv in _TABLES.items():

@@ -133,12 +133,13 @@ def learned_in(values: sources.Values, world: World) -> tuple[Learned | None, bo
     A run that this session does not have is learned again, from its seed, while no other one is at work.
 
     Raises:
-        InputError: an agent that is not here.
+        InputError: an agent that is not here, or a run that ended before anything was learned.
     """
     if values.get("source") != "learned":
         return None, False
     if "agent" in values:
-        return sources.learned_of(sources.agent(str(values["agent"])), world), False
+        opened = sources.agent(str(values["agent"]))
+        return (sources.about(opened, world) if sources.fits(opened, world) else None), False
     wanted = learning_of(world, values)
     key = _key(world, wanted, values)
     if values.get("run") != key:
@@ -149,7 +150,9 @@ def learned_in(values: sources.Values, world: World) -> tuple[Learned | None, bo
             return None, True
         watched = _runs().begin(key, world, wanted)
     found = watched.learned()
-    return (None, watched.running) if found is None else (sources.learned_of(found, world), False)
+    if found is None and not watched.running:
+        raise InputError("its learning ended before anything was learned.")
+    return (None, True) if found is None else (sources.about(found, world), False)
 
 
 def strip(view: View, watched: runs.Watched | None) -> None:

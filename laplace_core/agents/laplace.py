@@ -11,7 +11,6 @@ from typing import ClassVar
 import numpy as np
 import torch
 from torch import Tensor, nn
-from torch.nn.functional import smooth_l1_loss
 
 from laplace_core.agents import networks, parametrisations
 from laplace_core.agents.agent import Agent, Batch
@@ -105,10 +104,10 @@ class LaplaceAgent(Agent):
         outputs = self.network(batch.observations, actions=batch.actions.expand(-1, self.heads))
         losses, scaled = self.code.loss(outputs, target, self._gammas)
         if self.settings.consistency > 0:
-            error = smooth_l1_loss(
-                self._values(scaled, self._gammas), self._values(target, self._gammas), reduction="none"
-            )
-            losses = losses + self.settings.consistency * error
+            # Squared, because Huber's loss would move a value to a median of its noisy targets and not to their mean;
+            # times 1 - gamma, half way between the scale of Q and that of the outputs.
+            error = self._values(scaled, self._gammas) - self._values(target, self._gammas)
+            losses = losses + self.settings.consistency * 0.5 * (1.0 - self._gammas) * error**2
         return losses
 
     @torch.no_grad()

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, fields
+from difflib import get_close_matches
 from typing import ClassVar
 
 import numpy as np
@@ -73,7 +74,7 @@ LAPLACE_SCHEMA = (
     Parameter("network", "trunk", 0, 0, "How discounts share weights.", str, NETWORKS),
     Parameter("features", 64, 1, 512, "Features a discount in front of the shared last layer."),
     Parameter("parametrisation", "softmax", 0, 0, "What the network's outputs mean.", str, PARAMETRISATIONS),
-    Parameter("consistency", 1.0, 0, 1e3, "Weight of the loss on the value that the outputs imply."),
+    Parameter("consistency", 0.0, 0, 1e3, "Weight of the loss on the value that the outputs imply."),
     Parameter("target_policy", "shared", 0, 0, "Whose policy every discount evaluates.", str, POLICIES),
     Parameter("acting_gamma", 0.99, 1e-6, 0.9999, "Discount whose greedy actions are taken; the nearest is used."),
     Parameter("termination", "plain", 0, 0, "What follows the end of an episode.", str, TERMINATIONS),
@@ -150,6 +151,12 @@ class LoopSettings:
         Raises:
             InputError: a name or a value that does not fit the schema.
         """
+        known = {parameter.name for parameter in cls.SCHEMA}
+        for name in given:
+            if name not in known:
+                near = get_close_matches(str(name), known, 1)
+                hint = f"; the nearest is {near[0]}" if near else ""
+                raise InputError(f"{cls.ALGORITHM} has no setting {str(name)[:40]!r}{hint}.")
         return cls(**parse_named(cls.ALGORITHM, cls.SCHEMA, dict(given)))
 
 
@@ -169,7 +176,7 @@ class LaplaceSettings(LoopSettings):
     network: str = "trunk"
     features: int = 64
     parametrisation: str = "softmax"
-    consistency: float = 1.0
+    consistency: float = 0.0
     target_policy: str = "shared"
     acting_gamma: float = 0.99
     termination: str = "plain"

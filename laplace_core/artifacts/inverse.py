@@ -37,11 +37,11 @@ def over_smoothing(look: Look) -> Artefact | None:
 
 
 def negative_mass(look: Look) -> Artefact | None:
-    """Ringing of the linear inverse: largest negative probability in a row."""
+    """Ringing of the linear inverse: largest negative probability of the rewards in a row."""
     s = look.settings
     if s.normalise == "paper":
         return None
-    size = _negative(look.study.decoded.tau_space[look.action] / s.time_step)
+    size = _negative(look.rows(s.alpha))
     if size < VISIBLE:
         return None
     trials = {float(f"{alpha:.1g}") for alpha in np.geomspace(1e-8, 10, 28)}

@@ -4,7 +4,9 @@ The inverse is linear, so that before any rescaling the picture is a sum,
 
     rows = truth + (D F - 1) truth + D (what comes after the last row) + D (other policies) + D (noise),
 
-with D the decode matrix and F the transform. Each artefact of the inverse is measured on its own summand.
+with D the decode matrix and F the transform. Each artefact of the inverse is measured on its own summand, and by
+reward: midpoints are gathered at the world's nearest reward, so that the measures do not depend on how finely
+rewards are resolved, and noise that averages out between neighbouring thresholds does not count.
 """
 
 from __future__ import annotations
@@ -35,9 +37,18 @@ class Look:
         return self.study.truth is not None
 
     @cached_property
+    def nearest(self) -> np.ndarray:
+        """Which reward each midpoint is nearest to, one-hot ``(H-1, V)``; without a world each stands for itself."""
+        if self.study.world is None:
+            return np.eye(self.study.midpoints.size)
+        rewards = self.study.world.reward_values
+        which = np.searchsorted((rewards[1:] + rewards[:-1]) / 2.0, self.study.midpoints)
+        return (which[:, None] == np.arange(rewards.size)).astype(float)
+
+    @cached_property
     def differences(self) -> np.ndarray:
-        """Z of this action as it is there, noise and all, ``(G, H-1)``."""
-        return self.study.gamma_space.differences[self.action]
+        """Z of this action by reward, as it is there, noise and all, ``(G, V)``."""
+        return self.study.gamma_space.differences[self.action] @ self.nearest
 
     @cached_property
     def masses(self) -> np.ndarray:
@@ -49,8 +60,8 @@ class Look:
         return basis_of(self.study, policy)[self.action]
 
     def exact(self, policy: str | None = None) -> np.ndarray:
-        """Exact Z under the study's own target policy or another one, ``(G, H-1)``."""
-        return self.basis(policy) @ self.masses
+        """Exact Z by reward under the study's own target policy or another one, ``(G, V)``."""
+        return self.basis(policy) @ (self.masses @ self.nearest)
 
     def timeline(self, steps: int | None = None) -> np.ndarray:
         """True P(r_tau = v, alive) at the whole steps that ``steps`` rows hold, ``(N, V)``."""
@@ -71,18 +82,22 @@ class Look:
         return decode_matrix(self.gammas, s.steps, s.alpha if alpha is None else alpha, s.time_step) / s.time_step
 
     def rows(self, alpha: float) -> np.ndarray:
-        """The picture at another alpha, rescaled as the study's, as probability, ``(K, H-1)``."""
+        """The picture by reward at an alpha, rescaled as the study's, as probability, ``(K, V)``."""
         s, rows = self.settings, self.decode(self.differences, alpha)
         if s.normalise == "none":
             return rows
         survival = self.decode(self.study.gamma_space.constant[self.action][:, None], alpha)[:, 0]
         return normalise_rows(rows, survival, s.normalise)
 
+    @cached_property
+    def _true_rows(self) -> np.ndarray:
+        return self.study.truth.tau_space[self.action] @ self.nearest / self.settings.time_step
+
     def error(self, alpha: float | None = None) -> float:
         """Timeline error at an alpha, before rescaling: total variation from the truth, as a share of the truth."""
         alpha = self.settings.alpha if alpha is None else alpha
         if alpha not in self._errors:
-            true = self.study.truth.tau_space[self.action] / self.settings.time_step
+            true = self._true_rows
             off = np.abs(self.decode(self.differences, alpha) - true).sum()
             # Hardly anything may be left inside the sensitivities.
             self._errors[alpha] = float(off / (2.0 * max(true.sum(), VISIBLE)))

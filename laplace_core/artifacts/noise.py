@@ -11,6 +11,7 @@ LARGEST_ALPHA = 10.0
 _SENTENCE = (
     "Gamma-space carries random error, as anything learned does, and the inverse divides it by small singular values."
 )
+_TOO_MUCH = " No alpha takes it away and leaves the picture; only learning on does."
 
 
 def noise_amplification(look: Look) -> Artefact | None:
@@ -25,22 +26,28 @@ def _against_truth(look: Look) -> Artefact | None:
     study, s = look.study, look.settings
     if not s.noise and study.learned is None:
         return None
-    error = look.differences - look.exact()
+    exact = look.exact()
+    error = look.differences - exact
     size = largest_change(look.decode(error))
     if size < VISIBLE:
         return None
-    here = look.error()
-    calmer = [(look.error(a), a) for a in _larger(s.alpha) if largest_change(look.decode(error, a)) < VISIBLE]
-    remedies = [Remedy(f"Raise alpha to {a:g}", {"alpha": a}) for left, a in sorted(calmer)[:1] if left < here]
-    if s.noise and study.learned is None:
-        remedies.append(Remedy("Leave out the noise", {"noise": 0.0}))
+    alphas = sorted(_larger(s.alpha), key=look.error)
+    better = [a for a in alphas if look.error(a) < look.error() and _keeps_a_picture(look, exact, a)]
+    calm = [a for a in better if largest_change(look.decode(error, a)) < VISIBLE]
+    chosen = [Remedy(f"Raise alpha to {a:g}", {"alpha": a}) for a in (calm or better)[:1]]
+    without = [Remedy("Leave out the noise", {"noise": 0.0})] if s.noise and study.learned is None else []
     return Artefact(
         "noise amplification",
         size,
         f"noise moves up to {size:.2f} of a row's probability",
-        _SENTENCE,
-        tuple(remedies),
+        _SENTENCE + ("" if calm else _TOO_MUCH),
+        tuple(chosen + without if calm else without + chosen),
     )
+
+
+def _keeps_a_picture(look: Look, exact: np.ndarray, alpha: float) -> bool:
+    """Whether half of the probability survives: an empty picture has no noise either."""
+    return bool(look.decode(exact, alpha).sum() >= 0.5 * look.decode(exact).sum())
 
 
 def _from_violations(look: Look) -> Artefact | None:
@@ -48,13 +55,15 @@ def _from_violations(look: Look) -> Artefact | None:
     size = _expected_change(look, error)
     if size < VISIBLE:
         return None
-    calm = (a for a in _larger(look.settings.alpha) if _expected_change(look, error, a) < VISIBLE)
+    calm = [a for a in _larger(look.settings.alpha) if _expected_change(look, error, a) < VISIBLE][:1]
     return Artefact(
         "noise amplification",
         size,
-        f"noise moves at least {size:.2f} of a row's probability",
-        _SENTENCE + " Here it shows in differences that are negative or fall with gamma, which exact ones never do.",
-        tuple(Remedy(f"Raise alpha to {a:g}", {"alpha": a}) for a in [next(calm, None)] if a is not None),
+        f"noise moves at least {size:.2f} of a row's probability across a threshold",
+        _SENTENCE
+        + " Here it shows in differences that are negative or fall with gamma, which exact ones never do."
+        + ("" if calm else _TOO_MUCH),
+        tuple(Remedy(f"Raise alpha to {a:g}", {"alpha": a}) for a in calm),
     )
 
 
@@ -64,7 +73,7 @@ def violations(look: Look) -> np.ndarray:
     Z = sum_tau gamma^tau P is never negative and never falls with gamma. A fall between two discounts is shared
     between them as an error whose size grows like 1 / (1 - gamma) would spread it.
     """
-    Z = look.differences
+    Z = look.study.gamma_space.differences[look.action]
     order = np.argsort(look.gammas)
     scale = (1.0 / (1.0 - look.gammas[order])) ** 2
     fall = np.minimum(np.diff(Z[order], axis=0), 0.0) ** 2
@@ -83,8 +92,13 @@ def propagated(look: Look, error: np.ndarray, alpha: float | None = None) -> np.
 
 
 def _expected_change(look: Look, error: np.ndarray, alpha: float | None = None) -> float:
-    """Expected :func:`largest_change`; a normal error is sqrt(2 / pi) of its standard deviation on average."""
-    return float(np.sqrt(2.0 / np.pi) * largest_change(propagated(look, error, alpha)))
+    """Expected error of the worst row's probability to lie above one threshold, for errors of Z, ``(G, H-1)``.
+
+    Z is the difference of two thresholds and has twice their variance; a normal error is sqrt(2 / pi) of its
+    standard deviation on average.
+    """
+    tails = np.sqrt((error**2).mean(axis=-1, keepdims=True) / 2.0)
+    return float(np.sqrt(2.0 / np.pi) * propagated(look, tails, alpha).max())
 
 
 def _larger(alpha: float) -> list[float]:

@@ -67,7 +67,7 @@ def folding(look: Look) -> Artefact | None:
     if size < VISIBLE:
         return None
     trials = [min(MAX_STEPS, s.steps * 2**n) for n in range(1, 5)]
-    trials = [steps for steps in trials if steps * whole.shape[1] * len(look.study.action_names) <= MAX_VALUES]
+    trials = [steps for steps in trials if steps * look.settings.thetas * len(look.study.action_names) <= MAX_VALUES]
     steps = next((steps for steps in trials if _folded(look, whole, steps) < VISIBLE), max(trials, default=None))
     return Artefact(
         "folding",
@@ -79,7 +79,7 @@ def folding(look: Look) -> Artefact | None:
 
 
 def _folded(look: Look, whole: np.ndarray, steps: int) -> float:
-    """D (Z - what the rows hold): ``whole`` is the exact Z of the true process, ``(G, H-1)``."""
+    """D (Z - what the rows hold): ``whole`` is the exact Z of the true process, ``(G, V)``."""
     timeline = look.timeline(steps)
-    held = (look.gammas[:, None] ** np.arange(len(timeline)) @ timeline) @ look.masses
+    held = (look.gammas[:, None] ** np.arange(len(timeline)) @ timeline) @ (look.masses @ look.nearest)
     return largest_change(look.decode(whole - held, steps=steps))

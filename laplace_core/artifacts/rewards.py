@@ -28,7 +28,7 @@ def edge_clipping(look: Look) -> Artefact | None:
     elif s.normalise == "none":
         lost = (study.decoded.survival - study.decoded.mass)[look.action] / s.time_step
         # Two decoded rows differ by their own noise: that of the constant channel and of both end tails.
-        noise = np.sqrt(3.0 * (violations(look) ** 2).mean(axis=-1, keepdims=True))
+        noise = np.sqrt(1.5 * (violations(look) ** 2).mean(axis=-1, keepdims=True))
         least = max(2.0 * VISIBLE, 4.0 * float(propagated(look, noise).max()))
     else:
         return None

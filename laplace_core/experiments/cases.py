@@ -18,7 +18,7 @@ from laplace_core.pipeline import grids
 from laplace_core.settings import SLOPE_TIMES_SPACING, Settings, resolve
 from laplace_core.worlds import END, Outcome, World
 
-BASE_ALPHA = 1e-9
+BASE_ALPHA = 1e-11
 CHANCES = {"per gamma": 0.5, "constant": 0.6}
 """Of a switch to be thrown: .3, but for two that change nothing in many worlds."""
 EXCLUSIVE = (("blur", "quantisation"), ("smearing", "ringing"))
@@ -66,7 +66,7 @@ def _base(rng: np.random.Generator, world: World) -> Settings:
         world=world.name,
         gammas=int(rng.integers(20, 41)),
         spacing=str(rng.choice(["inverse-log", "log"])),
-        gamma_min=0.2,
+        gamma_min=0.05,
         thetas=int(np.ceil((high - low) / spacing)) + 1,
         theta_min=low,
         theta_max=high,
@@ -221,9 +221,9 @@ def _ringing(rng: np.random.Generator, world: World, s: Settings) -> dict[str, o
 
 def _noisy(rng: np.random.Generator, world: World, s: Settings) -> dict[str, object]:
     """Of such a size that it moves about .1 to 3 of a row's probability, whatever the inverse makes of it."""
-    gammas, thetas = grids(s)
+    gammas = grids(s)[0]
     gain = np.sqrt((decode_matrix(gammas, s.steps, s.alpha) / (1.0 - gammas)) ** 2 @ np.ones(gammas.size))
-    one = 0.5 * np.sqrt(2.0 / np.pi) * (thetas.size - 1) * np.sqrt(2.0) * gain.max()
+    one = 0.5 * np.sqrt(2.0 / np.pi) * world.reward_values.size * np.sqrt(2.0) * gain.max()
     moved = np.exp(rng.uniform(np.log(0.1), np.log(3.0)))
     return {"noise": float(min(1.0, moved / one)), "noise_seed": int(rng.integers(2**31))}
 

@@ -1,9 +1,10 @@
 """What is really wrong with a picture, by brute force: the ground truth for the detector.
 
-Nothing here calls the detector; only the level from which on a thing is visible is shared with it. Each effect is the change that turning one thing off makes,
-everything else kept: the study is run again without it, or the world is rebuilt without it, or every path of the
-world is walked. An artefact is really there if its effect exceeds the one visible level. What the inverse does is
-judged before rows are rescaled, and, where another grid or operator would draw other noise, without noise.
+Nothing here calls the detector; only the level from which on a thing is visible is shared with it. Each effect is
+the change that turning one thing off makes, everything else kept: the study is run again without it, or the world
+is rebuilt without it, or every path of the world is walked. An artefact is really there if its effect exceeds the
+one visible level. Pictures are compared by reward, each midpoint counted for the reward nearest to it; what the
+inverse does is judged before rows are rescaled, and without noise where another grid or operator would draw another.
 """
 
 from __future__ import annotations
@@ -15,13 +16,16 @@ import numpy as np
 from scipy.optimize import nnls
 
 from laplace_core.artifacts import VISIBLE
-from laplace_core.experiments.cases import BASE_ALPHA, Case, spacing_of
+from laplace_core.experiments.cases import Case, spacing_of
 from laplace_core.learning import greedy_policy
-from laplace_core.pipeline import Study, grids, study
+from laplace_core.pipeline import grids, study
 from laplace_core.settings import SLOPE_TIMES_SPACING, Settings
 from laplace_core.worlds import END, Outcome, World
 
 SEEN = 0.02
+"""A reward that never has this chance in a row is not missed where another runs into it."""
+LEAST_ALPHA = 1e-9
+"""Below it a smaller alpha is nobody's choice."""
 
 
 class Effects:
@@ -48,10 +52,23 @@ class Effects:
             "constant horizon": self.constant(),
         }
 
+    def by_reward(self, bins: np.ndarray) -> np.ndarray:
+        """Midpoints ``(..., H-1)`` counted for the reward nearest to each, ``(..., V)``."""
+        low, high = self.settings.theta_min, self.settings.theta_max
+        edges = np.linspace(low, high, bins.shape[-1] + 1)
+        counted = np.zeros((*bins.shape[:-1], self.world.reward_values.size))
+        for n, middle in enumerate(0.5 * (edges[1:] + edges[:-1])):
+            counted[..., np.abs(self.world.reward_values - middle).argmin()] += bins[..., n]
+        return counted
+
     def rows(self, settings: Settings, world: World | None = None, policy: np.ndarray | None = None) -> np.ndarray:
         """The picture of the action, ``(K, H-1)``."""
         found = study(self.world if world is None else world, settings, policy)
         return found.decoded.tau_space[self.action]
+
+    def moved(self, rows: np.ndarray, others: np.ndarray) -> float:
+        """Probability that lies with another reward, or row, in the worst row: half the absolute difference."""
+        return 0.5 * float(np.abs(self.by_reward(rows - others)).sum(axis=-1).max())
 
     @cached_property
     def timeline(self) -> dict[int, dict[float, float]]:
@@ -80,10 +97,10 @@ class Effects:
         return float(sum(max(0.0, m - sum(at.values())) for m, at in zip(mass, self.shown(), strict=True)))
 
     def mixed(self) -> float:
-        return _moved(self.rows(self.settings), self.rows(replace(self.settings, policy="shared")))
+        return self.moved(self.rows(self.settings), self.rows(replace(self.settings, policy="shared")))
 
     def noise(self) -> float:
-        return _moved(self.rows(self.settings), self.rows(self.quiet))
+        return self.moved(self.rows(self.settings), self.rows(self.quiet))
 
     def folded(self) -> float:
         """Against a copy of the world that ends by itself after the last row."""
@@ -101,7 +118,7 @@ class Effects:
         ended = World.from_outcomes("ended", names, self.world.actions, rows, start)
         settings = replace(self.quiet, policy="shared", state=str(int(np.argmax(start))))
         policy = np.tile(self.policy, steps)
-        return _moved(self.rows(settings, policy=self.policy), self.rows(settings, ended, policy))
+        return self.moved(self.rows(settings, policy=self.policy), self.rows(settings, ended, policy))
 
     def clipped(self) -> float:
         """Mass that a range beyond every reward, at the same spacing and slope, adds to a row."""
@@ -149,7 +166,7 @@ class Effects:
     def smeared(self) -> float:
         """How much nearer to the truth some smaller alpha brings the picture, in shares of its probability."""
         s, units = self.settings, {}
-        if s.alpha <= BASE_ALPHA:
+        if s.alpha <= LEAST_ALPHA:
             return 0.0
         for v in self.world.reward_values:
             units[float(v)] = self.unit(float(v))
@@ -159,28 +176,27 @@ class Effects:
                 true[row] += p * units[v]
 
         def error(alpha: float) -> float:
-            off = np.abs(self.rows(replace(s, alpha=alpha)) - true).sum()
+            off = np.abs(self.by_reward(self.rows(replace(s, alpha=alpha)) - true)).sum()
             return float(off / max(2.0 * true.sum(), 0.1))  # hardly anything may be left inside the sensitivities
 
         here = error(s.alpha)
         if here <= VISIBLE:  # no fall can exceed it
             return 0.0
-        return here - min(error(alpha) for alpha in np.append(np.geomspace(s.alpha, BASE_ALPHA, 24)[1:], BASE_ALPHA))
+        return here - min(error(alpha) for alpha in np.geomspace(s.alpha, LEAST_ALPHA, 24)[1:])
 
     def negative(self) -> float:
         """What the inverse of the same data and alpha adds to a row's troughs if it may not go below zero."""
         if self.case.settings.normalise == "paper":
             return 0.0
         found = study(self.world, self.settings)
-        rows = found.decoded.tau_space[self.action]
-        return float((np.where(rows < 0.0, self._bounded(found), rows) - rows).sum(axis=-1).max())
+        rows = self.by_reward(found.decoded.tau_space[self.action])
+        bounded = self._bounded(found.gamma_space.gammas, self.by_reward(found.gamma_space.differences[self.action]))
+        return float((np.where(rows < 0.0, bounded, rows) - rows).sum(axis=-1).max())
 
-    def _bounded(self, found: Study) -> np.ndarray:
-        """min |F x - z|^2 + alpha^2 |x|^2 with x >= 0, one sensitivity at a time, ``(K, H-1)``."""
-        gammas, s = found.gamma_space.gammas, self.settings
-        F = gammas[:, None] ** np.arange(s.steps)
-        stacked = np.vstack([F, s.alpha * np.eye(s.steps)])
-        Z = found.gamma_space.differences[self.action]
+    def _bounded(self, gammas: np.ndarray, Z: np.ndarray) -> np.ndarray:
+        """min |F x - z|^2 + alpha^2 |x|^2 with x >= 0, one reward at a time, ``(K, V)``."""
+        s = self.settings
+        stacked = np.vstack([gammas[:, None] ** np.arange(s.steps), s.alpha * np.eye(s.steps)])
         rest = np.zeros(s.steps)
         return np.column_stack([nnls(stacked, np.append(z, rest))[0] for z in Z.T])
 
@@ -227,8 +243,3 @@ class Effects:
         start, horizons = int(np.argmax(world.start)), range(1, s.steps + 1)
         loss = max(collected(start, T, None) - collected(start, T, T) for T in horizons)
         return loss / max(1e-12, *(abs(best(start, T)) for T in horizons))
-
-
-def _moved(rows: np.ndarray, others: np.ndarray) -> float:
-    """Probability that lies elsewhere in the worst row: half the absolute difference."""
-    return 0.5 * float(np.abs(rows - others).sum(axis=-1).max())

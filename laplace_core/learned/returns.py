@@ -7,7 +7,7 @@ import numpy as np
 from laplace_core.worlds import END, World
 
 
-def return_bounds(world: World, policy: np.ndarray, gamma: float, sweeps: int = 5_000) -> tuple[float, float]:
+def return_bounds(world: World, policy: np.ndarray, gamma: float, sweeps: int = 2_000) -> tuple[float, float]:
     """Least and greatest discounted return, by any luck, after any state and action, in units of reward.
 
     The policy, int ``(S,)``, decides after the first action: these are the bounds that codes of its return need, and

@@ -24,7 +24,7 @@ def page() -> None:
             world = sources.world_of(state.chosen())
             if world is not None:
                 state.drop_missing(world)
-            learned, watched = learning.current(world) if world is not None else (None, None)
+            learned, _ = learning.current(world) if world is not None else (None, None)
             view = sources.view_of(state.chosen(), learned)
         except InputError as error:
             st.error(str(error))

@@ -1,0 +1,68 @@
+"""Trained agents: those that ship, those that this session opened, and what they see of one observation."""
+
+from __future__ import annotations
+
+import hashlib
+import tempfile
+from functools import cache, lru_cache
+from pathlib import Path
+
+import numpy as np
+import streamlit as st
+
+from app.sources import Observed
+from laplace_core import InputError
+from laplace_core.training.checkpoint import Loaded, load_checkpoint
+
+SHIPPED = Path(__file__).resolve().parent.parent / "checkpoints"
+
+
+@cache
+def shipped() -> tuple[str, ...]:
+    """Names of the checkpoints that come with the workbench."""
+    return tuple(sorted(path.stem for path in SHIPPED.glob("laplace_*.safetensors")))
+
+
+@lru_cache(maxsize=8)
+def _shipped(name: str) -> Loaded:
+    return load_checkpoint(SHIPPED / f"{name}.safetensors")
+
+
+def opened() -> dict[str, Loaded]:
+    """The checkpoint that this session has opened from a file, by digest; one at a time."""
+    return st.session_state.setdefault("_opened_checkpoints", {})
+
+
+def open_checkpoint(name: str, data: bytes) -> str:
+    """Check an uploaded checkpoint and keep it for this session; returns its digest.
+
+    Raises:
+        InputError: not such a file.
+    """
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / (Path(name).name[-80:] or "upload.safetensors")
+        path.write_bytes(data)
+        loaded = load_checkpoint(path)
+    digest = hashlib.sha256(data).hexdigest()[:12]
+    st.session_state["_opened_checkpoints"] = {digest: loaded}
+    return digest
+
+
+def checkpoint(name: str) -> Loaded:
+    """A checkpoint by the name that a link gives it.
+
+    Raises:
+        InputError: it neither ships with the workbench nor was opened here.
+    """
+    if name in opened():
+        return opened()[name]
+    if name not in shipped():
+        listed = ", ".join(shipped()) or "none"
+        raise InputError(f"no checkpoint {name[:40]!r} comes with the workbench; there are: {listed}.")
+    return _shipped(name)
+
+
+@lru_cache(maxsize=64)
+def observe(loaded: Loaded, observation: tuple[float, ...], action_names: tuple[str, ...]) -> Observed:
+    """The same object for the same observation, so that what is cached for it is found again."""
+    return Observed(loaded.agent.gamma_space(np.array(observation)), action_names)

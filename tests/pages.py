@@ -1,0 +1,112 @@
+"""What the tests of the page share: opening it, reading its pictures and words, and typing into its tables."""
+
+from __future__ import annotations
+
+import base64
+import json
+import time
+from collections.abc import Callable, Mapping
+from pathlib import Path
+
+import numpy as np
+from streamlit.testing.v1 import AppTest
+
+from app.query import parse_query
+from app.sources import View, view_of
+from laplace_core import Study
+
+MAIN = str(Path(__file__).resolve().parent.parent / "app" / "main.py")
+
+
+def opened(*unfolded: str, **query: str) -> AppTest:
+    """The page of a link; what lies in a closed expander or popover is not on it unless ``unfolded`` names it."""
+    page = AppTest.from_file(MAIN, default_timeout=60)
+    for key in unfolded:
+        page.session_state[key] = True
+    for name, value in query.items():
+        page.query_params[name] = value
+    return run(page)
+
+
+def run(page: AppTest) -> AppTest:
+    page.run()
+    assert not page.exception
+    return page
+
+
+def press(page: AppTest, label: str) -> AppTest:
+    next(button for button in page.button if button.label == label).click()
+    return run(page)
+
+
+def labels(page: AppTest) -> list[str]:
+    return [button.label for button in page.button]
+
+
+def link(page: AppTest) -> dict[str, str]:
+    return {name: value[0] if isinstance(value, list) else value for name, value in page.query_params.items()}
+
+
+def verdict(page: AppTest) -> str:
+    return next(block.proto.body for block in page.get("html") if 'class="verdict' in block.proto.body)
+
+
+def pictures(page: AppTest) -> dict[str, dict]:
+    """Every plotly figure on the page, by the key of its chart."""
+    sent = [json.loads(block.proto.json) for block in page.get("bidi_component") if "chart " in block.proto.id]
+    return {data["name"]: json.loads(data["figure"]) for data in sent}
+
+
+def copied(page: AppTest, name: str) -> str:
+    """What the copy button of this name copies."""
+    sent = next(block.proto for block in page.get("bidi_component") if block.proto.id.endswith(name))
+    return json.loads(sent.json)["text"]
+
+
+def edit(page: AppTest, rows: Mapping[int, Mapping[str, object]], added: tuple = (), deleted: tuple = ()) -> AppTest:
+    """Hold these edits in the table, relative to the rows that it was opened with; numbers count rows from 0."""
+    key = page.data_editor[0].key
+    page.session_state[key] = {"edited_rows": dict(rows), "added_rows": list(added), "deleted_rows": list(deleted)}
+    return run(page)
+
+
+def upload(page: AppTest, name: str, content: bytes) -> AppTest:
+    page.file_uploader(key="upload").set_value((name, content, "application/octet-stream"))
+    return run(page)
+
+
+def shown(page: AppTest) -> View:
+    """What the page's link stands for, by the same words but without the page; learned views are not exact."""
+    found, notes = parse_query(link(page))
+    assert notes == []
+    return view_of(found)
+
+
+def numbers(packed: dict | list) -> np.ndarray:
+    """An array as a figure holds it."""
+    if isinstance(packed, list):
+        return np.array(packed)
+    flat = np.frombuffer(base64.b64decode(packed["bdata"]), dtype="<f4")
+    return flat.reshape([int(n) for n in packed["shape"].split(",")]) if "shape" in packed else flat
+
+
+def tau_space(page: AppTest) -> np.ndarray:
+    return numbers(pictures(page)["tau-space"]["data"][0]["z"])
+
+
+def assert_shows(page: AppTest, study: Study, action: int = 0) -> None:
+    """The page draws this study: its tau-space and its gamma-space."""
+    step = study.settings.time_step
+    np.testing.assert_allclose(tau_space(page), study.decoded.tau_space[action] / step, rtol=1e-5, atol=1e-6)
+    gamma_space = numbers(pictures(page)["gamma-space"]["data"][0]["z"])
+    np.testing.assert_allclose(gamma_space, study.gamma_space.differences[action], rtol=1e-5, atol=1e-5)
+
+
+def wait(page: AppTest, done: Callable[[AppTest], bool], seconds: float = 60) -> AppTest:
+    """Look at the page again and again, as it does by itself in a browser, until something has happened."""
+    end = time.monotonic() + seconds
+    while not done(page):
+        assert time.monotonic() < end, "it did not happen"
+        time.sleep(0.2)
+        run(page)
+    return page
