@@ -98,6 +98,18 @@ def apply_changes(changes: Mapping[str, object]) -> None:
     _touch()
 
 
+def worked() -> None:
+    """What is set now can be shown: it is what :func:`undo` returns to."""
+    _page()["worked"] = dict(chosen())
+
+
+def undo() -> None:
+    """Callback: back to the last settings that could be shown."""
+    _page()["chosen"] = dict(_page().get("worked", OPENING))
+    st.session_state["_sidebar_stale"] = True
+    _touch()
+
+
 def sidebar_is_stale() -> bool:
     """Whether something that the sidebar shows was changed from the main area."""
     return st.session_state.get("_sidebar_stale", False)

@@ -9,6 +9,7 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 
 import numpy as np
+import streamlit
 from streamlit.testing.v1 import AppTest
 
 from app.query import parse_query
@@ -75,6 +76,19 @@ def upload(page: AppTest, name: str, content: bytes) -> AppTest:
     return run(page)
 
 
+def downloads(monkeypatch) -> dict[str, object]:
+    """What the download buttons would save, by the file's name, from here on."""
+    saved: dict[str, object] = {}
+    button = streamlit.download_button
+
+    def noted(label, data, **options):
+        saved[options["file_name"]] = data() if callable(data) else data
+        return button(label, data, **options)
+
+    monkeypatch.setattr(streamlit, "download_button", noted)
+    return saved
+
+
 def shown(page: AppTest) -> View:
     """What the page's link stands for, by the same words but without the page; learned views are not exact."""
     found, notes = parse_query(link(page))
@@ -102,7 +116,7 @@ def assert_shows(page: AppTest, study: Study, action: int = 0) -> None:
     np.testing.assert_allclose(gamma_space, study.gamma_space.differences[action], rtol=1e-5, atol=1e-5)
 
 
-def wait(page: AppTest, done: Callable[[AppTest], bool], seconds: float = 60) -> AppTest:
+def wait(page: AppTest, done: Callable[[AppTest], bool], seconds: float = 120) -> AppTest:
     """Look at the page again and again, as it does by itself in a browser, until something has happened."""
     end = time.monotonic() + seconds
     while not done(page):

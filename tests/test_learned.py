@@ -242,7 +242,7 @@ def test_a_world_from_a_file_is_learned_with_defaults_that_suit_it():
 
 
 def test_the_shipped_agent_decodes_close_to_the_exact_one():
-    learned = read_learned("checkpoints/fig6_chain.safetensors")
+    learned = read_learned("checkpoints/fig6_chain_td.safetensors")
     assert learned.finished
     assert learned.peers is not None
     found = bands(learned)

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from safetensors.numpy import load
 
-from laplace_core import InputError, load_world
+from laplace_core import InputError, atomic, load_world
 from laplace_core.learned import (
     CURVE_NAMES,
     Learned,
@@ -130,10 +130,10 @@ def test_a_file_that_cannot_be_written_leaves_the_old_one(tmp_path, good, monkey
     def full(*_):
         raise OSError(28, "No space left on device")
 
-    monkeypatch.setattr(files_module.os, "replace", full)
+    monkeypatch.setattr(atomic.os, "replace", full)
     with pytest.raises(InputError, match="no space left"):
         save_learned(learned, path)
-    monkeypatch.setattr(files_module.os, "replace", lambda *_: pytest.fail("interrupted"))
+    monkeypatch.setattr(atomic.os, "replace", lambda *_: pytest.fail("interrupted"))
     with pytest.raises(pytest.fail.Exception):
         save_learned(learned, path)
     assert [entry.name for entry in tmp_path.iterdir()] == ["agent.safetensors"]

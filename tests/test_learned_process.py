@@ -14,7 +14,7 @@ import pytest
 
 from laplace_core import InputError, load_world
 from laplace_core.cli import main
-from laplace_core.learned import Learning, LearnSettings, read_learned, start
+from laplace_core.learned import Learning, LearnSettings, Run, read_learned, start
 from laplace_core.worlds import dump_world
 from tests.hostile import assert_one_sentence, assert_refused
 
@@ -226,6 +226,17 @@ def test_a_run_cancelled_before_it_began_has_nothing(run):
     assert one.finished
     assert one.snapshot() is None
     assert one.progress() is None
+
+
+def test_a_line_of_progress_in_the_making_is_left_for_later(tmp_path):
+    process = subprocess.Popen([sys.executable, "-c", ""])
+    one = Run(process, tmp_path / "a.safetensors", tmp_path / "progress.jsonl", tmp_path / "errors.txt")
+    with (tmp_path / "progress.jsonl").open("w") as file:
+        for text, seen in [('{"episodes": 1}\n{"epi', 1), ('sodes": 2', 1), ("}\n", 2), ("", 2)]:
+            file.write(text)
+            file.flush()
+            assert [line["episodes"] for line in one.history()] == list(range(1, seen + 1))
+    assert process.wait(10) == 0
 
 
 def test_a_bad_run_is_refused_before_a_process_is_started(tmp_path):

@@ -18,8 +18,8 @@ from laplace_core.settings import BY_NAME, ENCODING_NAMES, resolve_for_gamma_spa
 from laplace_core.training.checkpoint import Loaded
 
 OBSERVED = "o."  # prefix of the components of an observation
-DEFAULTS = {"alpha": 1.0}
 # A network's gamma-space is known to a hundredth or so: less regularisation shows its error and not its timeline.
+DEFAULTS = {"alpha": 1.0}
 _READING = {name: parameter for name, parameter in BY_NAME.items() if name not in ENCODING_NAMES}
 _LOOKING = {parameter.name: parameter for parameter in VIEW if parameter.name in ("action", "horizon", "look")}
 

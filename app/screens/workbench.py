@@ -28,6 +28,7 @@ def page() -> None:
             view = sources.view_of(state.chosen(), learned)
         except InputError as error:
             st.error(str(error))
+            _undo_button()
             st.button("Back to the opening view", on_click=state.go_to, kwargs=OPENING)
             return
         if world is None:
@@ -51,6 +52,10 @@ def page() -> None:
     st.fragment(_view, run_every=LOOK_EVERY if running else None)(running)
 
 
+def _undo_button() -> None:
+    st.button("Undo the last change", on_click=state.undo)
+
+
 def _view(running: bool) -> None:
     """The main area. Its own controls rerun only this, and leave the sidebar alone."""
     if state.sidebar_is_stale():
@@ -63,7 +68,9 @@ def _view(running: bool) -> None:
         found = compute.study_for(view)
     except InputError as error:
         st.error(str(error))
+        _undo_button()
         return
+    state.worked()
     above = st.container()
     panels.panels(view)  # first, so that the pictures move before the words
     with above:

@@ -111,15 +111,33 @@ class LaplaceAgent(Agent):
         return losses
 
     @torch.no_grad()
-    def gamma_spaces(self, observations: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Q[b, a, g, h], ``(B, A, G, H)``, and the constant channel, ``(B, A, G)``, for observations ``(B, O)``."""
+    def gamma_spaces(self, observations: np.ndarray, gammas: np.ndarray | None = None) -> tuple[np.ndarray, np.ndarray]:
+        """Q[b, a, g, h], ``(B, A, G, H)``, and the constant channel, ``(B, A, G)``, for observations ``(B, O)``.
+
+        Args:
+            gammas: other discounts than those trained, increasing in (0, 1), where the network takes them as an input.
+
+        Raises:
+            InputError: other discounts for a trunk, which has none but its own, or not increasing in (0, 1).
+        """
         inputs = torch.from_numpy(np.asarray(observations, dtype=np.float32)).unsqueeze(1)
-        scaled = self.code.scaled(self.target(inputs).transpose(1, 2))
-        tails = self.code.tails(scaled) / (1.0 - self._gammas)[:, None]
+        if gammas is None:
+            outputs, sizes = self.target(inputs), 1.0 - self._gammas
+        else:
+            outputs = self._at(inputs, np.asarray(gammas, dtype=float))
+            sizes = torch.tensor(1.0 - np.asarray(gammas), dtype=torch.float32)
+        tails = self.code.tails(self.code.scaled(outputs.transpose(1, 2))) / sizes[:, None]
         tails = tails.double().numpy()
         return tails[..., 1:], tails[..., 0]
 
-    def gamma_space(self, observation: np.ndarray) -> GammaSpace:
+    def _at(self, inputs: Tensor, gammas: np.ndarray) -> Tensor:
+        if not isinstance(self.target, networks.DiscountInput):
+            raise InputError("a trunk knows only the discounts of its own grid: train 'network' or 'multiplexer'.")
+        if gammas.ndim != 1 or not gammas.size or not np.all(np.diff([0.0, *gammas, 1.0]) > 0):
+            raise InputError("discounts must increase and lie between 0 and 1, both excluded.")
+        return self.target.at(inputs, tuple(gammas.tolist()))
+
+    def gamma_space(self, observation: np.ndarray, gammas: np.ndarray | None = None) -> GammaSpace:
         """What the agent has learned for one observation ``(O,)``, ready to be decoded."""
-        values, constant = self.gamma_spaces(np.asarray(observation)[None])
-        return GammaSpace(values[0], constant[0], self.gammas, self.thetas)
+        values, constant = self.gamma_spaces(np.asarray(observation)[None], gammas)
+        return GammaSpace(values[0], constant[0], self.gammas if gammas is None else np.asarray(gammas), self.thetas)

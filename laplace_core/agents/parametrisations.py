@@ -21,6 +21,8 @@ from laplace_core.agents.sensitivities import Sensitivities
 
 FLOOR = 1e-6
 """Least mass of a bin before training: 1e-4 in a bin of +-100 would be a value error of 1 at gamma .99."""
+LEAST_INCREMENT = 1e-3
+"""The same for an increment of the tails: softplus hardly learns where it is hardly positive."""
 
 
 class Softmax:
@@ -93,7 +95,7 @@ class Accumulated(Free):
 
     def initial(self) -> Tensor:
         increments = -pad(self.encode(torch.zeros(())), (0, 1)).diff()
-        return increments.clamp(min=FLOOR).expm1().log()  # the inverse of softplus
+        return increments.clamp(min=LEAST_INCREMENT).expm1().log()  # the inverse of softplus
 
     def scaled(self, outputs: Tensor) -> Tensor:
         return softplus(outputs).flip(-1).cumsum(-1).flip(-1)

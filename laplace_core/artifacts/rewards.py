@@ -38,7 +38,7 @@ def edge_clipping(look: Look) -> Artefact | None:
     remedies = ()
     if study.world is not None:
         rewards = study.world.reward_values
-        over = max(0.2 * (rewards[-1] - rewards[0]), 6.0 / s.slope)
+        over = max(0.2 * (rewards[-1] - rewards[0]), 8.0 / s.slope)  # sigmoid(-8) is negligible
         low, high = min(s.theta_min, float(rewards[0] - over)), max(s.theta_max, float(rewards[-1] + over))
         remedies = (Remedy("Widen the sensitivities", _theta_range(s, low, high)),)
     return Artefact(

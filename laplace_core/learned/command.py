@@ -73,7 +73,7 @@ def _learn(learning: Learning, out: str | None, reporters: Sequence[Callable], p
     for _ in learning:
         if time.monotonic() - reported < pause:
             continue
-        if parent is not None and False:
+        if parent is not None and os.getppid() != parent:
             raise SystemExit(1)
         began = time.monotonic()
         _report_and_save(learning, out, reporters)

@@ -7,15 +7,14 @@ Tensors: ``table_shapes`` names them; tables are float32, values float64. Metada
 from __future__ import annotations
 
 import json
-import os
 import struct
-import tempfile
 from collections.abc import Mapping
 from dataclasses import asdict
 from pathlib import Path
 
 import numpy as np
 
+from laplace_core.atomic import atomic_write
 from laplace_core.errors import InputError
 from laplace_core.learned.model import CURVE_NAMES, Learned, PeerTables
 from laplace_core.learned.reading import bounds_of
@@ -82,24 +81,9 @@ def save_learned(learned: Learned, path: str | Path) -> None:
     Raises:
         InputError: the folder is missing or not writable, or the world too large.
     """
-    path, content = Path(path), learned_bytes(learned)
-    try:
-        handle, temporary = tempfile.mkstemp(suffix=".tmp", prefix=path.name, dir=path.parent)
-    except OSError as error:
-        raise InputError(f"{path} cannot be written: {(error.strerror or 'unknown error').lower()}.") from None
-    except ValueError:  # a zero byte, or a character that the file system cannot hold
-        raise InputError(f"{path.name!r} cannot be the name of a file.") from None
-    try:
-        with os.fdopen(handle, "wb") as file:
-            file.write(content)
-        os.chmod(temporary, 0o644)
-        os.replace(temporary, path)
-    except OSError as error:
-        Path(temporary).unlink(missing_ok=True)
-        raise InputError(f"{path} cannot be written: {(error.strerror or 'unknown error').lower()}.") from None
-    except BaseException:
-        Path(temporary).unlink(missing_ok=True)
-        raise
+    content = learned_bytes(learned)
+    with atomic_write(path) as file:
+        file.write(content)
 
 
 def read_learned(path: str | Path, limit: int = MAX_BYTES) -> Learned:

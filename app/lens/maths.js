@@ -1,0 +1,438 @@
+// The mathematics of the lens: from coefficients and factors to everything that is drawn. Knows no page.
+// Matrices are Float64Arrays in row-major order; (n, m) in a comment is their shape.
+
+export const FLOOR = 0.05; // below this decoded survival a conditional distribution is noise over noise
+
+// ---- small tools
+
+export function product(a, b, n, m, k, out = new Float64Array(n * k)) { // (n, m) times (m, k)
+  for (let i = 0; i < n; i++) {
+    const row = out.subarray(i * k, (i + 1) * k).fill(0);
+    for (let j = 0; j < m; j++) {
+      const factor = a[i * m + j], other = j * k;
+      if (factor !== 0) for (let l = 0; l < k; l++) row[l] += factor * b[other + l];
+    }
+  }
+  return out;
+}
+
+export function transposed(a, n, m) {
+  const out = new Float64Array(n * m);
+  for (let i = 0; i < n; i++) for (let j = 0; j < m; j++) out[j * n + i] = a[i * m + j];
+  return out;
+}
+
+// One value a name, made anew when its key changes.
+function remember(cache, name, key, make) {
+  const text = JSON.stringify(key);
+  if (cache[name]?.text !== text) cache[name] = { text, value: make() };
+  return cache[name].value;
+}
+
+export const sigmoid = (x) => {
+  const small = Math.exp(-Math.abs(x));
+  return (x >= 0 ? 1 : small) / (1 + small);
+};
+
+// The lowest action within the tolerance of the best, as in the library.
+export function greedy(values) {
+  const best = Math.max(...values), least = best - 1e-9 * Math.max(1, Math.abs(best));
+  return values.findIndex((value) => value >= least);
+}
+
+// ---- noise by counting: the numbers of the library
+
+function hashed(x) {
+  x ^= x >>> 16; x = Math.imul(x, 0x7feb352d);
+  x ^= x >>> 15; x = Math.imul(x, 0x846ca68b);
+  return (x ^ (x >>> 16)) >>> 0;
+}
+
+export function normalNoise(seed, count, skip = 0) {
+  const first = hashed(seed ^ 0x9e3779b9), out = new Float64Array(count);
+  for (let i = 0; i < count; i++) {
+    const number = ((i + skip) & 0x7fffffff) << 1;
+    const radius = hashed((first + number) | 0), angle = hashed((first + number + 1) | 0);
+    out[i] = Math.sqrt(-2 * Math.log((radius + 0.5) / 2 ** 32)) * Math.cos((2 * Math.PI * angle) / 2 ** 32);
+  }
+  return out;
+}
+
+// ---- the payload
+
+export function read(bytes) {
+  const view = new DataView(bytes.buffer, bytes.byteOffset), length = view.getUint32(0, true);
+  const header = JSON.parse(new TextDecoder().decode(bytes.subarray(4, 4 + length))), arrays = {};
+  for (const [name, [kind, at, shape]] of Object.entries(header.arrays)) {
+    const count = shape.reduce((a, b) => a * b, 1), size = kind === 'f8' ? 8 : 4;
+    const block = bytes.slice(4 + length + at, 4 + length + at + count * size).buffer; // aligned, whatever came before
+    arrays[name] = kind === 'f8' ? new Float64Array(block) : Float64Array.from(new Float32Array(block));
+  }
+  return open(header, arrays);
+}
+
+function open(header, arrays) {
+  const A = header.actions.length, K = header.steps, dt = header.time_step, H = arrays.thetas.length;
+  const grid = (name) => {
+    const G = arrays[`${name}gammas`].length, r = arrays[`${name}s`].length;
+    const U = arrays[`${name}U`], found = { name, G, r, U, gammas: arrays[`${name}gammas`], s: arrays[`${name}s`],
+      V: arrays[`${name}V`], Ut: transposed(U, G, r), columns: {} };
+    for (const kind of ['shared', 'per_gamma']) {
+      const W = arrays[name + kind];
+      if (W) found.columns[kind] = channels(found, W, A, arrays.rewards.length);
+    }
+    if (!name && arrays.differences) {
+      found.columns.shared = { ...channels(found, arrays.differences, A, H - 1), plain: true };
+      found.columns.shared.constants = Array.from({ length: A }, (_, a) => constants(found, arrays.constant, a));
+    }
+    return found;
+  };
+  const model = { header, A, K, dt, H, truth: Boolean(arrays.timeline), arrays, cache: {},
+    grids: { own: grid(''), ...(arrays.paper_gammas ? { paper: grid('paper_') } : {}) } };
+  model.horizons = Float64Array.from({ length: K }, (_, k) => k * dt + (1 + dt) / 2);
+  model.sloped = Boolean(arrays.shared);
+  model.length = Math.ceil(model.horizons[K - 1] - 1e-9);
+  return model;
+}
+
+// Columns of gamma-space (one a reward, or one a pair of sensitivities) in the components of the transform.
+function channels(grid, values, A, width) {
+  const { G, r, Ut } = grid, each = Array.from({ length: A }, (_, a) => values.subarray(a * G * width, (a + 1) * G * width));
+  const sums = (x) => Float64Array.from({ length: G }, (_, g) => {
+    let sum = 0;
+    for (let v = 0; v < width; v++) sum += x[g * width + v];
+    return sum;
+  });
+  return { width, values: each, projected: each.map((x) => product(Ut, x, r, G, width)),
+    constants: each.map((x) => product(Ut, sums(x), r, G, 1)) };
+}
+
+const constants = ({ Ut, r, G }, values, a) => product(Ut, values.subarray(a * G, (a + 1) * G), r, G, 1);
+
+// Which row of the values belongs to a horizon, or to the time that is left of it.
+export function rowAt(model, horizon) {
+  return Math.min(model.K - 1, Math.max(0, Math.ceil((horizon - (1 + model.dt) / 2) / model.dt - 0.5)));
+}
+
+// ---- encoding
+
+export function masses(rewards, thetas, slope) { // f_h(r) - f_{h+1}(r), (V, H-1)
+  const width = thetas.length - 1, out = new Float64Array(rewards.length * width);
+  rewards.forEach((reward, v) => {
+    let before = sigmoid(slope * (reward - thetas[0]));
+    for (let h = 0; h < width; h++) {
+      const after = sigmoid(slope * (reward - thetas[h + 1]));
+      out[v * width + h] = before - after;
+      before = after;
+    }
+  });
+  return out;
+}
+
+// ---- the inverse
+
+export const filter = (s, alpha) => s.map((value) => value / (value * value + alpha * alpha));
+
+// Rotates one more row of F^T into R, where R^T R = F F^T + alpha^2 in the components: no square is ever formed.
+function addRow(R, row, r) {
+  for (let i = 0; i < r; i++) {
+    if (row[i] === 0) continue;
+    const a = R[i * r + i], b = row[i], length = Math.hypot(a, b), c = a / length, s = b / length;
+    for (let j = i; j < r; j++) {
+      const up = R[i * r + j], low = row[j];
+      R[i * r + j] = c * up + s * low;
+      row[j] = c * low - s * up;
+    }
+  }
+}
+
+function solved(R, right, r, width) { // (R^T R)^-1 right, (r, width), in place
+  for (let i = 0; i < r; i++) {
+    for (let w = 0; w < width; w++) {
+      let sum = right[i * width + w];
+      for (let j = 0; j < i; j++) sum -= R[j * r + i] * right[j * width + w];
+      right[i * width + w] = sum / R[i * r + i];
+    }
+  }
+  for (let i = r - 1; i >= 0; i--) {
+    for (let w = 0; w < width; w++) {
+      let sum = right[i * width + w];
+      for (let j = i + 1; j < r; j++) sum -= R[i * r + j] * right[j * width + w];
+      right[i * width + w] = sum / R[i * r + i];
+    }
+  }
+  return right;
+}
+
+// An inverse: what it makes of components (r, width), as coefficients of the rows of V.
+function regular({ s, r }, alpha) {
+  const f = filter(s, alpha);
+  return (right, width) => right.map((value, i) => value * f[(i / width) | 0]);
+}
+
+function folded(R, { s, r }) {
+  return (right, width) => solved(R, Float64Array.from(right), r, width).map((value, i) => value * s[(i / width) | 0]);
+}
+
+const unfed = (r, alpha) => Float64Array.from({ length: r * r }, (_, i) => (i % (r + 1) ? 0 : Math.max(alpha, 1e-9)));
+const rowOf = ({ V, s, r }, k) => Float64Array.from({ length: r }, (_, i) => V[k * r + i] * s[i]);
+
+function root(grid, alpha, n) { // R of an inverse with n rows only, K = T
+  const R = unfed(grid.r, alpha);
+  for (let k = 0; k < n; k++) addRow(R, rowOf(grid, k), grid.r);
+  return R;
+}
+
+const inverseOf = (grid, { fold, alpha }, n) => (fold ? folded(root(grid, alpha, n), grid) : regular(grid, alpha));
+
+// ---- reading
+
+export function deadlineWeights(horizon, steps, softness, dt = 1) {
+  return Float64Array.from({ length: steps }, (_, k) => {
+    const left = horizon - 0.5 - k * dt;
+    if (softness < 1e-9) return Math.abs(left) < 5e-10 ? 0.5 : Number(left > 0);
+    return sigmoid(left / (softness * horizon));
+  });
+}
+
+// d(tau) of every horizon, one row each; (K, steps).
+function discounts(model, softness, gamma, steps, dt) {
+  return remember(model.cache, `discounts ${steps} ${dt}`, [softness, gamma], () => {
+    const out = new Float64Array(model.K * steps);
+    model.horizons.forEach((horizon, k) => {
+      // A hard deadline counts rows before it, and of the true steps the share that lies before it.
+      const weights = softness > 0 ? deadlineWeights(horizon, steps, softness, dt)
+        : Float64Array.from({ length: steps }, (_, n) => (dt === model.dt ? Number(n <= k) : Math.min(1, Math.max(0, horizon - n))));
+      for (let n = 0; n < steps; n++) out[k * steps + n] = weights[n] * gamma ** (n * dt);
+    });
+    return out;
+  });
+}
+
+// How much of row k's time lies in the whole step n; (K, N).
+function overlap({ K, dt, length }) {
+  const out = new Float64Array(K * length);
+  for (let k = 0; k < K; k++) {
+    for (let n = 0; n < length; n++) {
+      const last = Math.min(k * dt + dt / 2, n + 0.5), first = Math.max(k * dt - dt / 2, n - 0.5);
+      out[k * length + n] = Math.max(0, last - first);
+    }
+  }
+  return out;
+}
+
+function truthOf(model, state) {
+  const { A, K, length, arrays, cache, header } = model, { timeline, rewards } = arrays, width = rewards.length;
+  const rows = remember(cache, 'true rows', 0, () => {
+    const spread = overlap(model), flat = new Float64Array(A * length), alive = new Float64Array(A * length);
+    for (let i = 0; i < A * length; i++) {
+      for (let v = 0; v < width; v++) {
+        flat[i] += timeline[i * width + v] * rewards[v];
+        alive[i] += timeline[i * width + v];
+      }
+    }
+    const spreadOver = (x, w, a) => product(spread, x.subarray(a * length * w, (a + 1) * length * w), K, length, w);
+    const each = (x, w) => Array.from({ length: A }, (_, a) => spreadOver(x, w, a));
+    return { flat, rewards: each(flat, 1), survival: each(alive, 1), chances: each(timeline, width) };
+  });
+  const values = remember(cache, 'true values', [state.softness, state.value_gamma], () => {
+    const d = discounts(model, state.softness, state.value_gamma, length, 1);
+    return Array.from({ length: A }, (_, a) => product(d, rows.flat.subarray(a * length, (a + 1) * length), K, length, 1));
+  });
+  return { ...rows, values, acting: header.acting_gamma };
+}
+
+// ---- everything at once
+
+// What a state of the controls shows. `most` bounds the work on values over all horizons where every horizon has an
+// inverse of its own: beyond it some horizons are left out (NaN); Infinity leaves none out.
+export function see(model, state, most = Infinity) {
+  const { A, K, dt, cache, arrays } = model, grid = model.grids[state.paper_grid && model.grids.paper ? 'paper' : 'own'];
+  const columns = grid.columns[state.mixed && grid.columns.per_gamma ? 'per_gamma' : 'shared'];
+  const thetas = state.clip && arrays.clipped_thetas && !columns.plain ? arrays.clipped_thetas : arrays.thetas;
+  const H = thetas.length - 1, midpoints = Float64Array.from({ length: H }, (_, h) => (thetas[h] + thetas[h + 1]) / 2);
+  const spaceKey = [state.slope, thetas === arrays.thetas];
+  const M = model.truth ? remember(cache, 'masses', spaceKey, () => masses(arrays.rewards, thetas, state.slope)) : null;
+  const map = columns.plain ? null : M, width = columns.width; // columns -> midpoints; null: they are the midpoints
+  const hum = state.noise > 0 ? remember(cache, 'noise', [grid.name, state.noise_seed], () => noiseOf(model, grid)(state.noise_seed)) : null;
+  const readRow = rowAt(model, state.constant ? state.horizon : Math.max(0, state.horizon - state.used));
+  const leftRow = rowAt(model, Math.max(0, state.horizon - state.used)), n = state.fold ? readRow + 1 : K;
+
+  const means = map ? product(map, midpoints, width, H, 1) : midpoints;
+  const plus = (x, y) => (hum ? x.map((value, i) => value + state.noise * y[i]) : x);
+  const rescaled = state.normalise !== 'none';
+  // Everything of one action that an inverse is applied to, in components.
+  const parts = Array.from({ length: A }, (_, a) => ({
+    columns: columns.projected[a], hum: hum?.projected[a],
+    mean: plus(product(columns.projected[a], means, grid.r, width, 1), hum && product(hum.projected[a], midpoints, grid.r, H, 1)),
+    constant: plus(columns.constants[a], hum?.constants[a]),
+  }));
+  const shift = (rows, wide) => { // the index that is raised before the row is stored
+    if (state.shift) { rows.copyWithin(wide, 0, rows.length - wide); rows.fill(0, 0, wide); }
+    return rows;
+  };
+  const rowsOf = (coefficients, count, wide) => shift(product(grid.V.subarray(0, count * grid.r), coefficients, count, grid.r, wide), wide);
+  const survivalOf = (part, inverse, count) => rowsOf(inverse(part.constant, 1), count, 1);
+  const rawRows = (part, inverse, count) => {
+    if (!hum && map) return product(rowsOf(inverse(part.columns, width), count, width), map, count, width, H);
+    const inComponents = map ? product(part.columns, map, grid.r, width, H) : part.columns;
+    return rowsOf(inverse(plus(inComponents, part.hum), H), count, H);
+  };
+  const tauSpace = (part, inverse, count) => {
+    const rows = rawRows(part, inverse, count);
+    if (rescaled) normalise(rows, survivalOf(part, inverse, count), state.normalise, H, dt);
+    return rows;
+  };
+  const rewardsOf = (part, inverse, count) => {
+    if (state.normalise === 'paper') return product(tauSpace(part, inverse, count), midpoints, count, H, 1);
+    const rows = rowsOf(inverse(part.mean, 1), count, 1);
+    if (rescaled) normalise(rows, survivalOf(part, inverse, count), 'survival', 1, dt);
+    return rows;
+  };
+
+  const inverse = inverseOf(grid, state, n);
+  const tau = tauSpace(parts[state.action], inverse, n);
+  const survival = parts.map((part) => survivalOf(part, inverse, n));
+  const rewards = parts.map((part, a) => (a === state.action ? product(tau, midpoints, n, H, 1) : rewardsOf(part, inverse, n)));
+  const d = discounts(model, state.softness, state.value_gamma, K, dt);
+  const valueAt = (row, expected) => {
+    let sum = 0;
+    for (let k = 0; k < expected.length; k++) sum += d[row * K + k] * expected[k];
+    return sum;
+  };
+  const values = Array.from({ length: A }, () => new Float64Array(K).fill(NaN));
+  if (!state.fold) values.forEach((line, a) => line.forEach((_, k) => { line[k] = valueAt(k, rewards[a]); }));
+  else {
+    const R = unfed(grid.r, state.alpha), cost = A * (state.normalise === 'paper' ? H * (hum ? grid.r : width) : 2 * grid.r) * K / 2;
+    const stride = Math.max(1, Math.ceil((K * cost) / most));
+    for (let k = 0; k < K; k++) {
+      addRow(R, rowOf(grid, k), grid.r);
+      if (k === readRow) parts.forEach((_, a) => { values[a][k] = valueAt(k, rewards[a]); });
+      else if (k % stride === 0 || k === K - 1) {
+        const own = folded(R, grid);
+        parts.forEach((part, a) => { values[a][k] = valueAt(k, rewardsOf(part, own, k + 1)); });
+      }
+    }
+  }
+  const chosenAt = (row) => greedy(values.map((line) => line[row]));
+  const seen = { grid, thetas, midpoints, H, n, readRow, leftRow, tau, survival, rewards, values, masses: M, columns, map, hum,
+    chosen: chosenAt(readRow), chosenAt, whole: !values[0].some(Number.isNaN), d };
+  if (model.truth) {
+    const truth = truthOf(model, state), optimumAt = (row) => values.map((_, a) => arrays.optimum[a * K + row]);
+    const best = greedy(optimumAt(leftRow));
+    Object.assign(seen, { truth, optimumAt, best, bestAt: (row) => greedy(optimumAt(row)) });
+    seen.regret = Math.max(...optimumAt(leftRow)) - optimumAt(leftRow)[seen.chosen];
+  }
+  return seen;
+}
+
+export function normalise(rows, survival, how, width, dt) {
+  for (let k = 0; k < survival.length; k++) {
+    const row = rows.subarray(k * width, (k + 1) * width);
+    if (how === 'survival') {
+      const alive = survival[k] / dt;
+      for (let h = 0; h < width; h++) row[h] = alive > FLOOR ? row[h] / alive : 0;
+    } else {
+      let mass = 0;
+      for (let h = 0; h < width; h++) mass += row[h] = Math.max(0, row[h]);
+      for (let h = 0; h < width; h++) row[h] = mass > 0 ? (dt * row[h]) / mass : 0;
+    }
+  }
+}
+
+// Noise of gamma-space for a seed at level 1, in components: of the differences, and of the constant channel.
+function noiseOf({ A, H }, grid) {
+  return (seed) => {
+    const { G, r, Ut, gammas } = grid, values = normalNoise(seed, A * G * H), more = normalNoise(seed, A * G, A * G * H);
+    const differences = [], constant = new Float64Array(A * G), width = H - 1;
+    for (let a = 0; a < A; a++) {
+      const out = new Float64Array(G * width);
+      for (let g = 0; g < G; g++) {
+        const scale = 1 / (1 - gammas[g]), from = (a * G + g) * H;
+        for (let h = 0; h < width; h++) out[g * width + h] = scale * (values[from + h] - values[from + h + 1]);
+        constant[a * G + g] = scale * more[a * G + g];
+      }
+      differences.push(out);
+    }
+    return { differences, projected: differences.map((x) => product(Ut, x, r, G, width)),
+      constants: differences.map((_, a) => constants(grid, constant, a)) };
+  };
+}
+
+export function gammaSpace({ grid, columns, map, hum, H }, state) { // differences of the shown action, (G, H-1)
+  const Z = map ? product(columns.values[state.action], map, grid.G, columns.width, H) : columns.values[state.action];
+  return hum ? Z.map((value, i) => value + state.noise * hum.differences[state.action][i]) : Z;
+}
+
+// Weights over the components of gamma-space that read a combination (r,) of the rows of V off its inverse.
+function transposedInverse(grid, { fold, alpha }, n, right) {
+  if (!fold) return regular(grid, alpha)(right, 1);
+  return solved(root(grid, alpha, n), right.map((value, i) => value * grid.s[i]), grid.r, 1);
+}
+
+// What alpha and T really weigh each future step with, what they should, and how much noise it lets through.
+export function kernel(model, state, { grid, n, readRow, d }) {
+  const { K } = model, { V, s, r } = grid, wanted = d.slice(readRow * K, (readRow + 1) * K), target = new Float64Array(K);
+  for (let k = 0; k < n; k++) { // a shifted row k holds what belongs to k - 1
+    if (!state.shift) target[k] = wanted[k];
+    else if (k + 1 < n) target[k] = wanted[k + 1];
+  }
+  const weights = transposedInverse(grid, state, n, product(target, V, 1, K, r));
+  return { wanted, actual: product(V, weights.map((value, i) => value * s[i]), K, r, 1), gain: Math.hypot(...weights) };
+}
+
+// The averaging kernel: through which window of the true timeline row tau is seen, and its half width in steps.
+export function resolution(model, state, { grid, n }, row) {
+  const { K, dt } = model, { V, s, r } = grid, at = row - (state.shift ? 1 : 0);
+  const kernel = new Float64Array(K);
+  if (at >= 0 && at < n) {
+    const weights = transposedInverse(grid, state, n, V.slice(at * r, (at + 1) * r));
+    product(V, weights.map((value, i) => value * s[i]), K, r, 1, kernel);
+  }
+  let peak = 0;
+  kernel.forEach((value, k) => { if (value > kernel[peak]) peak = k; });
+  let low = peak, high = peak;
+  while (low > 0 && kernel[low - 1] > kernel[peak] / 2) low--;
+  while (high < K - 1 && kernel[high + 1] > kernel[peak] / 2) high++;
+  return { kernel, peak: peak * dt, half: ((high - low) / 2) * dt, low: low * dt, high: high * dt };
+}
+
+// ---- artefacts, each a switch
+
+export const SWITCHES = {
+  rescale: { label: 'row rescaling', on: { normalise: 'paper' }, off: { normalise: 'none' }, isOn: (s) => s.normalise === 'paper' },
+  fold: { label: 'folding, K = T' },
+  mixed: { label: 'mixed policies' },
+  paper_grid: { label: 'the paper’s grid' },
+  clip: { label: 'edge clipping' },
+  constant: { label: 'constant T' },
+  shift: { label: 'index shifted by one' },
+};
+for (const [name, each] of Object.entries(SWITCHES)) {
+  each.on ??= { [name]: true };
+  each.off ??= { [name]: false };
+  each.isOn ??= (state) => Boolean(state[name]);
+}
+
+export function available({ grids, arrays, truth }, name) {
+  const own = grids.own.columns;
+  return { mixed: Boolean(own.per_gamma), paper_grid: Boolean(grids.paper), clip: Boolean(arrays.clipped_thetas) && !own.shared.plain,
+    constant: truth }[name] ?? true;
+}
+
+// What a switch does to this picture: the probability that it moves (or, at the edge, loses) in the worst row, and the
+// regret with and without it.
+export function effect(model, state, name) {
+  const { dt } = model, rule = SWITCHES[name], least = 1; // only the horizon that is read
+  const on = see(model, { ...state, ...rule.on }, least), off = see(model, { ...state, ...rule.off }, least);
+  let size = 0;
+  for (let k = 0; k < Math.min(on.n, off.n); k++) {
+    let moved = 0;
+    for (let h = 0; h < on.H; h++) {
+      const change = on.tau[k * on.H + h] - off.tau[k * off.H + h];
+      moved += name === 'clip' ? -change : Math.abs(change) / 2;
+    }
+    size = Math.max(size, moved / dt);
+  }
+  return { size, on: on.regret, off: off.regret, flips: on.chosen !== off.chosen };
+}

@@ -1,0 +1,135 @@
+"""What the lens needs of a study, once per world, grid and policy: packed for the browser, in double precision.
+
+Everything that is inverted stays in doubles; single floats would ruin a small alpha before the product. The truth is
+only looked at and is packed in single floats.
+"""
+
+from __future__ import annotations
+
+import json
+import struct
+from dataclasses import replace
+
+import numpy as np
+
+from laplace_core import Settings, Study, World
+from laplace_core.encoding import PAPER_GAMMAS, sensitivity_grid
+from laplace_core.errors import InputError
+from laplace_core.inverse import transform_factors
+from laplace_core.pipeline import basis_of, policies_of, timeline_of
+from laplace_core.learning import reward_indicator_basis
+
+MOST_REWARDS = 64
+"""With more distinct rewards the differences at one slope are smaller than the basis of all slopes."""
+
+LIVE = {"alpha": 1.0, "softness": 0.0, "noise": 0.0, "noise_seed": 0, "normalise": "none", "deadline": "constant"}
+"""Settings that move in the browser: a payload does not depend on them."""
+
+
+def structure(settings: Settings, world: World | None) -> Settings:
+    """Settings with everything set aside that moves in the browser: equal ones have the same payload."""
+    free = world is not None and world.reward_values.size <= MOST_REWARDS
+    return replace(settings, **LIVE, **({"slope": 1.0, "policy": "shared"} if free else {}))
+
+
+def payload(study: Study) -> tuple[bytes, dict[str, object]]:
+    """Arrays and their header, as one block of bytes, and the header once more for Python.
+
+    The study's settings are those of :func:`structure`: its gamma-space is free of noise.
+
+    Arrays by name, with A actions, G discounts, V distinct rewards, K rows, r usable singular values:
+        ``shared``, ``per_gamma``, ``paper_shared``, ``paper_per_gamma``: reward-indicator coefficients ``(A, G, V)``
+            on the study's grid and on the paper's; or, without them, ``differences`` ``(A, G, H-1)`` and
+            ``constant`` ``(A, G)``.
+        ``gammas``, ``U`` ``(G, r)``, ``s`` ``(r,)``, ``V`` ``(K, r)`` and the same with ``paper_``: the transform.
+        ``thetas``, ``clipped_thetas``: sensitivities, and those that begin at the lowest reward that occurs.
+        ``rewards``, ``timeline`` ``(A, N, V)``, ``optimum`` ``(A, K)``: the truth, where there is a world.
+    """
+    s, space = study.settings, study.gamma_space
+    arrays = {"thetas": space.thetas, **_transform("", space.gammas, s.steps, s.time_step)}
+    if study.world is None:
+        arrays |= {"differences": space.differences, "constant": space.constant}
+    else:
+        arrays |= _of_world(study)
+    header = {
+        "world": s.world,
+        "state": s.state or "",
+        "actions": list(study.action_names),
+        "steps": s.steps,
+        "time_step": s.time_step,
+        "acting_gamma": s.acting_gamma,
+        "learned": study.learned is not None,
+        "arrays": {},
+    }
+    return _packed(header, arrays), header
+
+
+def _of_world(study: Study) -> dict[str, np.ndarray]:
+    s, world, space = study.settings, study.world, study.gamma_space
+    length = int(np.ceil(study.horizons[-1] - 1e-9))
+    timeline = timeline_of(study, length)
+    arrays = {
+        "rewards": world.reward_values,
+        "timeline": timeline.astype(np.float32),
+        "optimum": study.truth.optimum,
+    }
+    lowest = world.reward_values[timeline.max(axis=(0, 1)) > 1e-9][0]
+    if space.thetas[0] < lowest < space.thetas[-1]:
+        try:
+            arrays["clipped_thetas"] = sensitivity_grid(s.thetas, float(lowest), s.theta_max, s.theta_spacing)
+        except InputError:  # too narrow a range for so many sensitivities
+            pass
+    if world.reward_values.size > MOST_REWARDS:
+        return arrays | {"differences": space.differences, "constant": space.constant}
+    if study.learned is not None:
+        return arrays | {"shared": study.learned}
+    arrays |= {kind: basis_of(study, kind) for kind in ("shared", "per_gamma")}
+    if s.spacing != "paper":
+        grid = np.array(PAPER_GAMMAS)
+        arrays |= _transform("paper_", grid, s.steps, s.time_step)
+        arrays |= {f"paper_{kind}": _basis(study, world, grid, kind) for kind in ("shared", "per_gamma")}
+    # One process whichever discount decides: nothing to mix, and nothing to send twice.
+    for name in ("", "paper_"):
+        if np.array_equal(arrays.get(f"{name}shared"), arrays.get(f"{name}per_gamma")):
+            arrays.pop(f"{name}per_gamma", None)
+    return arrays
+
+
+def _basis(study: Study, world: World, gammas: np.ndarray, kind: str) -> np.ndarray:
+    if study.policy is not None:
+        return reward_indicator_basis(world, study.state, gammas, [study.policy] * gammas.size)
+    policies = policies_of(world, gammas, kind, study.settings.acting_gamma)
+    return reward_indicator_basis(world, study.state, gammas, policies)
+
+
+def _transform(prefix: str, gammas: np.ndarray, steps: int, time_step: float) -> dict[str, np.ndarray]:
+    """The factors of the transform, cut where the library's filter drops components as rounding."""
+    U, s, Vt = transform_factors(gammas, steps, time_step)
+    usable = int(np.sum(s > max(gammas.size, steps) * np.finfo(float).eps * s[0]))
+    factors = {"gammas": gammas, "U": U[:, :usable], "s": s[:usable], "V": Vt[:usable].T}
+    return {prefix + name: array for name, array in factors.items()}
+
+
+def _packed(header: dict[str, object], arrays: dict[str, np.ndarray]) -> bytes:
+    """A length, the header as JSON, and the arrays, each on a multiple of 8 bytes after the header."""
+    blocks, at = [], 0
+    for name, array in arrays.items():
+        kind = "f4" if array.dtype == np.float32 else "f8"
+        block = np.ascontiguousarray(array, dtype=f"<{kind}").tobytes()
+        header["arrays"][name] = [kind, at, list(array.shape)]
+        block += b"\0" * (-len(block) % 8)
+        blocks.append(block)
+        at += len(block)
+    text = json.dumps(header).encode()
+    text += b" " * (-(len(text) + 4) % 8)
+    return struct.pack("<I", len(text)) + text + b"".join(blocks)
+
+
+def unpacked(data: bytes) -> tuple[dict[str, object], dict[str, np.ndarray]]:
+    """Header and arrays of :func:`payload`."""
+    (length,) = struct.unpack_from("<I", data)
+    header, arrays = json.loads(data[4 : 4 + length]), {}
+    for name, (kind, at, shape) in header["arrays"].items():
+        count = int(np.prod(shape))
+        arrays[name] = np.frombuffer(data, f"<{kind}", count, 4 + length + at).reshape(shape)
+    return header, arrays

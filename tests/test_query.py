@@ -1,0 +1,122 @@
+"""Whatever a link says, the page opens: values that hold are kept, all others are noted and left out."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+from hypothesis import example, given
+from hypothesis import strategies as st
+
+from app.link import pack
+from app.query import OPENING, VIEW, parse_query, query_of, read_link, unpinned
+from app.sources import BROUGHT, FIRST_TIMELINE, LEARN, PARAM, WORLDS, packed_timeline, view_of
+from laplace_core import InputError
+from laplace_core.learned import LEARN_SCHEMA
+from laplace_core.settings import SCHEMA
+from tests.malformed_worlds import TEXT
+
+NAMES = [
+    *(parameter.name for parameter in (*SCHEMA, *VIEW)),
+    *(LEARN + parameter.name for parameter in LEARN_SCHEMA),
+    *(PARAM + name for name in ("length", "slip", "auxiliary", "r1", "", "p.", "width")),
+    "world",
+    "l.",
+]
+_SNIPPETS = ["own", "timeline", "data", "two_branch", "cliff_grid", "learned", "yes", "-1", "0", "1e308", "nan", "9" * 400,
+             "١٢", "<b>", "\x00", "\ud800", "{}", "[]", pack("{}"), pack("[]"), pack("null"), pack(TEXT),
+             pack('{"world": "own"}'), FIRST_TIMELINE, pack('{"rows": [], "rest": "zero"}')]  # fmt: skip
+WORDS = st.one_of(st.text(max_size=60), st.sampled_from(_SNIPPETS), st.text(max_size=60).filter(str.isprintable).map(pack))
+JSON = st.recursive(
+    st.none() | st.booleans() | st.integers() | st.floats() | st.text(max_size=8),
+    lambda inner: st.lists(inner, max_size=4) | st.dictionaries(st.text(max_size=8), inner, max_size=4),
+    max_leaves=12,
+)
+
+
+def assert_holds(query: dict[str, str]) -> None:
+    """It is read without an error, every note is short and one line, and what was read says the same again."""
+    found, notes = read_link(query)
+    for note in notes:
+        assert len(note) < 600
+        assert "\n" not in note
+    again, more = parse_query(query_of(found))
+    assert more == []
+    assert again == found
+    try:
+        view_of(found)
+    except InputError:
+        pass  # said on the page; anything else would be a crash
+
+
+@given(st.dictionaries(st.sampled_from(NAMES) | st.text(max_size=12), WORDS, max_size=6))
+@example({"world": "own", "own": pack(TEXT), "state": "nope", "steps": "1"})
+def test_any_text_in_any_entry_is_read_or_left_out(query):
+    assert_holds({name: value.encode("utf-8", "replace").decode() for name, value in query.items()})
+
+
+@pytest.mark.parametrize("name", [name for name in NAMES if name != "world"])
+@pytest.mark.parametrize("word", ["", "\x00", "9" * 400, "１", "' OR 1=1", FIRST_TIMELINE[:30], "[" * 3_000])
+def test_each_entry_survives_each_odd_word(name, word):
+    assert_holds({"world": "two_branch", name: word})
+
+
+@given(JSON)
+@example({"rest": "zero", "rows": [["a", 10**400, 1, 1]]})
+@example({"rest": "zero", "rows": [["a", 0, 1e308, 1], ["a", 0, -1e308, 1]]})
+@example({"rest": "ended", "rows": [["a", 0, True, 1.0]]})
+@example({"rest": ["zero"], "rows": [["\ud800", 0, 1, 1]]})
+@example({"rest": "zero", "rows": ["abcd", {"a": 1, "b": 2, "c": 3, "d": 4}]})
+def test_any_json_in_a_packed_timeline_is_read_or_left_out(told):
+    assert_holds({"world": "timeline", "timeline": pack(json.dumps(told))})
+
+
+@given(st.lists(st.fixed_dictionaries({"action": st.sampled_from("ab "), "tau": st.integers(-1, 9) | st.floats(),
+       "reward": st.floats(), "probability": st.floats(-0.1, 1.1)}), max_size=5), st.sampled_from(["zero", "ended"]))  # fmt: skip
+def test_any_table_in_a_packed_timeline_is_read_or_left_out(rows, rest):
+    assert_holds({"world": "timeline", "timeline": packed_timeline(rows, rest)})
+
+
+@given(JSON)
+@example({"world": "own", "own": pack("{}")})
+@example({"pin": pack("{}"), "world": "two_branch"})
+@example({"world": "data", "data": "0123456789ab"})
+def test_any_json_in_a_pin_is_read_or_left_out(told):
+    assert_holds({"world": "two_branch", "pin": pack(json.dumps(told))})
+
+
+@given(JSON)
+def test_any_json_in_a_packed_world_is_read_or_left_out(told):
+    assert_holds({"world": "own", "own": pack(json.dumps(told))})
+
+
+def test_a_pin_within_a_pin_is_dropped():
+    inner = pack(json.dumps({"world": "two_branch", "alpha": "0.5"}))
+    assert "pin" not in unpinned(pack(json.dumps({"world": "fig6_chain", "pin": inner})))
+
+
+def test_a_deep_text_is_refused_and_does_not_overflow():
+    deep = pack("[" * 100_000)
+    for query in ({"world": "own", "own": deep}, {"world": "timeline", "timeline": deep}, {"pin": deep}):
+        found, notes = parse_query(query)
+        assert found.get("world") == "two_branch"
+        assert len(notes) == 1
+
+
+@pytest.mark.parametrize("kind", BROUGHT)
+def test_what_was_brought_needs_its_content(kind):
+    found, notes = parse_query({"world": kind})
+    assert found == OPENING
+    assert len(notes) == 1
+
+
+def test_a_learned_view_travels_whole():
+    query = {"world": "two_branch", "source": "learned", "run": "0123456789", "learner": "1", "l.seeds": "3",
+             "l.rate_first": "0.5", "l.starts": "world", "l.peers": "true"}  # fmt: skip
+    found, notes = parse_query(query)
+    assert notes == []
+    assert query_of(found) == query
+
+
+def test_names_are_as_many_as_there_are():
+    assert len(set(WORLDS) & set(BROUGHT)) == 0

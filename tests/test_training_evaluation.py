@@ -1,0 +1,149 @@
+"""Acting by what was learned, and what was learned against the exact gamma-space of two worlds."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+import torch
+
+from laplace_core import Settings, load_world, study
+from laplace_core.agents import LaplaceSettings
+from laplace_core.agents.laplace import LaplaceAgent
+from laplace_core.encoding import discount_grid
+from laplace_core.errors import InputError
+from laplace_core.inverse import decode
+from laplace_core.learning import proxy_gamma_space, target_policies
+from laplace_core.training import environments
+from laplace_core.training.checkpoint import load_checkpoint, new_agent
+from laplace_core.training.evaluation import evaluate
+from laplace_core.training.loop import train
+from laplace_core.training.tuned import tuned_settings
+
+torch.set_num_threads(1)
+TINY = LaplaceSettings(environment="two_branch", hidden=8, features=4, gammas=6, thetas=9, theta_min=-3, theta_max=13)
+
+
+class Knowing:
+    """The exact values of a world in the place of an agent's, at discounts dense enough for short horizons."""
+
+    acting_head = 39
+
+    def __init__(self, world):
+        self.n_observations, self.n_actions = world.n_states, world.n_actions
+        self.gammas = discount_grid(40, "linear", 0.02, 0.99)
+        policies = target_policies(world, self.gammas, "shared", 0.99)
+        self._values = proxy_gamma_space(world, world.reward_values, self.gammas, policies)  # (S, A, G)
+
+    def action_values(self, observations, head=None):
+        values = np.moveaxis(self._values[observations.argmax(axis=1)], 1, 2)
+        return values if head is None else values[:, head]
+
+    def greedy(self, observations):
+        return self.action_values(observations, self.acting_head).argmax(axis=1)
+
+
+def test_returns_are_sums_of_rewards_and_lengths_are_steps():
+    """The knowing agent waits for the 10 at the third step of two_branch, unless it is stopped before."""
+    agent = Knowing(load_world("two_branch"))
+    scores = evaluate(agent, "two_branch", 3)
+    assert scores.returns.tolist() == [10.0] * 3
+    assert scores.lengths.tolist() == [3] * 3
+    assert not scores.running.any()
+    assert (scores.mean, scores.standard_error) == (10.0, 0.0)
+    stopped = evaluate(agent, "two_branch", 2, horizon=2)
+    assert stopped.returns.tolist() == [0.0] * 2
+    assert stopped.running.all()
+
+
+@pytest.mark.parametrize(("horizon", "paid"), [(1, 5.0), (2, 5.0), (3, 10.0), (20, 10.0)])
+def test_the_readout_acts_for_the_time_to_go(horizon, paid):
+    """r1 = 5 at once or r2 = 10 at the third step: what cannot be reached in time is not waited for."""
+    agent = Knowing(load_world("two_branch"))
+    scores = evaluate(agent, "two_branch", 1, horizon=horizon, softness=0.0, rule="readout", alpha=1e-6, steps=30)
+    assert scores.returns.tolist() == [paid]
+
+
+@pytest.mark.parametrize("softness", [0.0, 0.3])
+def test_reading_out_and_decoding_take_the_same_actions(softness):
+    """Two ways to one linear form, in all states that random agents pass through.
+
+    No mass lies beyond the thresholds: a decoded reward knows midpoints only, while the values of an agent count a
+    reward beyond them as the nearest threshold.
+    """
+    for seed in range(3):
+        agent = new_agent(replace(TINY, environment="cliff_grid", seed=seed))
+        agent.target.head.weight.data *= 30.0
+        agent.target.head.weight.data[..., [0, -2]] = 0.0  # the two outermost bins; the last atom is death
+        agent.target.head.bias.data[..., [0, -2]] = -60.0
+        rules = [
+            evaluate(agent, "cliff_grid", 4, horizon=12, softness=softness, rule=rule, alpha=0.3, steps=50)
+            for rule in ("readout", "decoded")
+        ]
+        np.testing.assert_array_equal(rules[0].returns, rules[1].returns)
+        np.testing.assert_array_equal(rules[0].lengths, rules[1].lengths)
+
+
+def test_the_same_seed_evaluates_on_the_same_starts():
+    agent = new_agent(LaplaceSettings(hidden=8, features=4))
+    one, same, other = (evaluate(agent, "CartPole-v1", 20, seed=seed).returns for seed in (3, 3, 4))
+    np.testing.assert_array_equal(one, same)
+    assert not np.array_equal(one, other)
+    # More episodes begin with the same ones.
+    np.testing.assert_array_equal(evaluate(agent, "CartPole-v1", 120, seed=3).returns[:20], one)
+
+
+@pytest.mark.parametrize(
+    ("changes", "named"),
+    [
+        ({"rule": "best"}, "rule"),
+        ({"episodes": 0}, "episodes"),
+        ({"horizon": 0}, "horizon"),
+        ({"horizon": -3}, "horizon"),
+        ({"seed": -1}, "seed"),
+        ({"softness": -1.0, "rule": "readout"}, "softness"),
+        ({"environment": "Acrobot-v1"}, "not trained for"),
+        ({"environment": "Ant-v5"}, "Ant-v5"),
+    ],
+)
+def test_arguments_that_do_not_fit_are_refused(changes, named):
+    with pytest.raises(InputError, match=named):
+        evaluate(new_agent(TINY), **({"environment": "two_branch", "episodes": 1} | changes))
+
+
+def exact(agent: LaplaceAgent, name: str, state: str):
+    """The exact gamma-space on the agent's own grids."""
+    s = agent.settings
+    settings = Settings(
+        world=name, state=state, gammas=s.gammas, spacing=s.spacing, gamma_min=s.gamma_min, gamma_max=s.gamma_max,
+        thetas=s.thetas, theta_min=s.theta_min, theta_max=s.theta_max, slope=agent.sensitivities.slope,
+        policy="shared", acting_gamma=float(agent.gammas[-1]),
+    )  # fmt: skip
+    return study(load_world(name), settings).gamma_space
+
+
+@pytest.mark.parametrize("name", ["fig6_chain", "two_branch"])
+def test_a_trained_network_has_the_gamma_space_of_its_world(name, tmp_path):
+    """Within 3% of the range of the exact one, in every state; and its decode shows the same picture."""
+    for _ in train(tuned_settings("laplace", name), tmp_path / "run"):
+        pass
+    agent, world = load_checkpoint(tmp_path / "run" / "last.safetensors").agent, load_world(name)
+    for index, state in enumerate(world.states):
+        found, true = agent.gamma_space(np.eye(world.n_states)[index]), exact(agent, name, state)
+        np.testing.assert_allclose(found.values, true.values, atol=0.03 * np.ptp(true.values))
+        np.testing.assert_allclose(found.constant, true.constant, atol=0.03 * np.ptp(true.values))
+        if index == 0:
+            pictures = [decode(space.differences, space.gammas, 4, 0.1) for space in (found, true)]
+            np.testing.assert_allclose(*pictures, atol=0.08 * pictures[1].max())
+
+
+def test_lunar_lander_says_what_it_needs_where_its_physics_is_missing(monkeypatch):
+    import gymnasium
+
+    def missing(*_, **__):
+        raise gymnasium.error.DependencyNotInstalled("Box2D is not installed")
+
+    monkeypatch.setattr(gymnasium, "make", missing)
+    with pytest.raises(InputError, match="gymnasium"):
+        environments.make("LunarLander-v3")
