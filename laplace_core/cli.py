@@ -11,6 +11,7 @@ from typing import NoReturn
 
 import numpy as np
 
+from laplace_core.agents.settings import SETTINGS
 from laplace_core.errors import InputError
 from laplace_core.experiments.command import add_report
 from laplace_core.learned.command import add_learn, study_of_file
@@ -18,7 +19,8 @@ from laplace_core.learned.settings import LEARN_SCHEMA
 from laplace_core.pipeline import Study, study, study_of_gamma_space
 from laplace_core.saved import read_gamma_space, save_study
 from laplace_core.settings import SCHEMA, flag, parse_settings
-from laplace_core.words import action_runs, named_params
+from laplace_core.training.command import add_evaluate, add_train
+from laplace_core.words import action_runs, add_parameters, named_params
 from laplace_core.worlds import PRESETS, TOY_TEXT, load_world
 
 
@@ -46,7 +48,9 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 def _joined(words: Sequence[str]) -> list[str]:
     """``--theta-min -1e-5`` as ``--theta-min=-1e-5``: argparse would take the value for an option."""
-    valued = {flag(parameter) for parameter in (*SCHEMA, *LEARN_SCHEMA)} - {"--peers"} | {"--param", "--out"}
+    schemas = (SCHEMA, LEARN_SCHEMA, *(kind.SCHEMA for kind in SETTINGS.values()))
+    valued = {flag(parameter) for schema in schemas for parameter in schema if parameter.type is not bool}
+    valued |= {"--param", "--out"}
     joined: list[str] = []
     for word in words:
         if joined and joined[-1] in valued and word.startswith("-") and not word.startswith("--"):
@@ -78,17 +82,14 @@ def _parser() -> argparse.ArgumentParser:
         help="a preset, a world file (.json), gym:NAME, a gamma-space (.npz) or a learned agent (.safetensors)",
     )
     decode.add_argument("--param", action="append", default=[], metavar="name=value", help="a parameter of the world")
-    for parameter in SCHEMA:
-        shown = "" if parameter.default is None else f" (default: {parameter.default})"
-        choices = f" One of {', '.join(parameter.choices)}." if parameter.choices else ""
-        metavar = {int: "N", float: "X", str: "NAME"}[parameter.type]
-        text = f"{parameter.help}{choices}{shown}".replace("%", "%%")
-        decode.add_argument(flag(parameter), dest=parameter.name, metavar=metavar, help=text)
+    add_parameters(decode, SCHEMA)
     decode.add_argument("--seed-index", metavar="N", help="which learner of a learned agent, from 0")
     decode.add_argument("--out", metavar="FILE.npz", help="write all arrays and the settings here")
     decode.add_argument("--json", action="store_true", help="print JSON")
     decode.set_defaults(run=_decode)
     add_learn(verbs)
+    add_train(verbs)
+    add_evaluate(verbs)
     add_report(verbs)
     return parser
 

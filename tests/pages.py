@@ -6,10 +6,12 @@ import base64
 import json
 import time
 from collections.abc import Callable, Mapping
+from functools import partial
 from pathlib import Path
 
 import numpy as np
 import streamlit
+from streamlit.delta_generator import DeltaGenerator
 from streamlit.testing.v1 import AppTest
 
 from app.query import parse_query
@@ -79,13 +81,14 @@ def upload(page: AppTest, name: str, content: bytes) -> AppTest:
 def downloads(monkeypatch) -> dict[str, object]:
     """What the download buttons would save, by the file's name, from here on."""
     saved: dict[str, object] = {}
-    button = streamlit.download_button
+    button = DeltaGenerator.download_button
 
-    def noted(label, data, **options):
+    def noted(place, label, data, **options):
         saved[options["file_name"]] = data() if callable(data) else data
-        return button(label, data, **options)
+        return button(place, label, data, **options)
 
-    monkeypatch.setattr(streamlit, "download_button", noted)
+    monkeypatch.setattr(DeltaGenerator, "download_button", noted)
+    monkeypatch.setattr(streamlit, "download_button", partial(noted, streamlit._main))
     return saved
 
 

@@ -34,7 +34,6 @@ DAMAGED = {
     "cut off within four": WORD[:-1],
     "first letter lost": WORD[1:],
     "another letter": WORD[:20] + ("A" if WORD[20] != "A" else "B") + WORD[21:],
-    "padded": WORD + "==",
     "blank": WORD[:10] + " " + WORD[10:],
     "line break": WORD[:10] + "\n" + WORD[10:],
     "plus": WORD[:10] + "+" + WORD[11:],

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from app.link import pack
 from app.query import OPENING, VIEW, parse_query, query_of, read_link, unpinned
-from app.sources import BROUGHT, FIRST_TIMELINE, LEARN, PARAM, WORLDS, packed_timeline, view_of
+from app.sources import BROUGHT, FIRST_TIMELINE, LEARN, PARAM, packed_timeline, view_of
 from laplace_core import InputError
 from laplace_core.learned import LEARN_SCHEMA
 from laplace_core.settings import SCHEMA
@@ -118,5 +118,3 @@ def test_a_learned_view_travels_whole():
     assert query_of(found) == query
 
 
-def test_names_are_as_many_as_there_are():
-    assert len(set(WORLDS) & set(BROUGHT)) == 0

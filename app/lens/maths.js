@@ -75,7 +75,7 @@ function open(header, arrays) {
   const A = header.actions.length, K = header.steps, dt = header.time_step, H = arrays.thetas.length;
   const grid = (name) => {
     const G = arrays[`${name}gammas`].length, r = arrays[`${name}s`].length;
-    const U = arrays[`${name}U`], found = { name, G, r, U, gammas: arrays[`${name}gammas`], s: arrays[`${name}s`],
+    const U = arrays[`${name}U`], found = { name, G, r, K, U, gammas: arrays[`${name}gammas`], s: arrays[`${name}s`],
       V: arrays[`${name}V`], Ut: transposed(U, G, r), columns: {} };
     for (const kind of ['shared', 'per_gamma']) {
       const W = arrays[name + kind];
@@ -133,57 +133,67 @@ export function masses(rewards, thetas, slope) { // f_h(r) - f_{h+1}(r), (V, H-1
 
 export const filter = (s, alpha) => s.map((value) => value / (value * value + alpha * alpha));
 
-// Rotates one more row of F^T into R, where R^T R = F F^T + alpha^2 in the components: no square is ever formed.
-function addRow(R, row, r) {
-  for (let i = 0; i < r; i++) {
-    if (row[i] === 0) continue;
-    const a = R[i * r + i], b = row[i], length = Math.hypot(a, b), c = a / length, s = b / length;
-    for (let j = i; j < r; j++) {
-      const up = R[i * r + j], low = row[j];
-      R[i * r + j] = c * up + s * low;
-      row[j] = c * low - s * up;
-    }
-  }
-}
-
-function solved(R, right, r, width) { // (R^T R)^-1 right, (r, width), in place
-  for (let i = 0; i < r; i++) {
-    for (let w = 0; w < width; w++) {
-      let sum = right[i * width + w];
-      for (let j = 0; j < i; j++) sum -= R[j * r + i] * right[j * width + w];
-      right[i * width + w] = sum / R[i * r + i];
-    }
-  }
-  for (let i = r - 1; i >= 0; i--) {
-    for (let w = 0; w < width; w++) {
-      let sum = right[i * width + w];
-      for (let j = i + 1; j < r; j++) sum -= R[i * r + j] * right[j * width + w];
-      right[i * width + w] = sum / R[i * r + i];
-    }
-  }
-  return right;
-}
-
-// An inverse: what it makes of components (r, width), as coefficients of the rows of V.
-function regular({ s, r }, alpha) {
+// An inverse is a matrix of rows (n, r) and a rule that turns components (r, width) into their coefficients.
+const regular = ({ V, s, r, K }, alpha) => {
   const f = filter(s, alpha);
-  return (right, width) => right.map((value, i) => value * f[(i / width) | 0]);
+  return { rows: V, n: K, coefficients: (right, width) => right.map((value, i) => value * f[(i / width) | 0]),
+    weights: (target) => product(target, V, 1, K, r).map((value, i) => value * f[i]) };
+};
+
+// The inverse of the first rows only (K = T), grown row by row: [F^T; alpha] = Q R by rotations, so that no square is
+// ever formed and a small alpha loses no digits. Of Q, only the part beside F^T is needed, kept by columns.
+export function growing({ V, s, r, K }, alpha) {
+  const R = Float64Array.from({ length: r * r }, (_, i) => (i % (r + 1) ? 0 : Math.max(alpha, 1e-9)));
+  const Q = new Float64Array(r * K), row = new Float64Array(r), fresh = new Float64Array(K);
+  const found = { n: 0, add() {
+    const n = ++found.n;
+    for (let i = 0; i < r; i++) row[i] = V[(n - 1) * r + i] * s[i];
+    fresh.fill(0)[n - 1] = 1;
+    for (let i = 0; i < r; i++) {
+      const length = Math.hypot(R[i * r + i], row[i]), c = R[i * r + i] / length, d = row[i] / length;
+      for (let j = i; j < r; j++) {
+        const up = R[i * r + j], low = row[j];
+        R[i * r + j] = c * up + d * low;
+        row[j] = c * low - d * up;
+      }
+      for (let k = 0, at = i * K; k < n; k++, at++) {
+        const up = Q[at], low = fresh[k];
+        Q[at] = c * up + d * low;
+        fresh[k] = c * low - d * up;
+      }
+    }
+    return found;
+  }, get rows() {
+    const out = new Float64Array(found.n * r);
+    for (let i = 0; i < r; i++) for (let k = 0; k < found.n; k++) out[k * r + i] = Q[i * K + k];
+    return out;
+  }, coefficients(right, width) { // R^-T right
+    const out = Float64Array.from(right);
+    for (let i = 0; i < r; i++) {
+      for (let w = 0; w < width; w++) {
+        let sum = out[i * width + w];
+        for (let j = 0; j < i; j++) sum -= R[j * r + i] * out[j * width + w];
+        out[i * width + w] = sum / R[i * r + i];
+      }
+    }
+    return out;
+  }, weights(target) { // R^-1 Q^T target
+    const out = product(target.subarray(0, found.n), found.rows, 1, found.n, r);
+    for (let i = r - 1; i >= 0; i--) {
+      for (let j = i + 1; j < r; j++) out[i] -= R[i * r + j] * out[j];
+      out[i] /= R[i * r + i];
+    }
+    return out;
+  } };
+  return found;
 }
 
-function folded(R, { s, r }) {
-  return (right, width) => solved(R, Float64Array.from(right), r, width).map((value, i) => value * s[(i / width) | 0]);
+function inverseOf(grid, { fold, alpha }, n) {
+  if (!fold) return regular(grid, alpha);
+  const grown = growing(grid, alpha);
+  while (grown.n < n) grown.add();
+  return { n, rows: grown.rows, coefficients: grown.coefficients, weights: grown.weights };
 }
-
-const unfed = (r, alpha) => Float64Array.from({ length: r * r }, (_, i) => (i % (r + 1) ? 0 : Math.max(alpha, 1e-9)));
-const rowOf = ({ V, s, r }, k) => Float64Array.from({ length: r }, (_, i) => V[k * r + i] * s[i]);
-
-function root(grid, alpha, n) { // R of an inverse with n rows only, K = T
-  const R = unfed(grid.r, alpha);
-  for (let k = 0; k < n; k++) addRow(R, rowOf(grid, k), grid.r);
-  return R;
-}
-
-const inverseOf = (grid, { fold, alpha }, n) => (fold ? folded(root(grid, alpha, n), grid) : regular(grid, alpha));
 
 // ---- reading
 
@@ -271,29 +281,28 @@ export function see(model, state, most = Infinity) {
     if (state.shift) { rows.copyWithin(wide, 0, rows.length - wide); rows.fill(0, 0, wide); }
     return rows;
   };
-  const rowsOf = (coefficients, count, wide) => shift(product(grid.V.subarray(0, count * grid.r), coefficients, count, grid.r, wide), wide);
-  const survivalOf = (part, inverse, count) => rowsOf(inverse(part.constant, 1), count, 1);
-  const rawRows = (part, inverse, count) => {
-    if (!hum && map) return product(rowsOf(inverse(part.columns, width), count, width), map, count, width, H);
-    const inComponents = map ? product(part.columns, map, grid.r, width, H) : part.columns;
-    return rowsOf(inverse(plus(inComponents, part.hum), H), count, H);
+  const rowsOf = (inverse, right, wide) => shift(product(inverse.rows, inverse.coefficients(right, wide), inverse.n, grid.r, wide), wide);
+  const survivalOf = (part, inverse) => rowsOf(inverse, part.constant, 1);
+  const rawRows = (part, inverse) => {
+    if (!hum && map) return product(rowsOf(inverse, part.columns, width), map, inverse.n, width, H);
+    return rowsOf(inverse, plus(map ? product(part.columns, map, grid.r, width, H) : part.columns, part.hum), H);
   };
-  const tauSpace = (part, inverse, count) => {
-    const rows = rawRows(part, inverse, count);
-    if (rescaled) normalise(rows, survivalOf(part, inverse, count), state.normalise, H, dt);
+  const tauSpace = (part, inverse) => {
+    const rows = rawRows(part, inverse);
+    if (rescaled) normalise(rows, survivalOf(part, inverse), state.normalise, H, dt);
     return rows;
   };
-  const rewardsOf = (part, inverse, count) => {
-    if (state.normalise === 'paper') return product(tauSpace(part, inverse, count), midpoints, count, H, 1);
-    const rows = rowsOf(inverse(part.mean, 1), count, 1);
-    if (rescaled) normalise(rows, survivalOf(part, inverse, count), 'survival', 1, dt);
+  const rewardsOf = (part, inverse) => {
+    if (state.normalise === 'paper') return product(tauSpace(part, inverse), midpoints, inverse.n, H, 1);
+    const rows = rowsOf(inverse, part.mean, 1);
+    if (rescaled) normalise(rows, survivalOf(part, inverse), 'survival', 1, dt);
     return rows;
   };
 
   const inverse = inverseOf(grid, state, n);
-  const tau = tauSpace(parts[state.action], inverse, n);
-  const survival = parts.map((part) => survivalOf(part, inverse, n));
-  const rewards = parts.map((part, a) => (a === state.action ? product(tau, midpoints, n, H, 1) : rewardsOf(part, inverse, n)));
+  const tau = tauSpace(parts[state.action], inverse);
+  const survival = parts.map((part) => survivalOf(part, inverse));
+  const rewards = parts.map((part, a) => (a === state.action ? product(tau, midpoints, n, H, 1) : rewardsOf(part, inverse)));
   const d = discounts(model, state.softness, state.value_gamma, K, dt);
   const valueAt = (row, expected) => {
     let sum = 0;
@@ -303,15 +312,13 @@ export function see(model, state, most = Infinity) {
   const values = Array.from({ length: A }, () => new Float64Array(K).fill(NaN));
   if (!state.fold) values.forEach((line, a) => line.forEach((_, k) => { line[k] = valueAt(k, rewards[a]); }));
   else {
-    const R = unfed(grid.r, state.alpha), cost = A * (state.normalise === 'paper' ? H * (hum ? grid.r : width) : 2 * grid.r) * K / 2;
-    const stride = Math.max(1, Math.ceil((K * cost) / most));
+    const grown = growing(grid, state.alpha), wide = state.normalise === 'paper' ? H * (hum ? grid.r : width) : grid.r;
+    const stride = Math.max(1, Math.ceil((A * wide * K * K) / 2 / most));
     for (let k = 0; k < K; k++) {
-      addRow(R, rowOf(grid, k), grid.r);
-      if (k === readRow) parts.forEach((_, a) => { values[a][k] = valueAt(k, rewards[a]); });
-      else if (k % stride === 0 || k === K - 1) {
-        const own = folded(R, grid);
-        parts.forEach((part, a) => { values[a][k] = valueAt(k, rewardsOf(part, own, k + 1)); });
-      }
+      grown.add();
+      if (k !== readRow && k % stride && k !== K - 1) continue;
+      const own = k === readRow || { n: k + 1, rows: grown.rows, coefficients: grown.coefficients };
+      parts.forEach((part, a) => { values[a][k] = valueAt(k, k === readRow ? rewards[a] : rewardsOf(part, own)); });
     }
   }
   const chosenAt = (row) => greedy(values.map((line) => line[row]));
@@ -364,12 +371,6 @@ export function gammaSpace({ grid, columns, map, hum, H }, state) { // differenc
   return hum ? Z.map((value, i) => value + state.noise * hum.differences[state.action][i]) : Z;
 }
 
-// Weights over the components of gamma-space that read a combination (r,) of the rows of V off its inverse.
-function transposedInverse(grid, { fold, alpha }, n, right) {
-  if (!fold) return regular(grid, alpha)(right, 1);
-  return solved(root(grid, alpha, n), right.map((value, i) => value * grid.s[i]), grid.r, 1);
-}
-
 // What alpha and T really weigh each future step with, what they should, and how much noise it lets through.
 export function kernel(model, state, { grid, n, readRow, d }) {
   const { K } = model, { V, s, r } = grid, wanted = d.slice(readRow * K, (readRow + 1) * K), target = new Float64Array(K);
@@ -377,7 +378,7 @@ export function kernel(model, state, { grid, n, readRow, d }) {
     if (!state.shift) target[k] = wanted[k];
     else if (k + 1 < n) target[k] = wanted[k + 1];
   }
-  const weights = transposedInverse(grid, state, n, product(target, V, 1, K, r));
+  const weights = inverseOf(grid, state, n).weights(target);
   return { wanted, actual: product(V, weights.map((value, i) => value * s[i]), K, r, 1), gain: Math.hypot(...weights) };
 }
 
@@ -386,7 +387,7 @@ export function resolution(model, state, { grid, n }, row) {
   const { K, dt } = model, { V, s, r } = grid, at = row - (state.shift ? 1 : 0);
   const kernel = new Float64Array(K);
   if (at >= 0 && at < n) {
-    const weights = transposedInverse(grid, state, n, V.slice(at * r, (at + 1) * r));
+    const weights = inverseOf(grid, state, n).weights(Float64Array.from({ length: K }, (_, k) => Number(k === at)));
     product(V, weights.map((value, i) => value * s[i]), K, r, 1, kernel);
   }
   let peak = 0;

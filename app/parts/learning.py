@@ -11,7 +11,7 @@ from app.chart import chart
 from app.controls import number
 from app.figures.theme import HEIGHT
 from app.sources import LEARN, View
-from laplace_core import InputError, World
+from laplace_core import InputError, World, load_world
 from laplace_core.learned import LEARN_SCHEMA, Learned, LearnSettings, learned_bytes, resolve_learning
 from laplace_core.learned.settings import DECIDED_NAMES
 
@@ -30,6 +30,8 @@ _SHOWN = {
     "peers": "Also learn the four other codes of the return",
 }
 
+LEARN_DEFAULTS = resolve_learning(LearnSettings(), load_world("two_branch"))
+
 
 def source_group(world: World) -> None:
     """Exact or learned; and how it is learned."""
@@ -42,11 +44,12 @@ def source_group(world: World) -> None:
         st.caption(f"Learned before, in {agent_title(str(state.chosen()['agent']))}.")
         st.button("Learn anew instead", on_click=state.choose, args=("agent", None), width="stretch")
         return
+    refused = None
     try:
         wanted = learning_of(world)
     except InputError as error:
-        st.error(str(error))
-        return
+        refused, wanted = str(error), LEARN_DEFAULTS  # what was set by hand is shown, and can be set right
+        st.error(refused)
     box = st.expander("How it learns", key="how", on_change="rerun")
     if box.open:
         with box:
@@ -55,11 +58,11 @@ def source_group(world: World) -> None:
                 parameter = next(p for p in LEARN_SCHEMA if p.name == name)
                 with st.container() if parameter.type is bool else columns[i % 2]:
                     number(LEARN + name, parameter, getattr(wanted, name), title)
-    st.button("Learn", on_click=_begin, args=(world,), type="primary", width="stretch")
+    st.button("Learn", on_click=_begin, args=(world,), type="primary", width="stretch", disabled=bool(refused))
 
 
 def agent_title(agent: str) -> str:
-    return agent.replace("_", " ")
+    return "the file that you opened" if agent in sources.opened_agents() else agent.replace("_", " ")
 
 
 def learning_of(world: World, values: sources.Values | None = None) -> LearnSettings:

@@ -38,7 +38,7 @@ def constant_horizon(look: Look) -> Artefact | None:
     the worst one. A world too large for whole episodes is left out.
     """
     study, s = look.study, look.settings
-    if study.world is None or s.deadline != "constant":
+    if study.world is None or s.deadline != "constant" or study.world.n_actions == 1:
         return None
     try:
         loss, best = constant_horizon_loss(study.world, s)

@@ -141,17 +141,18 @@ SWITCHES_OF: Mapping[str, set[str]] = {
 def table(scores: list[Score], cases: int, seed: int) -> str:
     """The scores for reading."""
     lines = [
-        f"Artefacts listed against artefacts there, {cases} random cases, seed {seed}. There: turning one thing off,",
-        f"everything else kept, changes the picture or the value by more than {VISIBLE:g}. No case is left out.",
-        f"{'':20} {'there':>5} {'not':>5}   {'TP':>4} {'FP':>4} {'FN':>4}   {'precision':18} {'recall':18} "
-        "switched, of these unseen; there unswitched",
+        f"Artefacts listed against artefacts there: {cases} random cases, seed {seed}, none left out.",
+        f"There: turning this one thing off changes the picture or the value by more than {VISIBLE:g} (shares).",
+        "Its switch: how often it was thrown; of these, without a visible effect; and there without it.",
+        f"{'':19} {'there':>5} {'not':>4}  {'TP':>3} {'FP':>3} {'FN':>3}  {'precision (95%)':19} {'recall (95%)':19} "
+        f"{'thrown':>6} {'unseen':>6} {'without':>7}",
     ]
     for one in scores:
         precision = _with_interval(one.precision, one.true_positive, one.true_positive + one.false_positive)
         recall = _with_interval(one.recall, one.true_positive, one.on)
         lines.append(
-            f"{one.name:20} {one.on:5} {one.off:5}   {one.true_positive:4} {one.false_positive:4} "
-            f"{one.false_negative:4}   {precision:18} {recall:18} {one.thrown:8} {one.unseen:6} {one.unthrown:6}"
+            f"{one.name:19} {one.on:5} {one.off:4}  {one.true_positive:3} {one.false_positive:3} "
+            f"{one.false_negative:3}  {precision:19} {recall:19} {one.thrown:6} {one.unseen:6} {one.unthrown:7}"
         )
     return "\n".join(lines)
 

@@ -22,8 +22,8 @@ from laplace_core.learned.reading import study_of
 from laplace_core.learned.settings import DECIDED_NAMES, LEARN_SCHEMA, parse_learn_settings
 from laplace_core.parameters import as_text
 from laplace_core.pipeline import Study
-from laplace_core.settings import Settings, flag
-from laplace_core.words import action_runs, named_params
+from laplace_core.settings import Settings
+from laplace_core.words import action_runs, add_parameters, named_params
 from laplace_core.worlds import load_world
 
 REPORT_EVERY = 0.4
@@ -40,13 +40,7 @@ def add_learn(verbs) -> None:
     )
     learn.add_argument("world", metavar="WORLD", help="a preset, a world file (.json) or gym:NAME")
     learn.add_argument("--param", action="append", default=[], metavar="name=value", help="a parameter of the world")
-    for parameter in LEARN_SCHEMA:
-        shown = "" if parameter.default is None else f" (default: {str(parameter.default).lower()})"
-        choices = f" One of {', '.join(parameter.choices)}." if parameter.choices else ""
-        metavar = {int: "N", float: "X", str: "NAME", bool: "true"}[parameter.type]
-        text = f"{parameter.help}{choices}{shown}".replace("%", "%%")
-        optional = {"nargs": "?", "const": "true"} if parameter.type is bool else {}
-        learn.add_argument(flag(parameter), dest=parameter.name, metavar=metavar, help=text, **optional)
+    add_parameters(learn, LEARN_SCHEMA)
     learn.add_argument("--out", metavar="FILE.safetensors", help="keep what is learned here, anew while it learns")
     learn.add_argument("--progress", metavar="FILE.jsonl", help="append a JSON line of progress here as it learns")
     learn.add_argument("--json", action="store_true", help="print progress and result as JSON lines")

@@ -1,0 +1,184 @@
+"""The verbs ``train`` and ``evaluate``. torch is loaded when one of them runs, not when the others do."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import sys
+import time
+from pathlib import Path
+
+from laplace_core.agents.settings import ENVIRONMENTS, SETTINGS
+from laplace_core.errors import InputError
+from laplace_core.training.events import Checkpoint, Episode, Evaluation, Resumed, Step
+from laplace_core.words import add_parameters, checked_number
+
+REPORT_EVERY = 0.5
+"""Seconds between two lines of progress."""
+_RECENT = 50  # episodes in the mean return of the progress line
+
+
+def add_train(verbs) -> None:
+    """The parser of the verb ``train``."""
+    train = verbs.add_parser(
+        "train",
+        help="train an agent, or go on with a run",
+        description="Train an agent on an environment. What is not given comes from the settings file of the "
+        "algorithm and environment, else from the defaults below.",
+        usage="laplace train ALGORITHM ENVIRONMENT [settings] [--run FOLDER]\n       laplace train --resume FOLDER",
+    )
+    train.add_argument("algorithm", nargs="?", metavar="ALGORITHM", help=f"one of {', '.join(SETTINGS)}")
+    train.add_argument("environment_name", nargs="?", metavar="ENVIRONMENT", help=f"one of {', '.join(ENVIRONMENTS)}")
+    train.add_argument("--run", metavar="FOLDER", dest="folder", help="where the run is kept (default: runs/...)")
+    train.add_argument("--resume", metavar="FOLDER", help="go on with the run in this folder")
+    train.add_argument("--json", action="store_true", help="print events as JSON lines")
+    parameters = {p.name: p for kind in SETTINGS.values() for p in kind.SCHEMA if p.name != "environment"}
+    add_parameters(train, parameters.values())
+    train.set_defaults(run=run_train)
+
+
+def run_train(options: argparse.Namespace) -> None:
+    """Train to the end of the run."""
+    from laplace_core.training.loop import train  # loads torch
+
+    names = {p.name for kind in SETTINGS.values() for p in kind.SCHEMA}
+    given = {name: value for name, value in vars(options).items() if name in names and value is not None}
+    if options.resume:
+        if options.algorithm or given:
+            raise InputError("--resume goes on with the settings of the run: leave out everything else.")
+        events, folder, total = train(None, options.resume, resume=True), Path(options.resume), None
+    else:
+        settings = settings_of(options.algorithm, options.environment_name, given)
+        named = f"{settings.ALGORITHM}_{settings.environment}_{settings.seed}"
+        folder, total = Path(options.folder or Path("runs") / named), settings.steps
+        events = train(settings, folder)
+    progress = _Json() if options.json else _Line(folder, total)
+    for event in events:
+        progress.show(event)
+    progress.end()
+
+
+def settings_of(algorithm: str | None, environment: str | None, given: dict[str, object]):
+    """Settings for an algorithm and environment: its file's, with those given in their place.
+
+    Raises:
+        InputError: an unknown algorithm, environment or setting, or a value out of its range.
+    """
+    from laplace_core.training.tuned import tuned_settings
+
+    if algorithm not in SETTINGS:
+        raise InputError(f"the algorithm must be one of {', '.join(SETTINGS)}, not {str(algorithm)[:40]!r}.")
+    if environment not in ENVIRONMENTS:
+        raise InputError(f"the environment must be one of {', '.join(ENVIRONMENTS)}, not {str(environment)[:40]!r}.")
+    kind = SETTINGS[algorithm]
+    return kind.parse(tuned_settings(algorithm, environment) | given | {"environment": environment})
+
+
+class _Json:
+    """One JSON line an event that says something."""
+
+    def show(self, event) -> None:
+        if not isinstance(event, Step):
+            print(json.dumps({"event": type(event).__name__.lower(), **vars(event)}), flush=True)
+
+    def end(self) -> None:
+        pass
+
+
+class _Line:
+    """One line that is written over: steps, speed, score, time left; evaluations stay."""
+
+    def __init__(self, folder: Path, total: int | None):
+        self.folder, self.total = folder, total or _steps_of(folder)
+        self.started = self.shown = time.monotonic()
+        self.first: int | None = None
+        self.step, self.score, self.returns = 0, None, []
+
+    def show(self, event) -> None:
+        self.step = event.step
+        self.first = event.step if self.first is None else self.first
+        if isinstance(event, Episode):
+            self.returns = [*self.returns[-_RECENT + 1 :], event.episode_return]
+        elif isinstance(event, Resumed):
+            self._say(f"step {event.step:,}: {event.message}")
+        elif isinstance(event, Evaluation):
+            self.score = event.score
+            best = ", the best so far" if event.best else ""
+            self._say(f"step {event.step:,}: {event.score:.1f} +- {event.standard_error:.1f} in evaluation{best}")
+        elif isinstance(event, Checkpoint):
+            return
+        if time.monotonic() - self.shown >= REPORT_EVERY and sys.stderr.isatty():
+            self.shown = time.monotonic()
+            print(f"\r\033[K{self._words()}", end="", file=sys.stderr, flush=True)
+
+    def _words(self) -> str:
+        rate = (self.step - (self.first or 0)) / max(1e-9, time.monotonic() - self.started)
+        left = (self.total - self.step) / rate if rate > 0 else float("inf")
+        words = [f"{self.step:,} of {self.total:,} steps", f"{rate:,.0f} steps/s"]
+        if self.returns:
+            words.append(f"return {sum(self.returns) / len(self.returns):.1f}")
+        if self.score is not None:
+            words.append(f"score {self.score:.1f}")
+        return " · ".join([*words, f"{left:.0f} s left" if left < 1e7 else "..."])
+
+    def _say(self, line: str) -> None:
+        if sys.stderr.isatty():
+            print("\r\033[K", end="", file=sys.stderr)
+        print(line, flush=True)
+
+    def end(self) -> None:
+        self._say(f"{self.step:,} steps in {time.monotonic() - self.started:.0f} s; the run is in {self.folder}")
+
+
+def _steps_of(folder: Path) -> int:
+    from laplace_core.training.run_folder import read_config
+
+    return read_config(folder / "config.json").steps
+
+
+def add_evaluate(verbs) -> None:
+    """The parser of the verb ``evaluate``."""
+    evaluate = verbs.add_parser(
+        "evaluate",
+        help="how well a checkpoint acts",
+        description="Whole episodes without exploration, from start seeds that are never trained on.",
+    )
+    evaluate.add_argument("checkpoint", metavar="CHECKPOINT", help="a .safetensors file of a trained agent")
+    evaluate.add_argument("--episodes", default="100", metavar="N", help="how many (default: 100)")
+    evaluate.add_argument("--seed", default="0", metavar="N", help="which start seeds (default: 0)")
+    evaluate.add_argument("--horizon", metavar="T", help="act for an episode of T steps, by the time to go")
+    evaluate.add_argument("--softness", default="0.2", metavar="W", help="width of the deadline over the time to go")
+    evaluate.add_argument("--alpha", default="1", metavar="A", help="regularisation of the inverse (default: 1)")
+    evaluate.add_argument("--rule", metavar="NAME", help="greedy, readout or decoded (default: readout with a horizon)")
+    evaluate.add_argument("--json", action="store_true", help="print JSON, with every return")
+    evaluate.set_defaults(run=run_evaluate)
+
+
+def run_evaluate(options: argparse.Namespace) -> None:
+    """Evaluate one checkpoint."""
+    episodes = checked_number("episodes", options.episodes, int, 1, 100_000)
+    seed = checked_number("seed", options.seed, int, 0, 10**6)
+    softness = checked_number("softness", options.softness, float, 0.0, 10.0)
+    alpha = checked_number("alpha", options.alpha, float, 1e-9, 1e6)
+    horizon = None if options.horizon is None else checked_number("horizon", options.horizon, int, 1, 10_000)
+    from laplace_core.training.checkpoint import load_checkpoint  # both load torch
+    from laplace_core.training.evaluation import evaluate
+
+    loaded = load_checkpoint(options.checkpoint)
+    rule = options.rule or ("greedy" if horizon is None else "readout")
+    scores = evaluate(
+        loaded.agent, loaded.environment, episodes, seed, horizon=horizon, softness=softness, rule=rule, alpha=alpha
+    )
+    told = {
+        "checkpoint": options.checkpoint, "algorithm": loaded.algorithm, "environment": loaded.environment,
+        "rule": rule, "horizon": horizon, "episodes": episodes, "seed": seed, "mean": scores.mean,
+        "standard_error": scores.standard_error,
+    }  # fmt: skip
+    if options.json:
+        print(json.dumps(told | {"returns": scores.returns.tolist(), "lengths": scores.lengths.tolist()}))
+        return
+    limit = "" if horizon is None else f", T = {horizon}"
+    print(
+        f"{loaded.algorithm} on {loaded.environment}, {rule}{limit}: {scores.mean:.2f} +- {scores.standard_error:.2f} "
+        f"(standard error, {episodes} episodes), from {scores.returns.min():.1f} to {scores.returns.max():.1f}"
+    )

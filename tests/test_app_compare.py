@@ -1,0 +1,266 @@
+"""A pinned view beside the present one, and the tables and texts that a view is taken along as."""
+
+from __future__ import annotations
+
+import io
+import shlex
+
+import numpy as np
+import pytest
+
+from app.link import pack
+from laplace_core import Settings, load_world, study
+from laplace_core.cli import main
+from laplace_core.compare import difference
+from laplace_core.control import episode_regret_of
+from laplace_core.learned import study_of
+from laplace_core.saved import study_arrays
+from laplace_core.tables import gamma_space_csv, rewards_csv, tau_space_csv, values_csv
+from tests.hostile import assert_one_sentence
+from tests.malformed_saved import with_arrays
+from tests.malformed_worlds import TEXT
+from tests.pages import (
+    assert_shows,
+    copied,
+    downloads,
+    labels,
+    link,
+    numbers,
+    opened,
+    pictures,
+    press,
+    run,
+    shown,
+    tau_space,
+    upload,
+    verdict,
+    wait,
+)
+from tests.test_app_learning import QUICK, finished, learn, learned_here
+
+MAPS = ("compare A", "compare B", "compare B - A")
+
+
+def maps(page) -> list[np.ndarray]:
+    found = pictures(page)
+    return [numbers(found[name]["data"][0]["z"]) for name in MAPS]
+
+
+def changed(page, alpha: float):
+    page.select_slider(key="alpha").set_value(alpha)
+    return run(page)
+
+
+def test_pinned_and_changed_the_maps_are_a_b_and_their_difference():
+    page = changed(press(opened(world="two_branch"), "Pin as A"), 0.01)
+    a, b = (study(load_world("two_branch"), Settings(alpha=alpha)) for alpha in (0.2, 0.01))
+    found = difference(a, b, 0, 0)
+    for drawn, expected in zip(maps(page), (found.a, found.b, found.difference), strict=True):
+        np.testing.assert_allclose(drawn, expected, rtol=1e-5, atol=1e-6)
+    assert any("largest change of the tau-space" in caption.value for caption in page.caption)
+
+
+def test_before_anything_changes_there_is_no_difference():
+    page = press(opened(world="two_branch"), "Pin as A")
+    assert not maps(page)[2].any()
+    assert any("same tau-space" in caption.value for caption in page.caption)
+
+
+def test_gamma_spaces_are_compared_too():
+    page = press(opened(world="two_branch", compare="gamma-space"), "Pin as A")
+    page.number_input(key="p.r2").set_value(8.0)
+    run(page)
+    a, b = (study(load_world("two_branch", params), Settings(theta_max=12.0)) for params in ({}, {"r2": 8.0}))
+    assert pictures(page)["compare A"]["layout"]["yaxis"]["title"]["text"] == "discount gamma"
+    found = difference(a, study(load_world("two_branch", {"r2": 8.0}), Settings()), 0, 0, "gamma_space")
+    np.testing.assert_allclose(maps(page)[2], found.difference, rtol=1e-4, atol=1e-5)
+    assert b is not a
+
+
+def test_a_pin_is_kept_from_world_to_world_and_unpinned():
+    page = press(opened(world="two_branch"), "Pin as A")
+    page.selectbox(key="world").set_value("two_decisions")
+    run(page)
+    assert not page.exception
+    assert "pin" in link(page)
+    a = study(load_world("two_branch"), Settings())
+    b = study(load_world("two_decisions"), Settings())
+    np.testing.assert_allclose(maps(page)[0], difference(a, b, 0, 0).a, rtol=1e-5, atol=1e-6)
+    press(page, "Unpin")
+    assert "pin" not in link(page)
+    assert not set(MAPS) & set(pictures(page))
+
+
+def test_each_side_shows_its_own_action():
+    page = press(opened(world="two_branch"), "Pin as A")
+    page.selectbox(key="action").set_value("long")
+    run(page)
+    found = study(load_world("two_branch"), Settings())
+    np.testing.assert_allclose(maps(page)[0], found.decoded.tau_space[0], rtol=1e-5, atol=1e-6)
+    np.testing.assert_allclose(maps(page)[1], found.decoded.tau_space[1], rtol=1e-5, atol=1e-6)
+
+
+def test_pinning_again_pins_what_is_seen_now():
+    page = changed(press(opened(world="two_branch"), "Pin as A"), 0.01)
+    assert maps(press(page, "Pin as A"))[2].any() == False  # noqa: E712 - numpy's own truth
+
+
+def test_worlds_without_a_common_range_say_so_and_draw_nothing():
+    page = press(opened(world="two_branch"), "Pin as A")
+    page.session_state["learning"] = True
+    run(page)
+    page.number_input(key="theta_max").set_value(90.0)
+    run(page)
+    page.number_input(key="theta_min").set_value(50.0)
+    run(page)
+    assert not set(MAPS) & set(pictures(page))
+    assert any("do not overlap" in caption.value for caption in page.caption)
+
+
+def test_a_link_reproduces_both_sides():
+    page = changed(press(opened(world="own", own=pack(TEXT)), "Pin as A"), 0.5)
+    page.selectbox(key="world").set_value("two_branch")
+    run(page)
+    again = opened(**link(page))
+    assert not again.warning
+    assert pictures(again) == pictures(page)
+
+
+def test_a_learned_view_is_pinned_as_it_was_learned():
+    page = press(learn(**{"p.slip": "0.2"}), "Pin as A")
+    seen = tau_space(page)
+    page.segmented_control(key="source").set_value("exact")
+    run(page)
+    exact = study(load_world("two_branch", {"slip": 0.2}), Settings())
+    learned = study_of(learned_here(params={"slip": 0.2}, episodes=60), Settings())
+    np.testing.assert_array_equal(maps(page)[0], seen)
+    found = difference(learned, exact, 0, 0)
+    for drawn, expected in zip(maps(page), (found.a, found.b, found.difference), strict=True):
+        np.testing.assert_allclose(drawn, expected, rtol=1e-5, atol=1e-6)
+    # A link to it learns A again, from its seed.
+    again = wait(opened(**link(page)), lambda page: set(MAPS) <= set(pictures(page)))
+    wait(again, lambda page: not page.session_state["_runs"].running)
+    assert pictures(run(again)) == pictures(page)
+
+
+def test_a_pinned_run_is_not_stopped_by_what_is_learned_beside_it():
+    pinned = link(press(learn(**{"p.slip": "0.2"}), "Pin as A"))["pin"]
+    page = opened(pin=pinned, **QUICK | {"l.seed": "5"})
+    press(wait(page, lambda page: not page.session_state["_runs"].running), "Learn")
+    wait(page, finished)
+    a, b = (
+        study_of(learned_here(params=params, episodes=60, seed=seed), Settings())
+        for params, seed in (({"slip": 0.2}, 0), ({}, 5))
+    )
+    np.testing.assert_allclose(maps(page)[2], difference(a, b, 0, 0).difference, rtol=1e-4, atol=1e-5)
+
+
+def test_a_pinned_gamma_space_is_gone_with_its_file_and_says_so():
+    page = press(upload(opened("bring"), "mine.npz", with_arrays()), "Pin as A")
+    assert set(MAPS) <= set(pictures(page))
+    page.selectbox(key="world").set_value("two_branch")
+    run(page)
+    assert not page.exception
+    again = opened(**link(page))
+    assert any("cannot be shown" in warning.value for warning in again.warning)
+    for warning in again.warning:
+        assert_one_sentence(warning.value)
+
+
+@pytest.mark.parametrize("pin", ["", "abc", pack("[1]"), pack('{"world": "nope"}'), pack('{"world": "own", "own": "x"}')])
+def test_a_damaged_pin_is_noted_and_the_view_opens(pin):
+    page = opened(world="two_branch", pin=pin)
+    assert len(page.warning) == 1
+    assert "Unpin" not in labels(page)
+    assert "choose long" in verdict(page)
+
+
+# --- taken along ---
+
+VIEWS = [
+    {"world": "two_branch", "normalise": "paper", "alpha": "0.05", "action": "long"},
+    {"world": "rise_and_fade", "noise": "0.001", "noise_seed": "3", "time_step": "0.5"},
+    {"world": "own", "own": pack(TEXT), "state": "long"},
+    {"world": "gym:FrozenLake-v1", "policy": "per_gamma", "deadline": "constant"},
+]
+
+
+@pytest.mark.parametrize("query", VIEWS, ids=lambda query: query["world"])
+def test_the_downloads_hold_the_library_s_numbers(query, monkeypatch):
+    saved = downloads(monkeypatch)
+    page = opened("downloading", **query)
+    view = shown(page)
+    found = study(view.world, view.settings)
+    files = {name.rpartition(".")[2]: content for name, content in saved.items()}
+    assert {"npz", "csv"} <= set(files)
+    with np.load(io.BytesIO(files["npz"])) as file:
+        for name, array in study_arrays(found).items():
+            np.testing.assert_array_equal(file[name], array)
+    csvs = {content for name, content in saved.items() if name.endswith(".csv")}
+    assert csvs == {csv(found) for csv in (tau_space_csv, gamma_space_csv, values_csv, rewards_csv)}
+    for name in saved:
+        assert not set(name) & set(' :/\\"')
+
+
+@pytest.mark.parametrize("query", VIEWS, ids=lambda query: query["world"])
+def test_the_python_and_the_command_repeat_the_view(query, monkeypatch, tmp_path):
+    saved = downloads(monkeypatch)
+    page = opened("copying", **query)
+    for name, content in saved.items():
+        if name.endswith(".json"):
+            (tmp_path / name).write_text(content)
+    monkeypatch.chdir(tmp_path)
+    namespace: dict = {}
+    exec(compile(copied(page, "python"), "script", "exec"), namespace)
+    assert_shows(page, namespace["found"], shown(page).action)
+    assert main(shlex.split(copied(page, "command"))[3:]) == 0
+    told = np.load(tmp_path / "view.npz")
+    for name, array in study_arrays(namespace["found"]).items():
+        if name != "settings":
+            np.testing.assert_array_equal(told[name], array)
+
+
+def test_the_python_of_a_gamma_space_from_a_file_repeats_it(tmp_path, monkeypatch):
+    (tmp_path / "mine.npz").write_bytes(with_arrays())
+    page = upload(opened("bring", "copying"), "mine.npz", with_arrays())
+    monkeypatch.chdir(tmp_path)
+    namespace: dict = {}
+    exec(compile(copied(page, "python"), "script", "exec"), namespace)
+    assert_shows(page, namespace["found"])
+    assert main(shlex.split(copied(page, "command"))[3:]) == 0
+
+
+# --- noise, and acting by a constant horizon ---
+
+
+def test_noise_moves_the_picture_and_its_seed_brings_it_back():
+    page = opened("more", world="rise_and_fade")
+    before = tau_space(page)
+    page.select_slider(key="noise").set_value(1e-3)
+    run(page)
+    noisy = tau_space(page)
+    assert np.abs(noisy - before).max() > 0.01
+    assert_shows(page, study(load_world("rise_and_fade"), Settings(noise=1e-3)))
+    page.number_input(key="noise_seed").set_value(1)
+    run(page)
+    assert_shows(page, study(load_world("rise_and_fade"), Settings(noise=1e-3, noise_seed=1)))
+    page.number_input(key="noise_seed").set_value(0)
+    np.testing.assert_array_equal(tau_space(run(page)), noisy)
+    page.select_slider(key="noise").set_value(0.0)
+    np.testing.assert_array_equal(tau_space(run(page)), before)
+
+
+def test_acting_with_a_constant_horizon_loses_more_and_is_named():
+    page = opened("more", world="cliff_grid", horizon="12")
+    page.selectbox(key="deadline").set_value("constant")
+    run(page)
+    constant = next(caption.value for caption in page.caption if "loses" in caption.value)
+    page.selectbox(key="deadline").set_value("time_to_go")
+    run(page)
+    to_go = next(caption.value for caption in page.caption if "loses" in caption.value)
+    world = load_world("cliff_grid")
+    for text, deadline in ((constant, "constant"), (to_go, "time_to_go")):
+        found = study(world, Settings(deadline=deadline))
+        loss = episode_regret_of(world, found.settings)[11, found.state]
+        assert f"loses {loss if loss > 1e-6 else 0.0:.3g} " in text
+    assert constant != to_go
