@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
 
-from laplace_core import Settings, load_world, study
-from laplace_core.artifacts import MEASURES, Remedy, find_artefacts
+from laplace_core import Settings, control, load_world, study
+from laplace_core.artifacts import MEASURES, VISIBLE, Remedy, find_artefacts
+from laplace_core.control import constant_horizon_loss
 
 CALM = {"alpha": 1e-6}  # a decode so sharp that nothing is wrong with it
 
@@ -77,3 +79,35 @@ def test_ringing_has_no_remedy_that_smears():
     _, artefacts = look("rise_and_fade", alpha=0.01)
     assert artefacts["negative mass"].remedies == ()
     assert "more smearing" in artefacts["negative mass"].sentence
+
+
+def test_the_tail_of_a_large_reward_beyond_the_edge_is_no_rounding():
+    # 6.6 / slope inside the edge .0014 of the reward is lost; times 100 that would be .27 of the spacing.
+    grid = {"thetas": 31, "theta_min": 86.1, "theta_max": 101.1, "slope": 6.0, "steps": 3}
+    assert "reward quantisation" not in look("two_branch", 0, params={"r1": 100.0, "r2": 100.0}, **grid)[1]
+
+
+def test_a_constant_horizon_is_judged_at_the_horizon_that_is_asked_for():
+    found, artefacts = look("cliff_grid", deadline="constant", alpha=1e-4)
+    loss, best = constant_horizon_loss(found.world, found.settings)
+    loss = loss[:, found.state] / np.abs(best[:, found.state]).max()
+    assert artefacts["constant horizon"].size == pytest.approx(loss.max())
+    sizes = {}
+    for horizon in range(1, 41):
+        listed = {artefact.name: artefact for artefact in find_artefacts(found, 0, horizon)}
+        sizes[horizon] = listed["constant horizon"].size if "constant horizon" in listed else 0.0
+    np.testing.assert_allclose(list(sizes.values()), np.where(loss >= VISIBLE, loss, 0.0))
+
+
+def test_a_constant_horizon_in_too_large_a_world_is_left_out(monkeypatch):
+    monkeypatch.setattr(control, "MAX_WORK", 10)
+    assert "constant horizon" not in look("cliff_grid", deadline="constant", alpha=0.0123)[1]
+
+
+def test_what_is_folded_is_what_comes_after_the_last_row():
+    # One row for the long branch: 10 at tau = 2 is fitted by one number, sum gamma^2 / (G + alpha^2); 0 stays 0.
+    found, artefacts = look("two_branch", 1, steps=1)
+    gammas, alpha = found.gamma_space.gammas, found.settings.alpha
+    share = 1.0 / (gammas.size + alpha**2)
+    late, zeros = np.sum(gammas**2) * share, np.sum(gammas) * share  # tau = 1 pays another 0
+    assert artefacts["folding"].size == pytest.approx((late + zeros) / 2.0, rel=2e-3)

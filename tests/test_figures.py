@@ -4,16 +4,22 @@ from __future__ import annotations
 
 import base64
 import json
+from functools import cache
 
 import numpy as np
 import plotly.graph_objects as go
 import pytest
 
 from app import compute, figures
-from app.sources import WORLDS, View
+from app.sources import WORLDS, Learner, View
 from laplace_core import Settings, load_world, study
+from laplace_core.compare import difference
+from laplace_core.learned import Learning, LearnSettings, bands, return_distributions, study_of
+from laplace_core.learned.reading import study_settings
+from laplace_core.settings import resolve
 
-NAMES = ("world", "gamma-space", "tau-space", "values", "rewards")
+NAMES = ("world", "gamma-space", "tau-space", "values", "rewards", "fit")
+LEARNING = ("curve", "probabilities", "returns")
 
 
 def drawn(
@@ -29,6 +35,45 @@ def drawn(
 @pytest.mark.parametrize("name", NAMES)
 def test_plotly_accepts_every_figure(name, world, surface):
     go.Figure(drawn(name, world, surface=surface))  # raises on any property or value that plotly does not know
+
+
+@cache
+def learner_of(world: str, seeds: int, episodes: int = 3) -> Learner:
+    learning = Learning(
+        load_world(world), LearnSettings(episodes=episodes, seeds=seeds, peers=True, max_steps=30, gammas=8)
+    )
+    for _ in learning:
+        pass
+    learned = learning.snapshot()
+    return Learner(learned.world, learned, None if seeds > 1 else 0)
+
+
+def learned_view(world: str = "two_branch", seeds: int = 1, action: int = 0, episodes: int = 3) -> View:
+    learner = learner_of(world, seeds, episodes)
+    settings = resolve(study_settings(learner.learned.settings, Settings(world=world, thetas=40)), learner.world)
+    return View(learner, settings, action, None)
+
+
+@pytest.mark.parametrize("seeds", [1, 3])
+@pytest.mark.parametrize("world", WORLDS)
+def test_plotly_accepts_every_figure_of_a_learner(world, seeds):
+    view = learned_view(world, seeds)
+    for name in NAMES:
+        go.Figure(json.loads(compute.figure(name, view)))
+    for name in LEARNING:
+        go.Figure(json.loads(compute.learning_figure(name, view)))
+
+
+@pytest.mark.parametrize("what", ["tau_space", "gamma_space"])
+@pytest.mark.parametrize("world", WORLDS)
+def test_plotly_accepts_every_map_of_a_comparison(world, what):
+    a, b = (View(load_world(world), resolve(Settings(world=world, alpha=alpha), load_world(world)), 0, None)
+            for alpha in (0.1, 1.0))  # fmt: skip
+    sentence, maps = compute.comparison(a, b, what)
+    assert sentence
+    assert list(maps) == ["A", "B", "B - A"]
+    for figure in maps.values():
+        go.Figure(json.loads(figure))
 
 
 def unpacked(packed: dict | list) -> np.ndarray:
@@ -94,3 +139,69 @@ def test_small_and_large_arrays_survive_the_way():
     assert back["data"][0]["n"] == 1.5
     with pytest.raises(ValueError, match="not JSON compliant"):
         figures.to_json({"data": [np.float64("nan")]})
+
+
+def test_the_curve_holds_what_was_noted_while_learning():
+    view = learned_view(seeds=3, episodes=20)
+    drawn = json.loads(compute.learning_figure("curve", view))["data"]
+    for i, curve in enumerate(view.learned.curves):
+        errors, returns = (unpacked(trace["y"]) for trace in drawn[2 * i : 2 * i + 2])
+        np.testing.assert_allclose(errors, 100 * np.maximum(curve["error"], 1e-6), rtol=1e-6)
+        np.testing.assert_allclose(returns, curve["return"], rtol=1e-6)
+
+
+def test_the_bands_hold_every_learner_and_the_truth_is_exact():
+    view = learned_view(seeds=3, action=1, episodes=20)
+    each = [study_of(view.learned, view.settings, seed) for seed in range(3)]
+    traces = json.loads(compute.learning_figure("probabilities", view))["data"]
+    edge, mean, true = (unpacked(trace["y"]) for trace in traces[-3:])
+    last = np.abs(each[0].midpoints[:, None] - view.world.reward_values).argmin(axis=1) == 2  # the reward 10
+    rows = np.stack([study.decoded.tau_space[1][:, last].sum(axis=-1) for study in each])
+    np.testing.assert_allclose(edge, [*rows.max(axis=0), *rows.min(axis=0)[::-1]], atol=1e-6)
+    np.testing.assert_allclose(mean, rows.mean(axis=0), atol=1e-6)
+    np.testing.assert_allclose(true, each[0].truth.tau_space[1][:, last].sum(axis=-1), atol=1e-6)
+
+
+def test_the_strip_of_several_learners_shows_their_shares():
+    view = learned_view(seeds=3, episodes=2)
+    found = bands(view.learned, view.settings)
+    drawn = json.loads(compute.figure("values", view))["data"]
+    shares = [unpacked(trace["y"]) for trace in drawn if trace.get("yaxis") == "y3"]
+    np.testing.assert_allclose(shares, found.action_share, atol=1e-6)
+    np.testing.assert_allclose(np.sum(shares, axis=0), 1.0, atol=1e-6)
+
+
+def test_the_laws_of_the_return_rise_to_one_and_the_true_one_is_exact():
+    view = learned_view(episodes=20)
+    found = return_distributions(view.learned, view.settings.state, 0, 0, view.settings)
+    traces = [t for t in json.loads(compute.learning_figure("returns", view))["data"] if t["mode"] == "lines"]
+    for trace in traces:
+        heights = unpacked(trace["y"])
+        assert heights[-1] == 1.0
+        assert np.all(np.diff(heights) >= -1e-6)
+    locations, masses = found.truth
+    true = next(trace for trace in traces if trace["name"] == "true")
+    np.testing.assert_allclose(unpacked(true["x"])[1:-1], np.sort(locations), rtol=1e-6)
+    np.testing.assert_allclose(unpacked(true["y"])[1:-1], np.cumsum(masses[np.argsort(locations)]), rtol=1e-6)
+
+
+def test_the_fit_shows_what_the_timeline_gives_back():
+    found = study(load_world("two_branch"), Settings(alpha=0.2))
+    given, back = json.loads(compute.figure("fit", View(found.world, found.settings, 1, None)))["data"]
+    gammas = found.gamma_space.gammas
+    expected = (1 - gammas) * (found.gamma_space.differences[1] @ found.midpoints)
+    np.testing.assert_allclose(unpacked(given["y"]), expected, rtol=1e-5, atol=1e-6)
+    powers = gammas[:, None] ** np.arange(found.settings.steps)
+    np.testing.assert_allclose(unpacked(back["y"]), (1 - gammas) * (powers @ found.decoded.expected_reward[1]), rtol=1e-5)
+
+
+@pytest.mark.parametrize("step", [1.0, 0.5])
+def test_the_maps_of_a_comparison_share_a_scale_and_hold_the_difference(step):
+    world = load_world("two_branch")
+    a, b = (View(world, resolve(Settings(alpha=alpha, time_step=step), world), 0, None) for alpha in (0.2, 0.01))
+    found = difference(compute.study_for(a), compute.study_for(b), 0, 0)
+    maps = {name: json.loads(figure)["data"][0] for name, figure in compute.comparison(a, b, "tau_space")[1].items()}
+    for name, values in (("A", found.a), ("B", found.b), ("B - A", found.difference)):
+        np.testing.assert_allclose(unpacked(maps[name]["z"]), values, rtol=1e-5, atol=1e-6)
+    assert (maps["A"]["zmin"], maps["A"]["zmax"]) == (maps["B"]["zmin"], maps["B"]["zmax"])
+    assert maps["B - A"]["zmin"] == -maps["B - A"]["zmax"]

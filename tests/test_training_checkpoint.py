@@ -23,9 +23,10 @@ from laplace_core.agents import LaplaceSettings
 from laplace_core.errors import InputError
 from laplace_core.training import tensor_file
 from laplace_core.training.checkpoint import MAX_BYTES, load_checkpoint, new_agent, save_checkpoint
-from laplace_core.training.tuned import FOLDER, tuned_settings
+from laplace_core.training.command import settings_of
 from tests.hostile import assert_one_sentence
 
+FILES = Path(tensor_file.__file__).parent / "settings"
 TINY = LaplaceSettings(hidden=4, features=2, gammas=2, thetas=3, seed=7)
 
 
@@ -334,18 +335,18 @@ def test_a_failed_write_leaves_the_old_file_and_no_other(tmp_path, good, monkeyp
 # Settings files
 
 
-@pytest.mark.parametrize("path", sorted(FOLDER.glob("*/*.json")), ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", sorted(FILES.glob("*/*.json")), ids=lambda path: path.stem)
 def test_every_settings_file_fits_its_schema_and_its_name(path):
     written = json.loads(path.read_text())
-    found = tuned_settings(path.parent.name, path.stem)
+    found = settings_of(path.parent.name, path.stem, {})
     assert found.environment == path.stem
     assert {name: getattr(found, name) for name in written} == written
     assert 4 * new_agent(found).network_numbers(found, 8, 4) < MAX_BYTES
 
 
 def test_given_settings_go_over_the_tuned_ones():
-    assert tuned_settings("laplace", "CartPole-v1", {"seed": "3", "hidden": 32}).hidden == 32
-    assert tuned_settings("laplace", "double_chain").environment == "double_chain"
+    assert settings_of("laplace", "CartPole-v1", {"seed": "3", "hidden": 32}).hidden == 32
+    assert settings_of("laplace", "double_chain", {}).environment == "double_chain"
 
 
 @pytest.mark.parametrize(
@@ -354,4 +355,4 @@ def test_given_settings_go_over_the_tuned_ones():
 )
 def test_unknown_names_are_refused(algorithm, environment, given):
     with pytest.raises(InputError):
-        tuned_settings(algorithm, environment, given)
+        settings_of(algorithm, environment, given)

@@ -17,9 +17,9 @@ from laplace_core.inverse import decode
 from laplace_core.learning import proxy_gamma_space, target_policies
 from laplace_core.training import environments
 from laplace_core.training.checkpoint import load_checkpoint, new_agent
+from laplace_core.training.command import settings_of
 from laplace_core.training.evaluation import evaluate
 from laplace_core.training.loop import train
-from laplace_core.training.tuned import tuned_settings
 
 torch.set_num_threads(1)
 TINY = LaplaceSettings(environment="two_branch", hidden=8, features=4, gammas=6, thetas=9, theta_min=-3, theta_max=13)
@@ -126,7 +126,7 @@ def exact(agent: LaplaceAgent, name: str, state: str):
 @pytest.mark.parametrize("name", ["fig6_chain", "two_branch"])
 def test_a_trained_network_has_the_gamma_space_of_its_world(name, tmp_path):
     """Within 3% of the range of the exact one, in every state; and its decode shows the same picture."""
-    for _ in train(tuned_settings("laplace", name), tmp_path / "run"):
+    for _ in train(settings_of("laplace", name, {}), tmp_path / "run"):
         pass
     agent, world = load_checkpoint(tmp_path / "run" / "last.safetensors").agent, load_world(name)
     for index, state in enumerate(world.states):

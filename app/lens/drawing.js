@@ -1,0 +1,182 @@
+// Tools to draw with: pens that draw on a canvas or write an SVG, axes, colours, heat. Knows no lens.
+
+export const ACTIONS = ['#0072B2', '#E69F00', '#009E73', '#D55E00', '#CC79A7', '#56B4E9', '#8C6D31', '#7A7A7A'];
+export const actionColour = (a) => ACTIONS[a % ACTIONS.length];
+export const NEUTRAL = '#8a8f98', GRID = 'rgba(138,143,152,0.28)', UNDER = 0.25; // share of the limit drawn below zero
+const VIRIDIS = ['#440154', '#472d7b', '#3b528b', '#2c728e', '#21918c', '#28ae80', '#5ec962', '#addc30', '#fde725'];
+
+// ---- pens: path, text, image, clip
+
+export function canvasPen(context, font) {
+  return {
+    path(points, { stroke, width = 1, dash = [], fill, close } = {}) {
+      context.beginPath();
+      let down = false;
+      for (const point of points) {
+        if (!point) down = false;
+        else if (down) context.lineTo(point[0], point[1]);
+        else { context.moveTo(point[0], point[1]); down = true; }
+      }
+      if (close) context.closePath();
+      if (fill) { context.fillStyle = fill; context.fill(); }
+      if (!stroke) return;
+      Object.assign(context, { strokeStyle: stroke, lineWidth: width, lineJoin: 'round' });
+      context.setLineDash(dash);
+      context.stroke();
+    },
+    text(words, x, y, { size = 11, weight = 400, align = 'left', colour, turn } = {}) {
+      Object.assign(context, { font: `${weight} ${size}px ${font}`, textAlign: align, fillStyle: colour, textBaseline: 'alphabetic' });
+      if (!turn) { context.fillText(words, x, y); return; }
+      context.save();
+      context.translate(x, y);
+      context.rotate(-Math.PI / 2);
+      context.fillText(words, 0, 0);
+      context.restore();
+    },
+    image(source, x, y, w, h) {
+      context.imageSmoothingEnabled = false;
+      context.drawImage(source, x, y, w, h);
+    },
+    clip(x, y, w, h, draw) {
+      context.save();
+      context.beginPath();
+      context.rect(x, y, w, h);
+      context.clip();
+      draw();
+      context.restore();
+    },
+    width: (words, size, weight = 400) => {
+      context.font = `${weight} ${size}px ${font}`;
+      return context.measureText(words).width;
+    },
+  };
+}
+
+const escaped = (words) => String(words).replace(/[&<>"]/g, (sign) => ({ '&': '&amp;', '<': '&lt;', '>': '&gt;', '"': '&quot;' })[sign]);
+
+export function svgPen(font, measure) {
+  const parts = [], short = (value) => +value.toFixed(2);
+  let clips = 0;
+  return {
+    parts,
+    path(points, { stroke = 'none', width = 1, dash = [], fill = 'none', close } = {}) {
+      let d = '', down = false;
+      for (const point of points) {
+        if (point) d += `${down ? 'L' : 'M'}${short(point[0])} ${short(point[1])}`;
+        down = Boolean(point);
+      }
+      parts.push(`<path d="${d}${close ? 'Z' : ''}" fill="${fill}" stroke="${stroke}" stroke-width="${width}" stroke-dasharray="${dash}" stroke-linejoin="round"/>`);
+    },
+    text(words, x, y, { size = 11, weight = 400, align = 'left', colour, turn } = {}) {
+      const anchor = { left: 'start', center: 'middle', right: 'end' }[align];
+      const place = turn ? `transform="translate(${short(x)} ${short(y)}) rotate(-90)"` : `x="${short(x)}" y="${short(y)}"`;
+      parts.push(`<text ${place} font-family="${escaped(font)}" font-size="${size}" font-weight="${weight}" text-anchor="${anchor}" fill="${colour}">${escaped(words)}</text>`);
+    },
+    image(source, x, y, w, h) {
+      parts.push(`<image href="${source.toDataURL()}" x="${short(x)}" y="${short(y)}" width="${short(w)}" height="${short(h)}" preserveAspectRatio="none" style="image-rendering:pixelated"/>`);
+    },
+    clip(x, y, w, h, draw) {
+      const name = `clip${clips++}`;
+      parts.push(`<clipPath id="${name}"><rect x="${x}" y="${y}" width="${w}" height="${h}"/></clipPath><g clip-path="url(#${name})">`);
+      draw();
+      parts.push('</g>');
+    },
+    width: measure,
+  };
+}
+
+// ---- axes
+
+// Ticks of a linear axis: at most about `count`, at round numbers, inside the range.
+export function ticks(low, high, count = 5) {
+  const rough = (high - low) / count || 1, ten = 10 ** Math.floor(Math.log10(rough));
+  const step = [1, 2, 5, 10].map((n) => n * ten).find((size) => size >= rough * 0.999);
+  const first = Math.ceil(low / step - 1e-9);
+  return Array.from({ length: Math.max(0, Math.floor(high / step + 1e-9) - first + 1) }, (_, i) => (first + i) * step);
+}
+
+// A range that holds the values and ends at round numbers, so that it moves in steps.
+export function rounded(low, high, least = 1e-9) {
+  if (!(high - low > least)) { low -= 0.5 * least || 0.5; high += 0.5 * least || 0.5; }
+  const [a, b] = ticks(low, high, 4), step = b - a || high - low;
+  return [Math.floor(low / step + 1e-6) * step, Math.ceil(high / step - 1e-6) * step];
+}
+
+export const short = (value, digits = 3) => {
+  if (!Number.isFinite(value)) return '–';
+  return String(Object.is(+value.toPrecision(digits), -0) ? 0 : +value.toPrecision(digits));
+};
+
+// Frame and labels of one box; returns the scales. Ticks are values, or [value, words].
+export function axes(pen, box, { x, y, xTicks, yTicks, xTitle, yTitle, colours, grid = true }) {
+  const X = (value) => box.x + ((value - x[0]) / (x[1] - x[0])) * box.w;
+  const Y = (value) => box.y + box.h - ((value - y[0]) / (y[1] - y[0])) * box.h;
+  const named = (list) => list.map((tick) => (Array.isArray(tick) ? tick : [tick, short(tick)]));
+  for (const [value, words] of named(yTicks ?? ticks(...y))) {
+    if (grid) pen.path([[box.x, Y(value)], [box.x + box.w, Y(value)]], { stroke: GRID });
+    pen.text(words, box.x - 5, Y(value) + 4, { align: 'right', colour: colours.soft, size: 10.5 });
+  }
+  for (const [value, words] of named(xTicks ?? ticks(...x))) {
+    if (grid) pen.path([[X(value), box.y], [X(value), box.y + box.h]], { stroke: GRID });
+    pen.text(words, X(value), box.y + box.h + 13, { align: 'center', colour: colours.soft, size: 10.5 });
+  }
+  if (xTitle) pen.text(xTitle, box.x + box.w / 2, box.y + box.h + 27, { align: 'center', colour: colours.soft, size: 11 });
+  if (yTitle) pen.text(yTitle, box.x - 36, box.y + box.h / 2, { align: 'center', colour: colours.soft, size: 11, turn: true });
+  return { X, Y, x, y, box, toX: (px) => x[0] + ((px - box.x) / box.w) * (x[1] - x[0]), toY: (py) => y[0] + ((box.y + box.h - py) / box.h) * (y[1] - y[0]) };
+}
+
+// About six labelled rows, evenly spaced; rows are drawn at equal heights whatever they stand for.
+export function rowTicks(labels) {
+  const stride = [1, 2, 5, 10, 20, 50, 100, 200, 500].find((n) => labels.length / n <= 8);
+  return Array.from({ length: Math.ceil(labels.length / stride) }, (_, i) => [i * stride, short(labels[i * stride])]);
+}
+
+export const line = (pen, xs, ys, style) => pen.path(Array.from(ys, (y, i) => (Number.isFinite(y) ? [xs[i], y] : null)), style);
+
+// ---- heat
+
+const channelsOf = (colour) => [1, 3, 5].map((i) => parseInt(colour.slice(i, i + 2), 16));
+
+// 512 colours from -UNDER to 1: red below zero, viridis above.
+const SCALE = (() => {
+  const zero = UNDER / (1 + UNDER), stops = [[0, '#ff3b3b'], [0.75 * zero, '#a11a4a'],
+    ...VIRIDIS.map((colour, i) => [zero + ((1 - zero) * i) / (VIRIDIS.length - 1), colour])];
+  return Uint32Array.from({ length: 512 }, (_, i) => {
+    const at = i / 511, next = Math.max(1, stops.findIndex(([stop]) => stop >= at));
+    const [[a, from], [b, to]] = [stops[next - 1], stops[next]], share = (at - a) / (b - a);
+    const [red, green, blue] = channelsOf(from).map((low, c) => Math.round(low + share * (channelsOf(to)[c] - low)));
+    return (255 << 24) | (blue << 16) | (green << 8) | red;
+  });
+})();
+
+export const heatIndex = (value, limit) => Math.min(511, Math.max(0, Math.round(((value / limit + UNDER) / (1 + UNDER)) * 511)));
+export const heatColour = (value, limit) => {
+  const word = SCALE[heatIndex(value, limit)];
+  return `rgb(${word & 255},${(word >> 8) & 255},${(word >> 16) & 255})`;
+};
+
+// A picture of values (n, width), the first row at the bottom; `columns` says which column each pixel shows.
+export function heatmap(canvas, values, n, width, limit, columns) {
+  const across = columns?.length ?? width;
+  canvas.width = across;
+  canvas.height = n;
+  const context = canvas.getContext('2d'), image = context.createImageData(across, n), words = new Uint32Array(image.data.buffer);
+  const factor = 511 / (limit * (1 + UNDER)), zero = (511 * UNDER) / (1 + UNDER) + 0.5;
+  for (let k = 0; k < n; k++) {
+    for (let x = 0, at = (n - 1 - k) * across; x < across; x++, at++) {
+      const index = (values[k * width + (columns ? columns[x] : x)] * factor + zero) | 0;
+      words[at] = SCALE[index < 0 ? 0 : index > 511 ? 511 : index];
+    }
+  }
+  context.putImageData(image, 0, 0);
+  return canvas;
+}
+
+export function colourBar(pen, canvas, box, limit, colours) {
+  if (!canvas.height || canvas.height !== 128) heatmap(canvas, Float64Array.from({ length: 128 }, (_, i) => -UNDER + (i / 127) * (1 + UNDER)), 128, 1, 1);
+  pen.image(canvas, box.x, box.y, box.w, box.h);
+  for (const value of [0, limit]) {
+    const y = box.y + box.h * (1 - (value / limit + UNDER) / (1 + UNDER));
+    pen.text(short(value, 2), box.x + box.w + 3, y + (value ? 9 : 3), { size: 9.5, colour: colours.soft });
+  }
+}

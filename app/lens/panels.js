@@ -1,0 +1,334 @@
+// The six pictures of the lens. Each draws itself with a pen into a box and says in words what it shows.
+// `scene` is { model, state, seen, hover, colours, kernel, resolution, images }.
+import { NEUTRAL, UNDER, actionColour, axes, colourBar, heatColour, heatmap, line, rounded, rowTicks, short, ticks } from './drawing.js';
+import { gammaSpace } from './maths.js';
+
+const TRUTH = { stroke: '#ffffff', width: 1.5 }, HALO = { stroke: '#111111', width: 3.5 };
+const inside = (w, h, { left = 46, right = 10, top = 28, bottom = 34 } = {}) => ({ x: left, y: top, w: w - left - right, h: h - top - bottom });
+
+function titled(pen, w, words, note, { colours }) {
+  pen.text(words, 2, 15, { size: 14, weight: 600, colour: colours.text });
+  if (note && pen.width(words, 14, 600) + pen.width(note, 11) + 14 < w) pen.text(note, w - 4, 15, { size: 11, align: 'right', colour: colours.soft });
+}
+
+function marked(pen, { box, X, Y }, { x, y }, colours) { // where the other panels point to
+  const lines = [];
+  if (x !== undefined) lines.push([[X(x), box.y], [X(x), box.y + box.h]]);
+  if (y !== undefined) lines.push([[box.x, Y(y)], [box.x + box.w, Y(y)]]);
+  for (const each of lines) {
+    pen.path(each, { stroke: colours.halo, width: 3 });
+    pen.path(each, { stroke: colours.mark, width: 1.2 });
+  }
+}
+
+// ---- the two spaces
+
+// Which column a pixel of the theta axis shows; null where all columns are equally wide.
+function pixelColumns(thetas) {
+  const H = thetas.length - 1, first = thetas[0], span = thetas[H] - first;
+  if (thetas.every((theta, h) => Math.abs(theta - first - (span * h) / H) < 1e-3 * (span / H))) return null;
+  let h = 0;
+  return Uint16Array.from({ length: 400 }, (_, x) => {
+    while (h < H - 1 && thetas[h + 1] < first + (span * (x + 0.5)) / 400) h++;
+    return h;
+  });
+}
+
+export const thetaRange = ({ thetas }) => [thetas[0], thetas[thetas.length - 1]];
+
+export const limitOfTau = ({ model, seen, state, images }) => {
+  if (!seen.truth) return Math.max(...seen.tau.map(Math.abs)) / model.dt || 1;
+  if (images.limitFor !== seen.masses) { // the truth's own peak: it knows the encoding, but not alpha or T
+    const { chances } = seen.truth, { masses, H } = seen, V = model.arrays.rewards.length;
+    let top = 0;
+    for (const rows of chances) {
+      for (let k = 0; k < model.K; k++) {
+        if (!masses) break;
+        for (let h = 0; h < H; h++) {
+          let sum = 0;
+          for (let v = 0; v < V; v++) sum += rows[k * V + v] * masses[v * H + h];
+          if (sum > top) top = sum;
+        }
+      }
+    }
+    Object.assign(images, { limitFor: masses, limit: top / model.dt || 1 });
+  }
+  return images.limit;
+};
+
+function drawSpace(pen, w, h, scene, { values, n, rows, limit, title, note, yTitle, labels, margin, image, version }) {
+  const { seen, colours, images } = scene, box = inside(w, h, margin);
+  if (images[`${image} of`] !== version) {
+    heatmap(images[image] ??= document.createElement('canvas'), values, n, seen.H, limit, pixelColumns(seen.thetas));
+    images[`${image} of`] = version;
+  }
+  titled(pen, w, title, note, scene);
+  const scale = axes(pen, box, { x: thetaRange(seen), y: [-0.5, rows - 0.5], yTicks: rowTicks(labels), xTitle: 'sensitivity θ (reward)', yTitle, colours, grid: false });
+  pen.path([[box.x, box.y], [box.x + box.w, box.y], [box.x + box.w, box.y + box.h], [box.x, box.y + box.h]], { fill: colours.empty, close: true });
+  const top = scale.Y(n - 0.5);
+  pen.image(images[image], box.x, top, box.w, box.y + box.h - top);
+  return scale;
+}
+
+export const gammaPanel = {
+  name: 'gamma-space',
+  draw(pen, w, h, scene) {
+    const { seen, state, hover, colours, images } = scene;
+    const version = JSON.stringify([state.slope, state.action, state.noise && [state.noise, state.noise_seed], state.mixed, state.paper_grid, state.clip, scene.model.id]);
+    if (images.gammaFor !== version) Object.assign(images, { Z: gammaSpace(seen, state), gammaFor: version });
+    const { Z } = images, { gammas, G } = seen.grid, limit = Z.reduce((a, b) => Math.max(a, b), 0) || 1;
+    const margin = { right: 36 };
+    const scale = drawSpace(pen, w, h, scene, { values: Z, n: G, rows: G, limit, labels: gammas, title: 'gamma-space', yTitle: 'discount γ', margin, image: 'gamma', version,
+      note: hover.theta !== undefined && hover.gamma !== undefined ? `θ ${short(hover.theta)} · γ ${short(gammas[hover.gamma])} · ${short(Z[hover.gamma * seen.H + columnAt(seen, hover.theta)])}` : 'discounted steps' });
+    colourBar(pen, images.bar ??= document.createElement('canvas'), { x: w - 32, y: scale.box.y, w: 7, h: scale.box.h }, limit, colours);
+    marked(pen, scale, { x: hover.theta, y: hover.gamma }, colours);
+    return scale;
+  },
+  point: ({ seen }, x, y) => ({ theta: x, gamma: Math.min(seen.grid.G - 1, Math.max(0, Math.round(y))) }),
+  words: ({ model, state, seen, images }) => `Gamma-space of ${model.header.actions[state.action]}: ${seen.grid.G} discounts from ${short(seen.grid.gammas[0])} to ${short(seen.grid.gammas[seen.grid.G - 1])}, `
+    + `${seen.H} sensitivities from ${short(seen.thetas[0])} to ${short(seen.thetas[seen.H])}; the largest entry is ${short(images.Z ? images.Z.reduce((a, b) => Math.max(a, b), 0) : NaN)} discounted steps.`,
+};
+
+export const columnAt = ({ thetas, H }, theta) => {
+  let low = 0, high = H - 1;
+  while (low < high) {
+    const middle = (low + high + 1) >> 1;
+    if (thetas[middle] <= theta) low = middle; else high = middle - 1;
+  }
+  return low;
+};
+
+// Boxes around the cells where the true probability rises above the foot of its row's peak; with many rows only sides.
+function outline({ model, seen, state, images }) {
+  if (images.outlineFor === seen.masses && images.outlineOf === state.action) return images.outline;
+  const { chances } = seen.truth, { masses, H, thetas } = seen, V = model.arrays.rewards.length, few = model.K <= 16, half = few ? 0.46 : 0.5;
+  const rows = Array.from({ length: model.K }, (_, k) => Float64Array.from({ length: H }, (_, h) => {
+    let sum = 0;
+    for (let v = 0; v < V; v++) sum += chances[state.action][k * V + v] * masses[v * H + h];
+    return sum;
+  }));
+  const peaks = rows.map((row) => row.reduce((a, b) => Math.max(a, b), 0)), least = 1e-3 * Math.max(...peaks), found = [];
+  rows.forEach((row, k) => {
+    const foot = Math.max(0.02 * peaks[k], least);
+    for (let h = 0; h < H; h++) {
+      if (!(row[h] > foot)) continue;
+      const left = thetas[h];
+      while (h < H && row[h] > foot) h++;
+      const right = thetas[h], low = k - half, top = k + half;
+      found.push(...(few ? [[left, low], [right, low], [right, top], [left, top], [left, low], null] : [[left, low], [left, top], null, [right, low], [right, top], null]));
+    }
+  });
+  Object.assign(images, { outline: found, outlineFor: masses, outlineOf: state.action });
+  return found;
+}
+
+export const tauPanel = {
+  name: 'tau-space',
+  draw(pen, w, h, scene) {
+    const { model, state, seen, hover, colours, images, resolution } = scene, limit = limitOfTau(scene);
+    const values = model.dt === 1 ? seen.tau : seen.tau.map((value) => value / model.dt), { K, dt } = model;
+    const labels = Float64Array.from({ length: K }, (_, k) => k * dt), cell = hover.theta !== undefined && hover.tau < seen.n;
+    const scale = drawSpace(pen, w, h, scene, { values, n: seen.n, rows: K, limit, labels, title: 'tau-space', yTitle: 'future step τ', margin: { right: 84 }, image: 'tau', version: seen.tau,
+      note: cell && hover.tau !== undefined ? `θ ${short(hover.theta)} · τ ${short(hover.tau * dt)} · p ${short(seen.tau[hover.tau * seen.H + columnAt(seen, hover.theta)] / dt)}` : 'probability' });
+    const { box, X, Y } = scale;
+    if (seen.truth && seen.masses) {
+      const points = outline(scene).map((point) => point && [X(point[0]), Y(point[1])]);
+      pen.clip(box.x - 2, box.y - 2, box.w + 4, box.h + 4, () => {
+        pen.path(points, HALO);
+        pen.path(points, K <= 16 ? TRUTH : { ...TRUTH, width: 1 });
+      });
+    }
+    const deadline = Y(seen.readRow + 0.5);
+    pen.path([[box.x, deadline], [box.x + box.w, deadline]], { stroke: '#111', width: 3 });
+    pen.path([[box.x, deadline], [box.x + box.w, deadline]], { stroke: '#ff9f1c', width: 1.6, dash: [6, 4] });
+    pen.text('T', box.x + box.w - 4, deadline + (deadline < box.y + 14 ? 12 : -4), { size: 11, weight: 700, align: 'right', colour: '#ff9f1c' });
+    // The ruler: through which window the row under the cursor is seen.
+    const ruler = { x: box.x + box.w + 6, w: 38 }, peak = Math.max(...resolution.kernel.map(Math.abs)) || 1;
+    const at = Array.from(resolution.kernel, (value, k) => [ruler.x + 6 + (28 * value) / peak, Y(k)]);
+    pen.path([[ruler.x + 6, Y(0)], ...at, [ruler.x + 6, Y(K - 1)]], { fill: colours.wash, stroke: colours.primary, width: 1.2 });
+    const low = Y(resolution.low / dt - 0.5), high = Y(resolution.high / dt + 0.5);
+    pen.path([[ruler.x + 3, low], [ruler.x, low], [ruler.x, high], [ruler.x + 3, high]], { stroke: colours.text, width: 1.4 });
+    pen.text(`±${short(resolution.half, 2)}`, ruler.x, box.y + box.h + 13, { size: 10.5, colour: colours.text });
+    colourBar(pen, images.bar ??= document.createElement('canvas'), { x: w - 32, y: box.y, w: 7, h: box.h }, limit, colours);
+    marked(pen, scale, { x: hover.theta, y: hover.tau }, colours);
+    return scale;
+  },
+  point: ({ model }, x, y) => ({ theta: x, tau: Math.min(model.K - 1, Math.max(0, Math.round(y))) }),
+  words: ({ model, state, seen, resolution, at }) => {
+    let mass = 0;
+    for (let h = 0; h < seen.H; h++) mass += seen.tau[h] / model.dt;
+    return `Tau-space of ${model.header.actions[state.action]}: ${seen.n} future steps. Row 0 holds probability ${short(mass)} with mean reward ${short(seen.rewards[state.action][0] / model.dt)}. `
+      + `Step ${short(at * model.dt)} is seen through a window of plus or minus ${short(resolution.half, 2)} steps.${seen.truth ? ' The truth is outlined in white.' : ''}`;
+  },
+};
+
+// ---- values over the horizon
+
+export const valuesPanel = {
+  name: 'values',
+  draw(pen, w, h, scene) {
+    const { model, state, seen, hover, colours } = scene, { horizons, K, dt } = model, names = model.header.actions;
+    const box = inside(w, h, { top: 44, bottom: 62 }), all = [...seen.values, ...(seen.truth?.values ?? [])];
+    let low = 0, high = 0;
+    for (const values of all) for (const value of values) if (value === value) { low = Math.min(low, value); high = Math.max(high, value); }
+    const x = [horizons[0] - dt / 2, horizons[K - 1] + dt / 2];
+    titled(pen, w, 'value of each action over T', hover.tau !== undefined ? `T ${short(horizons[hover.tau])}: ${seen.values.slice(0, 4).map((v) => short(v[hover.tau])).join(' · ')}` : '', scene);
+    let at = box.x;
+    names.forEach((name, a) => {
+      const words = name.length > 16 ? `${name.slice(0, 15)}…` : name, wide = pen.width(words, 11) + 24;
+      if (at + wide > w) return;
+      pen.path([[at, 30], [at + 14, 30]], { stroke: actionColour(a), width: a === state.action ? 4 : 2 });
+      pen.text(words, at + 18, 34, { size: 11, colour: colours.text });
+      at += wide;
+    });
+    const scale = axes(pen, box, { x, y: rounded(low, high, 1e-3), xTicks: [], yTitle: 'value', colours }), { X, Y } = scale;
+    const xs = Array.from(horizons, X);
+    pen.clip(box.x, box.y - 3, box.w, box.h + 6, () => {
+      seen.truth?.values.forEach((values, a) => line(pen, xs, values.map(Y), { stroke: actionColour(a), width: 1.3, dash: [2, 3] }));
+      seen.values.forEach((values, a) => {
+        const known = [...values.keys()].filter((k) => Number.isFinite(values[k]));
+        pen.path(known.map((k) => [xs[k], Y(values[k])]), { stroke: actionColour(a), width: a === state.action ? 2.4 : 1.8 });
+        if (K <= 40) for (const k of known) pen.path(disc(xs[k], Y(values[k]), 2.6), { fill: actionColour(a), close: true });
+      });
+      for (const [T, value] of crossings(model, seen)) pen.path(disc(X(T), Y(value), 4), { stroke: colours.text, width: 1.5, fill: colours.paper, close: true });
+    });
+    const strip = (top, chosenAt) => {
+      let from = 0;
+      for (let k = 1; k <= K; k++) {
+        const now = chosenAt(from);
+        if (k < K && chosenAt(k) === now) continue;
+        const left = X(horizons[from] - dt / 2), right = X(horizons[k - 1] + dt / 2);
+        if (now >= 0) pen.path([[left, top], [right, top], [right, top + 10], [left, top + 10]], { fill: actionColour(now), close: true });
+        from = k;
+      }
+    };
+    const under = box.y + box.h + 5, used = seen.readRow - seen.leftRow;
+    const chosen = Array.from({ length: K }, (_, k) => { // with constant T a step with less to go is read at T all the same
+      const row = Math.min(K - 1, k + used);
+      for (let back = row; back >= 0; back--) if (Number.isFinite(seen.values[0][back])) return seen.chosenAt(back);
+      return -1;
+    });
+    strip(under, (k) => chosen[k]);
+    pen.text('chosen', box.x - 5, under + 9, { size: 10.5, align: 'right', colour: colours.soft });
+    if (seen.truth) {
+      const best = Array.from({ length: K }, (_, k) => seen.bestAt(k));
+      strip(under + 12, (k) => best[k]);
+      pen.text('best', box.x - 5, under + 21, { size: 10.5, align: 'right', colour: colours.soft });
+    }
+    const spots = K <= 8 ? [...horizons] : ticks(...x).filter((tick) => tick >= x[0]);
+    for (const tick of spots) pen.text(short(tick), X(tick), under + 36, { size: 10.5, align: 'center', colour: colours.soft });
+    pen.text(used ? 'time to go (steps)' : 'horizon T (steps)', box.x + box.w / 2, under + 50, { size: 11, align: 'center', colour: colours.soft });
+    for (const [row, dash] of [[seen.leftRow, [5, 4]], ...(used ? [[seen.readRow, [1, 4]]] : [])]) {
+      pen.path([[xs[row], box.y], [xs[row], under + 24]], { stroke: '#ff9f1c', width: 1.8, dash });
+    }
+    if (hover.tau !== undefined) marked(pen, scale, { x: horizons[hover.tau] }, colours);
+    return scale;
+  },
+  point: ({ model }, x) => ({ tau: Math.min(model.K - 1, Math.max(0, Math.round((x - model.horizons[0]) / model.dt))) }),
+  words: ({ model, seen, state }) => `Value of each action over the horizon T. Read at T = ${short(model.horizons[seen.readRow])}: ${model.header.actions.map((name, a) => `${name} ${short(seen.values[a][seen.readRow], 4)}`).join(', ')}. `
+    + `Chosen: ${model.header.actions[seen.chosen]}.${seen.truth ? ` Best: ${model.header.actions[seen.best]}; ${short(seen.regret)} is lost.` : ''} The two leading lines cross ${crossings(model, seen).length} times.`,
+};
+
+const disc = (x, y, r) => Array.from({ length: 13 }, (_, i) => [x + r * Math.cos((i * Math.PI) / 6), y + r * Math.sin((i * Math.PI) / 6)]);
+
+// Where the leading action changes hands: T and value at the crossing of the two lines.
+export function crossings({ horizons, K }, { values, chosenAt }) {
+  const found = [], rows = [...Array(K).keys()].filter((k) => Number.isFinite(values[0][k]));
+  for (let i = 1; i < rows.length; i++) {
+    const [k, next] = [rows[i - 1], rows[i]], a = chosenAt(k), b = chosenAt(next);
+    if (a === b) continue;
+    const before = values[a][k] - values[b][k], after = values[b][next] - values[a][next], share = before + after > 0 ? before / (before + after) : 0;
+    found.push([horizons[k] + share * (horizons[next] - horizons[k]), values[a][k] + share * (values[a][next] - values[a][k])]);
+  }
+  return found;
+}
+
+// ---- spectrum, kernel, rewards
+
+export const spectrumPanel = {
+  name: 'spectrum',
+  draw(pen, w, h, scene) {
+    const { state, seen, hover, colours } = scene, { s, r, U, V } = seen.grid, box = inside(w, h);
+    const factors = s.map((value) => value ** 2 / (value ** 2 + state.alpha ** 2)), passing = factors.filter((f) => f > 0.5).length;
+    titled(pen, w, 'singular values, and what alpha lets through', w > 380 ? `${passing} of ${r} pass` : `${passing} of ${r}`, scene);
+    const low = Math.floor(Math.log10(s[r - 1] / s[0])) - 0.3, scale = axes(pen, box, { x: [0.4, r + 0.6], y: [low, 0.6], xTitle: 'component', yTitle: 's / largest', colours,
+      xTicks: r <= 8 ? Array.from({ length: r }, (_, i) => i + 1) : undefined, yTicks: ticks(low, 0.6, 4).filter((tick) => Number.isInteger(tick)).map((tick) => [tick, tick ? `1e${tick}` : '1']) });
+    const { X, Y } = scale, half = 0.36 * (X(2) - X(1)), floor = box.y + box.h;
+    factors.forEach((factor, i) => {
+      const x = X(i + 1), top = floor - factor * box.h;
+      pen.path([[x - half, floor], [x - half, top], [x + half, top], [x + half, floor]], { fill: colours.wash, close: true });
+      pen.path(disc(x, Y(Math.log10(s[i] / s[0])), 3.2), { fill: factor > 0.5 ? colours.primary : NEUTRAL, close: true });
+    });
+    const weights = hover.gamma !== undefined ? factors.map((_, i) => Math.abs(U[hover.gamma * r + i])) : hover.tau !== undefined ? factors.map((_, i) => Math.abs(V[hover.tau * r + i])) : null;
+    if (weights) line(pen, Array.from(weights, (_, i) => X(i + 1)), weights.map((value) => floor - value * box.h), { stroke: colours.mark, width: 1.4 });
+    const level = Math.log10(state.alpha / s[0]);
+    if (level > low && level < 0.6) {
+      pen.path([[box.x, Y(level)], [box.x + box.w, Y(level)]], { stroke: '#ff9f1c', width: 1.6, dash: [6, 4] });
+      pen.text('α', box.x + box.w - 3, Y(level) - 4, { size: 12, weight: 700, align: 'right', colour: '#ff9f1c' });
+    }
+    return scale;
+  },
+  point: () => ({}),
+  words: ({ state, seen }) => `Singular values of the transform: ${seen.grid.r} usable, the smallest ${short(seen.grid.s[seen.grid.r - 1] / seen.grid.s[0])} of the largest. `
+    + `Alpha ${short(state.alpha)} lets ${seen.grid.s.filter((value) => value > state.alpha).length} of them through by more than half.`,
+};
+
+export const kernelPanel = {
+  name: 'kernel',
+  draw(pen, w, h, scene) {
+    const { model, seen, hover, colours, kernel } = scene, { K, dt } = model, box = inside(w, h);
+    const low = Math.min(0, ...kernel.actual), high = Math.max(1, ...kernel.actual);
+    titled(pen, w, 'what the value weighs', `noise gain ${short(kernel.gain)}${scene.state.normalise === 'none' ? '' : ', before rescaling'}`, scene);
+    const scale = axes(pen, box, { x: [-0.5 * dt, (K - 0.5) * dt], y: rounded(low, high, 1e-3), xTitle: 'future step τ', yTitle: 'weight', colours, xTicks: K <= 8 ? Array.from({ length: K }, (_, k) => k * dt) : undefined });
+    const { X, Y } = scale, xs = Array.from({ length: K }, (_, k) => X(k * dt)), steps = [];
+    kernel.wanted.forEach((value, k) => steps.push([X((k - 0.5) * dt), Y(value)], [X((k + 0.5) * dt), Y(value)]));
+    pen.path([[steps[0][0], Y(0)], ...steps, [steps[steps.length - 1][0], Y(0)]], { fill: 'rgba(138,143,152,0.22)', stroke: NEUTRAL, width: 1, close: true });
+    if (hover.gamma !== undefined) line(pen, xs, xs.map((_, k) => Y(seen.grid.gammas[hover.gamma] ** (k * dt))), { stroke: colours.mark, width: 1.2, dash: [3, 3] });
+    line(pen, xs, kernel.actual.map(Y), { stroke: colours.primary, width: 2.2 });
+    if (K <= 40) kernel.actual.forEach((value, k) => pen.path(disc(xs[k], Y(value), 2.6), { fill: colours.primary, close: true }));
+    if (hover.tau !== undefined) marked(pen, scale, { x: hover.tau * dt }, colours);
+    return scale;
+  },
+  point: ({ model }, x) => ({ tau: Math.min(model.K - 1, Math.max(0, Math.round(x / model.dt))) }),
+  words: ({ model, seen, kernel }) => {
+    let off = 0, all = 0;
+    kernel.actual.forEach((value, k) => { off += Math.abs(value - kernel.wanted[k]); all += Math.abs(kernel.wanted[k]); });
+    return `Discount kernel for T = ${short(model.horizons[seen.readRow])}: it misses the wanted weights by ${short((100 * off) / (all || 1), 2)} percent of their sum; noise gain ${short(kernel.gain)}.`;
+  },
+};
+
+export const rewardsPanel = {
+  name: 'rewards',
+  draw(pen, w, h, scene) {
+    const { model, state, seen, hover, colours } = scene, { K, dt } = model, a = state.action, box = inside(w, h);
+    const upper = { ...box, h: box.h * 0.62 }, lower = { ...box, y: box.y + box.h * 0.74, h: box.h * 0.26 };
+    const rewards = Array.from(seen.rewards[a], (value) => value / dt), true_ = seen.truth && Array.from(seen.truth.rewards[a], (value) => value / dt);
+    const low = Math.min(0, ...rewards, ...(true_ ?? [])), high = Math.max(0, ...rewards, ...(true_ ?? [])), x = [-0.5 * dt, (K - 0.5) * dt];
+    titled(pen, w, 'expected reward and survival', hover.tau < seen.n ? `τ ${short(hover.tau * dt)}: ${short(rewards[hover.tau])}, alive ${short(seen.survival[a][hover.tau] / dt)}` : `of ${model.header.actions[a]}`, scene);
+    const span = 1e-3 * (seen.thetas[seen.H] - seen.thetas[0]), scale = axes(pen, upper, { x, y: rounded(low, high, span), xTicks: [], yTitle: 'E[r]', colours });
+    const few = K <= 8 ? Array.from({ length: K }, (_, k) => k * dt) : undefined;
+    const alive = axes(pen, lower, { x, y: [-0.25, 1.35], yTicks: [0, 1], xTicks: few, xTitle: 'future step τ', yTitle: 'alive', colours });
+    const xs = Array.from({ length: K }, (_, k) => scale.X(k * dt)), { Y } = scale;
+    pen.clip(upper.x, upper.y - 2, upper.w, upper.h + 4, () => {
+      const bar = 0.4 * (scale.X(dt) - scale.X(0));
+      true_?.forEach((value, k) => value && pen.path([[xs[k] - bar, Y(0)], [xs[k] - bar, Y(value)], [xs[k] + bar, Y(value)], [xs[k] + bar, Y(0)]], { fill: 'rgba(138,143,152,0.45)', close: true }));
+      line(pen, xs, rewards.map(Y), { stroke: actionColour(a), width: 2.2 });
+      if (K <= 40) rewards.forEach((value, k) => pen.path(disc(xs[k], Y(value), 2.8), { fill: actionColour(a), close: true }));
+    });
+    pen.clip(lower.x, lower.y, lower.w, lower.h, () => {
+      if (seen.truth) line(pen, xs, seen.truth.survival[a].map((value) => alive.Y(value / dt)), { stroke: NEUTRAL, width: 5 });
+      line(pen, xs, seen.survival[a].map((value) => alive.Y(value / dt)), { stroke: colours.text, width: 1.6 });
+    });
+    for (const each of [scale, alive]) if (hover.tau !== undefined) marked(pen, each, { x: hover.tau * dt }, colours);
+    return { ...scale, box };
+  },
+  point: kernelPanel.point,
+  words: ({ model, state, seen }) => {
+    const a = state.action, tell = (x) => Array.from(x.slice(0, 4), (value) => short(value / model.dt)).join(', ');
+    return `Expected reward of ${model.header.actions[a]} at the first steps: decoded ${tell(seen.rewards[a])}${seen.truth ? `, true ${tell(seen.truth.rewards[a])}` : ''}. `
+      + `Survival: decoded ${tell(seen.survival[a])}${seen.truth ? `, true ${tell(seen.truth.survival[a])}` : ''}.`;
+  },
+};
+
+export const PANELS = [gammaPanel, tauPanel, valuesPanel, spectrumPanel, kernelPanel, rewardsPanel];
+export const unusedHeat = { heatColour, UNDER };
