@@ -47,13 +47,15 @@ def verdict_for(view: View) -> Verdict:
 
 
 @lru_cache(maxsize=128)
-def _artefacts(subject: Subject, settings: Settings, action: int) -> tuple[Artefact, ...]:
-    return tuple(find_artefacts(_study(subject, settings), action))
+def _artefacts(subject: Subject, settings: Settings, action: int, horizon: float | None) -> tuple[Artefact, ...]:
+    return tuple(find_artefacts(_study(subject, settings), action, horizon))
 
 
 def artefacts_for(view: View, action: int | None = None) -> tuple[Artefact, ...]:
     """Artefacts in the tau-space of the shown action, or of another."""
-    return _artefacts(view.subject, view.settings, view.action if action is None else action)
+    # Only a horizon that is kept throughout an episode is an artefact of one T.
+    horizon = float(study_for(view).horizons[row_of(view)]) if view.settings.deadline == "constant" else None
+    return _artefacts(view.subject, view.settings, view.action if action is None else action, horizon)
 
 
 def artefacts_elsewhere(view: View) -> str:
@@ -70,15 +72,18 @@ def artefacts_elsewhere(view: View) -> str:
 @lru_cache(maxsize=32)
 def _episode_regrets(subject: Subject, settings: Settings) -> np.ndarray | None:
     found = _study(subject, settings)
+    learned = subject.tables if isinstance(subject, Learner) else None
     try:
-        return episode_regret_of(found.world, found.settings)[:, found.state]
+        return episode_regret_of(found.world, found.settings, learned=learned)[:, found.state]
     except InputError:
         return None
 
 
 def episode_regrets(view: View) -> np.ndarray | None:
     """Loss of whole episodes under the decoded rule from the study's state, by T; None where it cannot be had."""
-    return None if view.world is None else _episode_regrets(view.subject, view.settings)
+    if view.world is None:
+        return None
+    return _episode_regrets(view.subject, replace(view.settings, noise=0.0, noise_seed=0))
 
 
 # What each picture does not depend on; it is drawn once for all values of these.

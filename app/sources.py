@@ -127,6 +127,12 @@ class Learner:
         return tables.mean(axis=0) if self.index is None else tables[self.index]
 
     @property
+    def tables(self) -> np.ndarray:
+        """The reward-indicator basis of every state, ``(S, A, G, V)``."""
+        tables = self.learned.basis.astype(float)
+        return tables.mean(axis=0) if self.index is None else tables[self.index]
+
+    @property
     def policy(self) -> np.ndarray:
         return self.learned.policies[self.index or 0]
 

@@ -16,6 +16,7 @@ import sys
 import time
 import urllib.request
 from pathlib import Path
+from typing import IO
 
 ROOT = Path(__file__).resolve().parent.parent
 CHROMIUM = ("chromium", "chromium-browser", "google-chrome")
@@ -45,14 +46,17 @@ _DRAWN = "() => document.querySelectorAll('.js-plotly-plot .main-svg').length >=
 
 
 @contextlib.contextmanager
-def served(script: Path):
-    """A Streamlit server on a free port of this machine; yields its address and its process."""
+def served(script: Path, log: IO[str] | None = None):
+    """A Streamlit server on a free port of this machine; yields its address and its process.
+
+    What it says goes to ``log``, or nowhere.
+    """
     with socket.socket() as probe:
         probe.bind(("127.0.0.1", 0))
         port = probe.getsockname()[1]
     command = [sys.executable, "-m", "streamlit", "run", str(script), "--server.port", str(port)]
     command += ["--server.address", "127.0.0.1", "--server.headless", "true", "--server.fileWatcherType", "none"]
-    process = subprocess.Popen(command, cwd=ROOT, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    process = subprocess.Popen(command, cwd=ROOT, stdout=log or subprocess.DEVNULL, stderr=log or subprocess.DEVNULL)
     try:
         for _ in range(300):
             with (

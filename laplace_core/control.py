@@ -28,11 +28,14 @@ MAX_SOLVES = 2_000
 """States x discounts that are solved one by one where rows are rescaled (a second or two as well)."""
 
 
-def values_everywhere(world: World, settings: Settings) -> np.ndarray:
-    """Decoded V_T(s, a) for every state, ``(S, A, K)``, under resolved settings.
+def values_everywhere(world: World, settings: Settings, learned: np.ndarray | None = None) -> np.ndarray:
+    """Decoded V_T(s, a) for every state, ``(S, A, K)``, under resolved settings, without their noise.
 
     Rows left alone are linear in gamma-space: one decode of the midpoint proxy does. Rescaled rows are not,
     and every state is decoded in full.
+
+    Args:
+        learned: a learned reward-indicator basis of every state, ``(S, A, G, V)``, in place of the exact one.
 
     Raises:
         InputError: the world is too large for that.
@@ -41,7 +44,7 @@ def values_everywhere(world: World, settings: Settings) -> np.ndarray:
     gammas, thetas = grids(s)
     width = 1 if s.normalise == "none" else max(s.thetas, world.reward_values.size)
     work = world.n_states * world.n_actions * max(s.steps, s.gammas) * width
-    solves = 0 if s.normalise == "none" else world.n_states * s.gammas
+    solves = 0 if s.normalise == "none" or learned is not None else world.n_states * s.gammas
     if solves > MAX_SOLVES:
         raise InputError(
             f"rescaled rows need {solves:,} solves, one a state and discount, above {MAX_SOLVES:,}: "
@@ -54,10 +57,13 @@ def values_everywhere(world: World, settings: Settings) -> np.ndarray:
         )
     if s.normalise == "none":
         proxy = bin_masses(world.reward_values, thetas, s.slope) @ theta_midpoints(thetas)
-        values = _proxies(world, proxy.tobytes(), gammas.tobytes(), s.policy, s.acting_gamma)
+        if learned is None:
+            values = _proxies(world, proxy.tobytes(), gammas.tobytes(), s.policy, s.acting_gamma)
+        else:
+            values = learned @ proxy
         rewards = decode(values[..., None], gammas, s.steps, s.alpha, s.time_step)[..., 0]
         return horizon_values(rewards, s.acting_gamma, s.softness, s.time_step)
-    bases = _bases(world, gammas.tobytes(), s.policy, s.acting_gamma)
+    bases = _bases(world, gammas.tobytes(), s.policy, s.acting_gamma) if learned is None else learned
     decoded = [
         decode_and_read(encode(basis, world.reward_values, gammas, thetas, s.slope), s).horizon_values
         for basis in bases
@@ -130,15 +136,18 @@ def constant_horizon_values(world: World, actions: np.ndarray, gamma: float) -> 
     return collected
 
 
-def episode_regret_of(world: World, settings: Settings, constant_horizon: int | None = None) -> np.ndarray:
+def episode_regret_of(
+    world: World, settings: Settings, constant_horizon: int | None = None, learned: np.ndarray | None = None
+) -> np.ndarray:
     """:func:`episode_regret` of acting by the study's decoded values, ``(T, S)``.
 
     Under ``settings.deadline`` = constant, an episode of T steps is acted with T at every one of them.
+    ``learned`` is as in :func:`values_everywhere`.
     """
     if constant_horizon is None and settings.deadline == "constant":
-        constant, _, best = _episodes(world, settings)
+        constant, _, best = _episodes(world, settings) if learned is None else _played(world, settings, learned)
         return best - constant
-    actions = rule_actions(values_everywhere(world, settings), settings.time_step)
+    actions = rule_actions(values_everywhere(world, settings, learned), settings.time_step)
     optimum = _optimum(world, len(actions), settings.acting_gamma)
     return episode_regret(world, actions, settings.acting_gamma, optimum, constant_horizon)
 
@@ -158,7 +167,17 @@ def constant_horizon_loss(world: World, settings: Settings) -> tuple[np.ndarray,
 
 @lru_cache(maxsize=4)
 def _episodes(world: World, settings: Settings) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Cached :func:`_played` by exact values."""
+    return _played(world, settings)
+
+
+def _played(
+    world: World, settings: Settings, learned: np.ndarray | None = None
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Value of an episode of T steps acted with constant T, by the time to go, and at best, ``(T, S)`` each."""
-    actions, gamma = rule_actions(values_everywhere(world, settings), settings.time_step), settings.acting_gamma
+    actions, gamma = (
+        rule_actions(values_everywhere(world, settings, learned), settings.time_step),
+        settings.acting_gamma,
+    )
     best = _optimum(world, len(actions), gamma).max(axis=2)
     return constant_horizon_values(world, actions, gamma), value_of_rule(world, actions, gamma), best

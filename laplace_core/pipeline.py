@@ -8,13 +8,14 @@ matrix product and never a solve.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
 
-from laplace_core.encoding import activation, bin_masses, discount_grid, sensitivity_grid, theta_midpoints
+from laplace_core.encoding import bin_masses, discount_grid, sensitivity_grid, theta_midpoints
 from laplace_core.errors import InputError
+from laplace_core.gamma_space import GammaSpace, encode, with_noise
 from laplace_core.horizon import choose_actions, deadline_weights, expected_rewards, horizon_values, row_horizons
 from laplace_core.inverse import decode, normalise_rows
 from laplace_core.learning import (
@@ -25,32 +26,11 @@ from laplace_core.learning import (
     reward_timeline,
     target_policies,
 )
-from laplace_core.noise import normal_noise
 from laplace_core.settings import Settings, resolve, resolve_for_gamma_space
 from laplace_core.worlds import World
 
 MAX_VALUES = 50_000_000
 """Largest array a study may hold, in numbers; 50 million are 400 MB."""
-
-
-@dataclass(frozen=True, eq=False)
-class GammaSpace:
-    """What was learned for one state: Q[a, g, h] and the constant channel Q[a, g].
-
-    Attributes:
-        values: ``(A, G, H)``, never increasing with h if exact.
-        constant: ``(A, G)``, the constant channel: discounted steps still to come.
-    """
-
-    values: np.ndarray
-    constant: np.ndarray
-    gammas: np.ndarray
-    thetas: np.ndarray
-
-    @property
-    def differences(self) -> np.ndarray:
-        """Z[a, g, h] = Q[a, g, h] - Q[a, g, h+1], at the midpoints, shape ``(A, G, H-1)``."""
-        return -np.diff(self.values, axis=-1)
 
 
 @dataclass(frozen=True, eq=False)
@@ -179,26 +159,6 @@ def grids(settings: Settings) -> tuple[np.ndarray, np.ndarray]:
     s = settings
     gammas = discount_grid(s.gammas, s.spacing, s.gamma_min, s.gamma_max)
     return gammas, sensitivity_grid(s.thetas, s.theta_min, s.theta_max, s.theta_spacing)
-
-
-def encode(basis: np.ndarray, rewards: np.ndarray, gammas: np.ndarray, thetas: np.ndarray, slope: float) -> GammaSpace:
-    """gamma_space = W @ f for a reward-indicator basis ``(A, G, V)``; all that a change of slope costs."""
-    return GammaSpace(basis @ activation(rewards, thetas, slope), basis.sum(axis=-1), gammas, thetas)
-
-
-def with_noise(gamma_space: GammaSpace, noise: float, seed: int) -> GammaSpace:
-    """Gamma-space as a learner with a random error holds it.
-
-    Every value at discount gamma gets an independent normal error of ``noise`` / (1 - gamma), the constant channel
-    too: ``noise`` is the standard deviation of (1 - gamma) Q, which is a probability.
-    """
-    if not noise:
-        return gamma_space
-    scale = noise / (1.0 - gamma_space.gammas)
-    values, constant = gamma_space.values, gamma_space.constant
-    values = values + scale[:, None] * normal_noise(seed, values.shape)
-    constant = constant + scale * normal_noise(seed, constant.shape, skip=values.size)
-    return replace(gamma_space, values=values, constant=constant)
 
 
 def decode_and_read(gamma_space: GammaSpace, settings: Settings) -> Decoded:

@@ -17,7 +17,8 @@ from laplace_core.control import (
     values_everywhere,
 )
 from laplace_core.inverse import NORMALISATIONS
-from laplace_core.learning import finite_horizon_optimum
+from laplace_core.learning import finite_horizon_optimum, reward_indicator_basis
+from laplace_core.pipeline import grids, policies_of
 from laplace_core.settings import resolve
 from tests.random_worlds import worlds
 from tests.slow_twins import rule_by_recursion
@@ -183,3 +184,23 @@ def test_a_constant_deadline_in_the_settings_keeps_t_for_the_whole_episode():
     loss, best = constant_horizon_loss(world, settings["constant"])
     np.testing.assert_allclose(loss, regrets["constant"] - regrets["time_to_go"], atol=1e-12)
     np.testing.assert_allclose(best, finite_horizon_optimum(world, len(best), 0.99).max(axis=2))
+
+
+def test_a_learner_that_holds_the_exact_basis_loses_what_exact_values_lose():
+    world = load_world("two_decisions")
+    for normalise in ("none", "paper"):
+        for deadline in ("time_to_go", "constant"):
+            settings = resolve(Settings(world="two_decisions", normalise=normalise, deadline=deadline), world)
+            gammas = grids(settings)[0]
+            policies = policies_of(world, gammas, settings.policy, settings.acting_gamma)
+            bases = np.array([reward_indicator_basis(world, s, gammas, policies) for s in range(world.n_states)])
+            np.testing.assert_allclose(
+                episode_regret_of(world, settings, learned=bases), episode_regret_of(world, settings), atol=1e-9
+            )
+            # One that has learned nothing ties everywhere, takes the first action, and loses more somewhere.
+            nothing = episode_regret_of(world, settings, learned=np.zeros_like(bases))
+            first = rule_actions(np.zeros((world.n_states, world.n_actions, settings.steps)))
+            if deadline == "time_to_go":
+                optimum = finite_horizon_optimum(world, len(first), settings.acting_gamma)
+                expected = episode_regret(world, first, settings.acting_gamma, optimum)
+                np.testing.assert_allclose(nothing, expected, atol=1e-12)

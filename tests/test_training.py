@@ -18,7 +18,6 @@ from laplace_core.training import environments
 from laplace_core.training.checkpoint import load_checkpoint
 from laplace_core.training.events import Checkpoint, Episode, Evaluation, Resumed, Step
 from laplace_core.training.loop import train
-from laplace_core.training.progress import Progress
 from laplace_core.training.run_folder import read_config, read_metrics
 
 TINY = LaplaceSettings(
@@ -31,7 +30,6 @@ import json, sys
 from laplace_core.agents import LaplaceSettings
 from laplace_core.training.events import Step
 from laplace_core.training.loop import train
-from laplace_core.training.progress import Progress
 for event in train(LaplaceSettings.parse(json.loads(sys.argv[1])), sys.argv[2]):
     if not isinstance(event, Step):
         print(type(event).__name__, getattr(event, "path", ""), flush=True)
@@ -261,17 +259,3 @@ def test_metrics_cut_by_hand_are_refused(tmp_path):
 def test_networks_that_no_checkpoint_could_hold_are_refused(tmp_path):
     with pytest.raises(InputError, match="weights"):
         next(train(replace(TINY, hidden=1024, features=512, gammas=100, thetas=1000), tmp_path / "run"))
-
-
-def test_the_progress_line_counts_from_where_a_run_was_resumed():
-    """250 of 1,000 steps behind it at 10 s, 250 more at 15 s: 50 a second, and 10 s for the 500 that are left."""
-    time = [0.0]
-    progress = Progress(1_000, recent=2, clock=lambda: time[0])
-    time[0] = 10.0
-    progress.hear(Resumed(250, True, "", 0.0))
-    for i, paid in enumerate((1.0, 2.0, 4.0)):
-        progress.hear(Episode(400 + i, i, 0, paid, 5, False, 0.1, None, 0.0))
-    progress.hear(Evaluation(450, 7.25, 0.0, 3, True, 0.0))
-    time[0] = 15.0
-    progress.hear(Step(500))
-    assert progress.line() == " 50% · step 500 · 50 steps/s · last 2 episodes 3.0 · evaluated 7.2 · 0:00:10 left"

@@ -332,6 +332,12 @@ def test_a_failed_write_leaves_the_old_file_and_no_other(tmp_path, good, monkeyp
     assert os.listdir(tmp_path) == ["agent.safetensors"]
 
 
+@pytest.mark.parametrize("text", ['{"a": 1, "a": 2}', '{"a": NaN}', "[" * 100_000, "{", b"\xff"])
+def test_json_is_read_strictly(text):
+    with pytest.raises(InputError, match="the text is not proper JSON"):
+        tensor_file.parse_json(text, "the text")
+
+
 # Settings files
 
 

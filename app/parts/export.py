@@ -62,14 +62,16 @@ def _reading(place) -> None:
 
 
 def _loss(view: View) -> str:
-    lost = None if view.learned is not None else compute.episode_regrets(view)  # which are those of exact values
+    lost = compute.episode_regrets(view)
     if lost is None or not len(lost):
         return ""
     found = compute.study_for(view)
     whole = int(np.clip(round(float(found.horizons[compute.row_of(view)])), 1, len(lost)))
     loss = lost[whole - 1] if lost[whole - 1] > 1e-6 else 0.0  # below that it is a near tie
     length = f"{whole} step" + ("s" if whole > 1 else "")
-    return f"Acting by these values for an episode of {length} loses {loss:.3g} against the best."
+    free = " (without the noise)" if view.settings.noise else ""
+    constant = " with T at every step" if view.settings.deadline == "constant" else ""
+    return f"Acting by these values{free}{constant} for an episode of {length} loses {loss:.3g} against the best."
 
 
 def _copying(place, view: View) -> None:

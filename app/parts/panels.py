@@ -81,10 +81,10 @@ def _artefacts(view: View, name: str) -> None:
                 f'<div class="artefact"><b>{escape(artefact.name)}</b> · {escape(artefact.shown)}<br>'
                 f"<span>{escape(artefact.sentence)}</span></div>"
             )
-            for remedy in artefact.remedies[:1]:
+            for remedy in artefact.remedies[:2]:
                 button.button(
-                    remedy.label, key=f"fix {artefact.name}", on_click=state.apply_changes, args=(remedy.changes,),
-                    width="stretch", wrap=True,
+                    remedy.label, key=f"fix {artefact.name} {remedy.label}", on_click=state.apply_changes,
+                    args=(remedy.changes,), width="stretch", wrap=True,
                 )  # fmt: skip
         if found and others:
             st.html(f'<div class="artefact">{escape(others)}</div>')

@@ -74,7 +74,7 @@ LAPLACE_SCHEMA = (
     Parameter("network", "trunk", 0, 0, "How discounts share weights.", str, NETWORKS),
     Parameter("features", 64, 1, 512, "Features a discount in front of the shared last layer."),
     Parameter("parametrisation", "softmax", 0, 0, "What the network's outputs mean.", str, PARAMETRISATIONS),
-    Parameter("consistency", 0.0, 0, 1e3, "Weight of the loss on the value that the outputs imply."),
+    Parameter("consistency", 1.0, 0, 1e3, "Weight of the loss on the value that the outputs imply."),
     Parameter("target_policy", "shared", 0, 0, "Whose policy every discount evaluates.", str, POLICIES),
     Parameter("acting_gamma", 0.99, 1e-6, 0.9999, "Discount whose greedy actions are taken; the nearest is used."),
     Parameter("termination", "plain", 0, 0, "What follows the end of an episode.", str, TERMINATIONS),
@@ -176,7 +176,7 @@ class LaplaceSettings(LoopSettings):
     network: str = "trunk"
     features: int = 64
     parametrisation: str = "softmax"
-    consistency: float = 0.0
+    consistency: float = 1.0
     target_policy: str = "shared"
     acting_gamma: float = 0.99
     termination: str = "plain"
