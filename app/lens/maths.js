@@ -322,7 +322,7 @@ export function see(model, state, most = Infinity) {
     }
   }
   const chosenAt = (row) => greedy(values.map((line) => line[row]));
-  const seen = { grid, thetas, midpoints, H, n, readRow, leftRow, tau, survival, rewards, values, masses: M, columns, map, hum,
+  const seen = { grid, thetas, midpoints, H, n, inverse, readRow, leftRow, tau, survival, rewards, values, masses: M, columns, map, hum,
     chosen: chosenAt(readRow), chosenAt, whole: !values[0].some(Number.isNaN), d };
   if (model.truth) {
     const truth = truthOf(model, state), optimumAt = (row) => values.map((_, a) => arrays.optimum[a * K + row]);
@@ -372,22 +372,22 @@ export function gammaSpace({ grid, columns, map, hum, H }, state) { // differenc
 }
 
 // What alpha and T really weigh each future step with, what they should, and how much noise it lets through.
-export function kernel(model, state, { grid, n, readRow, d }) {
+export function kernel(model, state, { grid, n, readRow, d, inverse }) {
   const { K } = model, { V, s, r } = grid, wanted = d.slice(readRow * K, (readRow + 1) * K), target = new Float64Array(K);
   for (let k = 0; k < n; k++) { // a shifted row k holds what belongs to k - 1
     if (!state.shift) target[k] = wanted[k];
     else if (k + 1 < n) target[k] = wanted[k + 1];
   }
-  const weights = inverseOf(grid, state, n).weights(target);
+  const weights = inverse.weights(target);
   return { wanted, actual: product(V, weights.map((value, i) => value * s[i]), K, r, 1), gain: Math.hypot(...weights) };
 }
 
 // The averaging kernel: through which window of the true timeline row tau is seen, and its half width in steps.
-export function resolution(model, state, { grid, n }, row) {
+export function resolution(model, state, { grid, n, inverse }, row) {
   const { K, dt } = model, { V, s, r } = grid, at = row - (state.shift ? 1 : 0);
   const kernel = new Float64Array(K);
   if (at >= 0 && at < n) {
-    const weights = inverseOf(grid, state, n).weights(Float64Array.from({ length: K }, (_, k) => Number(k === at)));
+    const weights = inverse.weights(Float64Array.from({ length: K }, (_, k) => Number(k === at)));
     product(V, weights.map((value, i) => value * s[i]), K, r, 1, kernel);
   }
   let peak = 0;

@@ -1,6 +1,6 @@
 // The six pictures of the lens. Each draws itself with a pen into a box and says in words what it shows.
 // `scene` is { model, state, seen, hover, colours, kernel, resolution, images }.
-import { NEUTRAL, UNDER, actionColour, axes, colourBar, heatColour, heatmap, line, rounded, rowTicks, short, ticks } from './drawing.js';
+import { NEUTRAL, actionColour, axes, colourBar, heatmap, line, rounded, rowTicks, short, ticks } from './drawing.js';
 import { gammaSpace } from './maths.js';
 
 const TRUTH = { stroke: '#ffffff', width: 1.5 }, HALO = { stroke: '#111111', width: 3.5 };
@@ -331,4 +331,3 @@ export const rewardsPanel = {
 };
 
 export const PANELS = [gammaPanel, tauPanel, valuesPanel, spectrumPanel, kernelPanel, rewardsPanel];
-export const unusedHeat = { heatColour, UNDER };

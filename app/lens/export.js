@@ -1,0 +1,68 @@
+// Taking the lens along, without a server: pictures of all panels, a table, and the lens itself as one file.
+import { canvasPen, svgPen } from './drawing.js';
+import { PANELS } from './panels.js';
+
+const SIZE = { w: 440, h: 260, gap: 16, head: 46, columns: 3 };
+const WIDE = SIZE.columns * (SIZE.w + SIZE.gap) + SIZE.gap, HIGH = SIZE.head + 2 * (SIZE.h + SIZE.gap);
+const place = (i) => [SIZE.gap + (i % SIZE.columns) * (SIZE.w + SIZE.gap), SIZE.head + Math.floor(i / SIZE.columns) * (SIZE.h + SIZE.gap)];
+
+export function save(content, name, type) {
+  const link = document.createElement('a');
+  link.href = URL.createObjectURL(content instanceof Blob ? content : new Blob([content], { type }));
+  link.download = name;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
+}
+
+const nameOf = ({ model }) => `lens_${model.header.world.replace(/[^A-Za-z0-9_-]+/g, '_').slice(0, 40)}`;
+
+export function savePng(lens) {
+  const canvas = document.createElement('canvas'), dense = 2, { colours } = lens.scene;
+  Object.assign(canvas, { width: WIDE * dense, height: HIGH * dense });
+  const context = canvas.getContext('2d'), pen = canvasPen(context, colours.font);
+  context.scale(dense, dense);
+  context.fillStyle = colours.paper;
+  context.fillRect(0, 0, WIDE, HIGH);
+  pen.text(lens.verdict, SIZE.gap, 28, { size: 15, colour: colours.text });
+  PANELS.forEach((panel, i) => {
+    context.save();
+    context.translate(...place(i));
+    lens.drawOne(pen, { panel }, SIZE.w, SIZE.h);
+    context.restore();
+  });
+  canvas.toBlob((blob) => save(blob, `${nameOf(lens)}.png`));
+}
+
+export function svgOf(lens) {
+  const { colours } = lens.scene, measure = canvasPen(document.createElement('canvas').getContext('2d'), colours.font).width;
+  const pen = svgPen(colours.font, measure);
+  pen.text(lens.verdict, SIZE.gap, 28, { size: 15, colour: colours.text });
+  PANELS.forEach((panel, i) => {
+    pen.parts.push(`<g transform="translate(${place(i).join(' ')})">`);
+    lens.drawOne(pen, { panel }, SIZE.w, SIZE.h);
+    pen.parts.push('</g>');
+  });
+  return `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${WIDE} ${HIGH}" width="${WIDE}" height="${HIGH}"><rect width="100%" height="100%" fill="${colours.paper}"/>${pen.parts.join('\n')}</svg>`;
+}
+
+export const saveSvg = (lens) => save(svgOf(lens), `${nameOf(lens)}.svg`, 'image/svg+xml');
+
+// One row a future step: decoded and true reward and survival, the value of the horizon that ends there, tau-space.
+export function csvOf({ scene: { model, seen, state } }) {
+  const quoted = (words) => `"${String(words).replace(/"/g, '""')}"`, names = model.header.actions, a = state.action;
+  const head = ['tau', 'reward', 'survival', ...(seen.truth ? ['true reward', 'true survival'] : []), 'horizon', ...names.map((name) => `value of ${name}`),
+    ...(seen.truth ? ['best action'] : []), ...Array.from(seen.midpoints, (theta) => `P at ${+theta.toPrecision(8)}`)];
+  const rows = Array.from({ length: model.K }, (_, k) => [k * model.dt, seen.rewards[a][k], seen.survival[a][k], ...(seen.truth ? [seen.truth.rewards[a][k], seen.truth.survival[a][k]] : []),
+    model.horizons[k], ...seen.values.map((line) => line[k]), ...(seen.truth ? [quoted(names[seen.bestAt(k)])] : []),
+    ...(k < seen.n ? seen.tau.slice(k * seen.H, (k + 1) * seen.H) : Array(seen.H).fill(''))]);
+  return [`# ${JSON.stringify({ world: model.header.world, state: model.header.state, action: names[a], ...state, action_index: a })}`, head.map(quoted).join(','), ...rows.map((row) => row.map((x) => x ?? '').join(','))].join('\n');
+}
+
+export const saveCsv = (lens) => save(csvOf(lens), `${nameOf(lens)}.csv`, 'text/csv');
+
+export function htmlOf({ template, model, state, base }) {
+  const held = { state, base, payload: model.packed() };
+  return template.replace('"__HELD__"', () => JSON.stringify(held).replace(/</g, '\\u003c'));
+}
+
+export const saveHtml = (lens) => save(htmlOf(lens), `${nameOf(lens)}.html`, 'text/html');

@@ -1,0 +1,10 @@
+// The lens in a file of its own.
+import { element } from './controls.js';
+import { mount } from './lens.js';
+import { read } from './maths.js';
+
+export function standalone(held) {
+  const bytes = Uint8Array.from(atob(held.payload), (sign) => sign.charCodeAt(0));
+  const box = document.body.appendChild(element('div', {}));
+  return mount(box, { model: { ...read(bytes), id: 'file' }, state: held.state, base: held.base }, () => {});
+}

@@ -1,0 +1,50 @@
+// A space as a surface: a mesh seen from a camera that only the hand moves, drawn from the back to the front.
+import { NEUTRAL, heatColour, short } from './drawing.js';
+
+const MOST = 46; // cells a side; larger spaces keep the largest value of each cell
+
+function thinned(values, n, width) {
+  const rows = Math.min(n, MOST), columns = Math.min(width, MOST * 2), out = new Float64Array(rows * columns);
+  for (let k = 0; k < n; k++) {
+    for (let h = 0; h < width; h++) {
+      const at = Math.floor((k * rows) / n) * columns + Math.floor((h * columns) / width), value = values[k * width + h];
+      if (Math.abs(value) > Math.abs(out[at])) out[at] = value;
+    }
+  }
+  return { out, rows, columns };
+}
+
+// `space` is { values, n, width, limit, x: [words, words], y: [words, words], titles: [x, y] }.
+export function drawSurface(pen, box, space, camera, colours) {
+  const { out, rows, columns } = thinned(space.values, space.n, space.width), { turn, tilt } = camera;
+  const [c, s, up, flat] = [Math.cos(turn), Math.sin(turn), Math.sin(tilt), Math.cos(tilt)], size = Math.min(box.w * 0.6, box.h * 0.95);
+  const place = (u, v, z) => { // u across theta, v up the rows, both in 0..1; z in limits
+    const x = (u - 0.5) * c - (v - 0.5) * s, y = (u - 0.5) * s + (v - 0.5) * c;
+    return [box.x + box.w / 2 + x * size, box.y + box.h * 0.62 - y * up * size - Math.max(-0.3, Math.min(1.5, z)) * 0.5 * flat * size];
+  };
+  const point = (i, k) => place(i / Math.max(1, columns - 1), rows > 1 ? k / (rows - 1) : 0.5, out[k * columns + i] / space.limit);
+  const edge = [[0, 0], [1, 0], [1, 1], [0, 1], [0, 0]].map(([u, v]) => place(u, v, 0));
+  pen.path(edge, { stroke: NEUTRAL, width: 1 });
+  const across = [...Array(Math.max(1, columns - 1)).keys()], along = [...Array(Math.max(1, rows - 1)).keys()];
+  if (s > 0) across.reverse();
+  if (c > 0) along.reverse();
+  for (const k of along) {
+    for (const i of across) {
+      const next = Math.min(rows - 1, k + 1), corners = [point(i, k), point(i + 1, k), point(i + 1, next), point(i, next)];
+      const value = (out[k * columns + i] + out[next * columns + i + 1] + out[k * columns + i + 1] + out[next * columns + i]) / 4;
+      const colour = heatColour(value, space.limit);
+      pen.path(rows === 1 ? [place(i / (columns - 1), 0.5, 0), corners[0], corners[1], place((i + 1) / (columns - 1), 0.5, 0)] : corners,
+        { fill: colour, stroke: colour, width: 0.6, close: true });
+    }
+  }
+  const label = (words, u, v, bold) => {
+    const [x, y] = place(u, v, 0);
+    pen.text(words, x, y + 14, { size: bold ? 11 : 10, align: 'center', colour: bold ? colours.text : colours.soft });
+  };
+  label(short(space.x[0]), 0, -0.06);
+  label(short(space.x[1]), 1, -0.06);
+  label(space.titles[0], 0.5, -0.1, true);
+  label(short(space.y[0]), 1.08, 0);
+  label(short(space.y[1]), 1.08, 1);
+  label(space.titles[1], 1.12, 0.5, true);
+}

@@ -1,0 +1,113 @@
+"""The verbs train and evaluate, as somebody at a terminal uses them."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+from laplace_core.agents.settings import SETTINGS
+from laplace_core.cli import main
+from laplace_core.training.checkpoint import load_checkpoint
+from laplace_core.training.command import settings_of
+from laplace_core.training.evaluation import evaluate
+from tests.hostile import assert_refused
+
+SMALL = ["--steps", "600", "--learning-starts", "100", "--evaluate-every", "300", "--checkpoint-every", "300",
+         "--hidden", "16", "--batch", "16", "--evaluate-episodes", "3"]  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def run(tmp_path_factory):
+    """A short run on the paper's toy world."""
+    folder = tmp_path_factory.mktemp("runs") / "short"
+    assert main(["train", "laplace", "two_branch", *SMALL, "--run", str(folder)]) == 0
+    return folder
+
+
+def test_a_run_says_what_it_reached_and_leaves_a_checkpoint(run, capsys):
+    folder = run.parent / "told"
+    assert main(["train", "laplace", "two_branch", *SMALL, "--run", str(folder)]) == 0
+    told = capsys.readouterr().out
+    assert "in evaluation, the best so far" in told
+    assert str(folder) in told
+    loaded = load_checkpoint(folder / "best.safetensors")
+    assert loaded.environment == "two_branch"
+    assert loaded.settings.hidden == 16
+    assert f"{loaded.score:.1f}" in told
+
+
+def test_events_come_as_json_lines(tmp_path, capsys):
+    assert main(["train", "laplace", "two_branch", *SMALL, "--run", str(tmp_path / "run"), "--json"]) == 0
+    events = [json.loads(line) for line in capsys.readouterr().out.splitlines()]
+    assert {event["event"] for event in events} == {"episode", "evaluation", "checkpoint"}
+    assert [event["step"] for event in events] == sorted(event["step"] for event in events)
+
+
+def test_the_file_of_the_environment_is_used_and_what_is_given_comes_first():
+    tuned = settings_of("laplace", "CartPole-v1", {})
+    assert tuned != SETTINGS["laplace"](environment="CartPole-v1")
+    assert settings_of("laplace", "CartPole-v1", {"steps": "77"}).steps == 77
+    assert settings_of("laplace", "CartPole-v1", {"steps": "77"}).hidden == tuned.hidden
+
+
+@pytest.mark.parametrize("environment", ["CartPole-v1", "Acrobot-v1", "LunarLander-v3", "two_branch", "fig6_chain"])
+def test_every_settings_file_is_valid(environment):
+    assert settings_of("laplace", environment, {}).environment == environment
+
+
+def test_every_setting_has_a_sentence_in_the_help():
+    done = subprocess.run([sys.executable, "-m", "laplace_core", "train", "--help"], capture_output=True, text=True)
+    text = " ".join(done.stdout.split())
+    for parameter in SETTINGS["laplace"].SCHEMA:
+        if parameter.name != "environment":
+            assert f"--{parameter.name.replace('_', '-')}" in text
+            assert parameter.help.split("%")[0].split(";")[0] in text
+
+
+def test_evaluate_prints_what_the_library_finds(run, capsys):
+    checkpoint = str(run / "best.safetensors")
+    assert main(["evaluate", checkpoint, "--episodes", "7", "--seed", "3", "--json"]) == 0
+    told = json.loads(capsys.readouterr().out)
+    found = evaluate(load_checkpoint(checkpoint).agent, "two_branch", 7, 3)
+    np.testing.assert_array_equal(told["returns"], found.returns)
+    assert told["mean"] == found.mean
+    assert main(["evaluate", checkpoint, "--episodes", "5", "--horizon", "2"]) == 0
+    assert "readout, T = 2" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("words", "named"),
+    [
+        (["train"], "algorithm"),
+        (["train", "dreamer", "CartPole-v1"], "dreamer"),
+        (["train", "laplace"], "environment"),
+        (["train", "laplace", "Pong-v5"], "Pong-v5"),
+        (["train", "laplace", "CartPole-v1", "--steps", "0"], "steps"),
+        (["train", "laplace", "CartPole-v1", "--steps", "many"], "steps"),
+        (["train", "laplace", "CartPole-v1", "--theta-min", "1"], "theta_min"),
+        (["train", "laplace", "CartPole-v1", "--network", "transformer"], "network"),
+        (["train", "laplace", "CartPole-v1", "--speed", "9"], "--speed"),
+        (["train", "--resume", "nowhere"], "nowhere"),
+        (["train", "laplace", "CartPole-v1", "--resume", "nowhere"], "resume"),
+        (["evaluate", "nothing.safetensors"], "nothing.safetensors"),
+        (["evaluate", "nothing.safetensors", "--episodes", "0"], "episodes"),
+        (["evaluate", "nothing.safetensors", "--horizon", "-1"], "horizon"),
+        (["evaluate", "nothing.safetensors", "--softness", "x"], "softness"),
+    ],
+)
+def test_bad_words_are_one_sentence(words, named, capsys, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    assert_refused(capsys, words, named)
+    assert not list(tmp_path.iterdir())
+
+
+def test_a_run_is_not_written_over(run, capsys):
+    assert_refused(capsys, ["train", "laplace", "two_branch", *SMALL, "--run", str(run)], "short")
+
+
+def test_an_unknown_rule_is_refused(run, capsys):
+    assert_refused(capsys, ["evaluate", str(run / "best.safetensors"), "--rule", "lucky"], "lucky")
