@@ -31,7 +31,7 @@ from laplace_core.worlds import dump_world
 
 WARM = 10
 """Users whose changes warm the server up before its memory is looked at."""
-AT_ONCE = 4
+AT_ONCE = 6
 """Users who do something at the same time; all others keep their page open."""
 PATIENCE = 30_000  # milliseconds until a picture that has not come counts as wrong
 _WORLDS = (
@@ -176,8 +176,18 @@ async def _press_slider(user: User, label: str, name: str) -> None:
 async def _choose_normalisation(user: User) -> None:
     words = {"none": "none: keep survival", "survival": "by survival", "paper": "paper: every row to 1"}
     value = user.chance.choice([value for value in words if value != user.wanted.get("normalise", "none")])
-    await user.page.get_by_role("combobox", name="Row normalisation").click()
-    await user.page.get_by_role("option", name=words[value]).click()
+    from playwright.async_api import TimeoutError as Late
+
+    for _ in range(3):  # a list that opens while the page is drawn anew may close again: a person clicks again
+        await user.page.get_by_role("combobox", name="Row normalisation").click()
+        try:
+            await user.page.get_by_role("option", name=words[value]).click(timeout=5_000)
+            break
+        except Late:
+            await user.page.keyboard.press("Escape")
+    else:
+        user.errors.append("the list of normalisations did not stay open")
+        return
     user.wanted = {**user.wanted, "normalise": value}
 
 

@@ -1,0 +1,160 @@
+"""The lens: gamma-space, tau-space and what is read from them, moving in the browser as fast as it draws.
+
+The inverse is linear. The browser gets its factors once per world, grid and policy (:mod:`app.lens.payload`) and
+computes everything else; Python hears a state when a control is released.
+"""
+
+from __future__ import annotations
+
+import base64
+import hashlib
+import json
+import re
+import struct
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+
+import streamlit as st
+
+from app.lens.payload import payload, structure
+from app.lens.seen import seen
+from app.lens.state import checked, opening_state, state_of, values_of
+
+_HERE = Path(__file__).resolve().parent
+_MODULES = ("maths", "drawing", "surface", "controls", "panels", "export", "lens")
+
+
+@dataclass(frozen=True)
+class Released:
+    """What a person let go of: the state of the lens, or the name of a preset that asks for another world."""
+
+    state: dict[str, object]
+    preset: str | None = None
+
+
+@dataclass(frozen=True)
+class Preset:
+    """A view worth seeing. ``state`` is applied in the browser if the lens is ``here``, in the world it needs."""
+
+    name: str
+    here: bool
+    state: Mapping[str, object]
+
+
+def lens(
+    data: bytes,
+    state: Mapping[str, object],
+    key: str,
+    base: Mapping[str, object] | None = None,
+    presets: Sequence[Preset] = (),
+    on_release: Callable[[Released], None] | None = None,
+) -> Released | None:
+    """Draw the lens and return what was released just now, if anything.
+
+    A state that equals what was released last is not sent again: the browser has it.
+
+    Args:
+        data: from :func:`payload`.
+        state: what the controls hold; :func:`opening_state`.
+        base: where Reset leads; default: ``state``.
+        on_release: called before the rerun, as a widget's callback.
+    """
+    known = st.session_state.setdefault(f"_lens {key}", {"revision": 0})
+    digest = _digest(data)
+    if known.get("id") != digest or known.get("heard", known.get("shown")) != dict(state):
+        known.update(id=digest, shown=dict(state), base=dict(base or state), revision=known["revision"] + 1)
+        known.pop("heard", None)
+    told = {
+        "id": digest,
+        "revision": known["revision"],
+        "state": known["shown"],
+        "base": known["base"],
+        "presets": [{"name": each.name, "here": each.here, "state": dict(each.state)} for each in presets],
+    }
+    widget = f"lens {key}"
+
+    def heard() -> None:
+        released = _released(st.session_state[widget].released)
+        known["heard"] = released.state
+        if on_release is not None:
+            on_release(released)
+
+    result = _component()(key=widget, data=_message(told, data), on_released_change=heard, height="content")
+    return None if result.released is None else _released(result.released)
+
+
+def _released(found: Mapping[str, object]) -> Released:
+    return Released(dict(found["state"]), found.get("preset"))
+
+
+def _message(told: Mapping[str, object], data: bytes) -> bytes:
+    """A length, JSON and the payload, which begins on a multiple of 8 bytes."""
+    text = json.dumps(told).encode()
+    text += b" " * (-(len(text) + 4) % 8)
+    return struct.pack("<I", len(text)) + text + data
+
+
+def _digest(data: bytes) -> str:
+    return hashlib.sha256(data).hexdigest()[:16]
+
+
+@cache
+def _component() -> Callable:
+    template = f"globalThis.laplaceLensTemplate = {json.dumps(_template())};\n"
+    return st.components.v2.component("laplace_lens", js=template + script("entry"), css=_text("style.css"))
+
+
+@cache
+def _text(name: str) -> str:
+    return (_HERE / name).read_text(encoding="utf-8")
+
+
+@cache
+def script(last: str) -> str:
+    """The modules of the lens as one, ``last`` at the end: their imports from each other fall away."""
+    lines = "\n".join(_text(f"{name}.js") for name in (*_MODULES, last))
+    lines = re.sub(r"^import .*? from '\./.*?';\n", "", lines, flags=re.MULTILINE)
+    return re.sub(r"^export (?!default)", "", lines, flags=re.MULTILINE)
+
+
+def standalone(data: bytes, state: Mapping[str, object], base: Mapping[str, object] | None = None) -> str:
+    """The lens as one HTML file that works without a network."""
+    held = {"state": dict(state), "base": dict(base or state), "payload": base64.b64encode(data).decode()}
+    return _template().replace('"__HELD__"', json.dumps(held).replace("<", "\\u003c"))
+
+
+@cache
+def _template() -> str:
+    return f"""<!doctype html>
+<html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1">
+<title>Laplace code: the lens</title>
+<style>
+:root {{ --st-text-color: #1d2127; --st-background-color: #ffffff; --st-secondary-background-color: #f4f6f8;
+  --st-primary-color: #0b7285; color-scheme: light dark; }}
+@media (prefers-color-scheme: dark) {{ :root {{ --st-text-color: #e6e9ed; --st-background-color: #14171b;
+  --st-secondary-background-color: #1d2228; --st-primary-color: #3bc9db; }} }}
+body {{ margin: 16px; background: var(--st-background-color); }}
+{_text("style.css")}</style></head><body>
+<script type="module">
+{script("standalone")}
+globalThis.lens = standalone("__HELD__");
+</script></body></html>
+"""
+
+
+__all__ = [
+    "Preset",
+    "Released",
+    "checked",
+    "lens",
+    "opening_state",
+    "payload",
+    "script",
+    "seen",
+    "standalone",
+    "state_of",
+    "structure",
+    "values_of",
+]

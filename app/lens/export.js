@@ -61,7 +61,9 @@ export function csvOf({ scene: { model, seen, state } }) {
 export const saveCsv = (lens) => save(csvOf(lens), `${nameOf(lens)}.csv`, 'text/csv');
 
 export function htmlOf({ template, model, state, base }) {
-  const held = { state, base, payload: model.packed() };
+  let text = '';
+  for (let i = 0; i < model.bytes.length; i += 8192) text += String.fromCharCode(...model.bytes.subarray(i, i + 8192));
+  const held = { state, base, payload: btoa(text) };
   return template.replace('"__HELD__"', () => JSON.stringify(held).replace(/</g, '\\u003c'));
 }
 

@@ -1,7 +1,7 @@
 // The lens: one state, the pictures that it makes, and what the hand does to both. Python hears releases only.
 import { element, footer, sliders, switchboard, toolbar } from './controls.js';
 import { canvasPen, short } from './drawing.js';
-import { SWITCHES, available, effect, gammaSpace, kernel, read, resolution, see } from './maths.js';
+import { SWITCHES, available, effect, gammaSpace, kernel, resolution, see } from './maths.js';
 import { PANELS, limitOfTau } from './panels.js';
 import { saveCsv, saveHtml, savePng, saveSvg } from './export.js';
 import { drawSurface } from './surface.js';
@@ -235,26 +235,4 @@ export function mount(root, { model, state, base, presets = [], template }, repo
     state = next;
     draw();
   }, get state() { return state; }, get seen() { return seen; }, get hover() { return scene.hover; } };
-}
-
-// ---- inside Streamlit
-
-const mounted = new WeakMap();
-
-export default function ({ data, parentElement, setTriggerValue }) {
-  const view = new DataView(data.buffer, data.byteOffset), length = view.getUint32(0, true);
-  const message = JSON.parse(new TextDecoder().decode(data.subarray(4, 4 + length)));
-  let kept = mounted.get(parentElement);
-  if (!kept || kept.id !== message.id || !kept.lens.host.isConnected) {
-    let box = parentElement.querySelector('.laplace-lens-box');
-    if (!box) parentElement.append(box = element('div', { class: 'laplace-lens-box' }));
-    const model = { ...read(data.subarray(4 + length)), id: message.id };
-    kept = { id: message.id, revision: message.revision };
-    kept.lens = mount(box, { model, ...message, template: typeof TEMPLATE === 'string' ? TEMPLATE : undefined }, (heard) => kept.report('released', heard));
-    mounted.set(parentElement, kept);
-  } else if (kept.revision !== message.revision) {
-    kept.revision = message.revision;
-    kept.lens.show(message.state, message.base);
-  }
-  kept.report = setTriggerValue;
 }

@@ -68,7 +68,7 @@ export function read(bytes) {
     const block = bytes.slice(4 + length + at, 4 + length + at + count * size).buffer; // aligned, whatever came before
     arrays[name] = kind === 'f8' ? new Float64Array(block) : Float64Array.from(new Float32Array(block));
   }
-  return open(header, arrays);
+  return { ...open(header, arrays), bytes };
 }
 
 function open(header, arrays) {

@@ -16,8 +16,8 @@ from laplace_core import Settings, Study, World
 from laplace_core.encoding import PAPER_GAMMAS, sensitivity_grid
 from laplace_core.errors import InputError
 from laplace_core.inverse import transform_factors
-from laplace_core.pipeline import basis_of, policies_of, timeline_of
 from laplace_core.learning import reward_indicator_basis
+from laplace_core.pipeline import basis_of, policies_of, timeline_of
 
 MOST_REWARDS = 64
 """With more distinct rewards the differences at one slope are smaller than the basis of all slopes."""

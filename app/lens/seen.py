@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from app.lens.payload import unpacked
 from laplace_core import GammaSpace, Study
 from laplace_core.encoding import theta_midpoints
 from laplace_core.horizon import (
@@ -21,8 +22,6 @@ from laplace_core.horizon import (
 from laplace_core.inverse import decode, normalise_rows, resolution_matrix
 from laplace_core.pipeline import encode, with_noise
 from laplace_core.ties import greedy_action
-
-from app.lens.payload import unpacked
 
 
 def seen(data: bytes, state: Mapping[str, object], tau: int = 0) -> dict[str, np.ndarray]:

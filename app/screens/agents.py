@@ -2,61 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-
-import numpy as np
 import streamlit as st
 
 from app import checkpoints, compute, controls, state
 from app.observations import Scene, scene_of
 from app.parts import export, panels
-from app.query import VIEW
-from app.sources import View
-from laplace_core import InputError, Settings
-from laplace_core.parameters import Parameter
-from laplace_core.settings import BY_NAME, ENCODING_NAMES, resolve_for_gamma_space
+from app.trained import OBSERVED, action_of, opening, parse_query, view_of
+from laplace_core import InputError
 from laplace_core.training.checkpoint import Loaded
-
-OBSERVED = "o."  # prefix of the components of an observation
-# A network's gamma-space is known to a hundredth or so: less regularisation shows its error and not its timeline.
-DEFAULTS = {"alpha": 1.0}
-_READING = {name: parameter for name, parameter in BY_NAME.items() if name not in ENCODING_NAMES}
-_LOOKING = {parameter.name: parameter for parameter in VIEW if parameter.name in ("action", "horizon", "look")}
-
-
-def opening() -> dict[str, object]:
-    return {"checkpoint": checkpoints.shipped()[0]} if checkpoints.shipped() else {}
-
-
-def parse_query(query: Mapping[str, str]) -> tuple[dict[str, object], list[str]]:
-    """State and notes from URL values."""
-    found, notes = dict(opening()), []
-    try:
-        if "checkpoint" in query:
-            checkpoints.checkpoint(query["checkpoint"])
-            found["checkpoint"] = query["checkpoint"]
-    except InputError as error:
-        return found, [f"Left out of the link: {error}"]
-    if "checkpoint" not in found:
-        return {}, []
-    scene = scene_of(checkpoints.checkpoint(str(found["checkpoint"])).environment)
-    known = {**_READING, **_LOOKING}
-    known |= {
-        f"{OBSERVED}{i}": Parameter(component.name, component.start, component.low, component.high, "", float)
-        for i, component in enumerate(scene.components)
-    }
-    known["state"] = Parameter("state", None, 0, 0, "State that is observed.", str, scene.states)
-    for name, text in query.items():
-        if name == "checkpoint":
-            continue
-        if name not in known:
-            notes.append(f"The link has an entry {name[:40]!r} that means nothing here.")
-            continue
-        try:
-            found[name] = known[name].parse(text)
-        except InputError as error:
-            notes.append(f"Left out of the link: {error}")
-    return found, notes
 
 
 def page() -> None:
@@ -75,7 +28,7 @@ def page() -> None:
         scene = scene_of(loaded.environment)
         _card(loaded, scene)
         _observation(scene)
-        action = _action(scene)
+        action = action_of(scene, state.chosen())
         st.session_state["action"] = scene.actions[action]
         st.selectbox("Action", scene.actions, key="action", on_change=state.keep, args=("action",))
     _view(loaded, scene)
@@ -132,31 +85,6 @@ def _observation(scene: Scene) -> None:
         step = (component.high - component.low) / 100.0
         st.slider(f"{component.name}{unit}", component.low, component.high, step=step, key=key, format="%.2f",
                   on_change=state.keep, args=(key,))  # fmt: skip
-
-
-def _action(scene: Scene) -> int:
-    name = state.chosen().get("action")
-    return scene.actions.index(name) if name in scene.actions else 0
-
-
-def observation_of(scene: Scene, values: Mapping[str, object]) -> tuple[float, ...]:
-    """The observation that the values describe; a tabular state is a one-hot vector."""
-    if scene.states:
-        at = scene.states.index(str(values.get("state", scene.states[0])))
-        return tuple(np.eye(len(scene.states))[at])
-    return tuple(float(values.get(f"{OBSERVED}{i}", part.start)) for i, part in enumerate(scene.components))
-
-
-def view_of(loaded: Loaded, scene: Scene, values: Mapping[str, object]) -> View:
-    """What the page shows.
-
-    Raises:
-        InputError: values that do not fit each other.
-    """
-    subject = checkpoints.observe(loaded, observation_of(scene, values), scene.actions)
-    given = {name: value for name, value in values.items() if name in _READING and name != "state"}
-    settings = resolve_for_gamma_space(Settings(world=loaded.environment, **(DEFAULTS | given)), loaded.agent.gammas)
-    return View(subject, settings, _action(scene), values.get("horizon"))
 
 
 @st.fragment

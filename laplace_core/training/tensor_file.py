@@ -10,12 +10,12 @@ import json
 import math
 import os
 import stat
-import tempfile
 from pathlib import Path
 
 import numpy as np
 import safetensors.numpy
 
+from laplace_core.atomic import atomic_write
 from laplace_core.errors import InputError
 
 MAX_HEADER = 1_000_000  # bytes; a header has some hundred per array
@@ -29,23 +29,10 @@ def write_whole(path: Path, data: bytes) -> None:
     Raises:
         InputError: the folder is missing, full or not writable.
     """
-    temporary = None
-    try:
-        handle, temporary = tempfile.mkstemp(suffix=".tmp", prefix=path.name, dir=path.parent)
-        with os.fdopen(handle, "wb") as file:
-            file.write(data)
-            file.flush()
-            os.fsync(file.fileno())
-        os.chmod(temporary, 0o644)
-        os.replace(temporary, path)
-    except OSError as error:
-        if temporary:
-            Path(temporary).unlink(missing_ok=True)
-        raise InputError(f"{path.name} cannot be written: {(error.strerror or 'unknown error').lower()}.") from None
-    except BaseException:
-        if temporary:
-            Path(temporary).unlink(missing_ok=True)
-        raise
+    with atomic_write(path) as file:
+        file.write(data)
+        file.flush()
+        os.fsync(file.fileno())
 
 
 def write_tensors(path: Path, arrays: dict[str, np.ndarray], about: dict[str, object]) -> None:

@@ -1,0 +1,159 @@
+"""Worlds, timelines and files of one's own, typed and dropped into a real browser."""
+
+from __future__ import annotations
+
+import json
+import re
+
+import numpy as np
+import pytest
+from playwright.sync_api import expect
+
+from app.link import pack, unpack
+from laplace_core import Settings, load_world, study, study_of_gamma_space
+from laplace_core.saved import read_gamma_space
+from laplace_core.worlds import dump_world, parse_world
+from tests.browser.test_workbench import open_at
+from tests.malformed_saved import with_arrays
+from tests.malformed_worlds import TEXT
+
+pytestmark = pytest.mark.browser
+
+OWN = f"world=own&own={pack(dump_world(load_world('two_branch')))}"
+
+TOO_WIDE = """() => {
+  const scrolls = (e) => e && (/(auto|scroll)/.test(getComputedStyle(e).overflowX) && e.dataset.testid !== 'stMain'
+    && e.dataset.testid !== 'stAppViewContainer' || scrolls(e.parentElement));
+  return [...document.querySelectorAll('[data-testid="stMain"] *')]
+    .filter((e) => e.getBoundingClientRect().right > innerWidth + 1 && e.getBoundingClientRect().width > 0)
+    .filter((e) => getComputedStyle(e).visibility !== 'hidden' && !scrolls(e.parentElement) && !e.closest('svg'))
+    .map((e) => `${e.tagName} ${e.className} ${e.dataset.testid ?? ''}`.slice(0, 120));
+}"""
+
+
+def tau_space(page) -> np.ndarray:
+    return np.array(
+        page.evaluate(
+            """() => Array.from([...document.querySelectorAll('.js-plotly-plot')]
+            .find((p) => p.dataset.name === 'tau-space')._fullData[0].z, (row) => Array.from(row))"""
+        )
+    )
+
+
+def comes_to_show(page, expected: np.ndarray) -> None:
+    """Wait until the tau-space is drawn as expected."""
+    for _ in range(150):
+        drawn = tau_space(page)
+        if drawn.shape == expected.shape and np.allclose(drawn, expected, rtol=1e-4, atol=1e-5):
+            return
+        page.wait_for_timeout(100)
+    np.testing.assert_allclose(tau_space(page), expected, rtol=1e-4, atol=1e-5)
+
+
+def type_into_table(page, row: int, column: int, text: str) -> None:
+    """Go to a cell of the table by the keyboard and type over it."""
+    table = page.locator('[data-testid="stDataFrame"]')
+    table.scroll_into_view_if_needed()
+    box = table.bounding_box()
+    page.mouse.click(box["x"] + 30, box["y"] + 52)  # the first cell, under the header
+    for _ in range(row):
+        page.keyboard.press("ArrowDown")
+    for _ in range(column):
+        page.keyboard.press("ArrowRight")
+    page.keyboard.type(text)
+    page.keyboard.press("Enter")
+
+
+def test_a_reward_typed_into_the_table_moves_the_picture_and_the_link(page, address):
+    verdict = open_at(page, address, OWN + "&alpha=0.2")
+    expect(verdict).to_contain_text("choose long")
+    type_into_table(page, 0, 3, "11")  # what the short branch pays
+    expect(verdict).to_contain_text("choose short")
+    world = parse_world(unpack(re.search("own=([^&]+)", page.url)[1]))
+    assert world.reward_values.tolist() == [0.0, 10.0, 11.0]
+    comes_to_show(page, study(world, Settings(alpha=0.2)).decoded.tau_space[0])
+    type_into_table(page, 1, 2, "0.5")
+    expect(page.get_by_text("add up to 0.5")).to_be_visible()
+    expect(verdict).to_contain_text("choose short")
+    page.get_by_role("button", name="Rescale probabilities to 1").click()
+    expect(page.get_by_text("add up to 0.5")).to_have_count(0)
+    comes_to_show(page, study(world, Settings(alpha=0.2)).decoded.tau_space[0])
+
+
+def test_edits_are_there_again_after_back(page, address):
+    verdict = open_at(page, address, OWN + "&alpha=0.2")
+    type_into_table(page, 0, 3, "11")
+    expect(verdict).to_contain_text("choose short")
+    edited = page.url
+    page.get_by_role("combobox", name="World").click()
+    page.get_by_role("combobox", name="World").fill("double")
+    page.keyboard.press("Enter")
+    expect(page).to_have_url(re.compile("world=double_chain"))
+    page.wait_for_timeout(1_500)
+    page.go_back()
+    expect(verdict).to_contain_text("choose short")
+    page.wait_for_timeout(1_500)
+    assert page.url == edited
+
+
+def test_a_timeline_is_drawn_by_hand(page, address):
+    open_at(page, address, "world=two_branch")
+    page.get_by_text("Bring your own").click()
+    page.get_by_role("button", name="Draw a timeline").click()
+    expect(page.get_by_text("your timeline: at future step tau")).to_be_visible()
+    page.wait_for_timeout(500)
+    type_into_table(page, 0, 2, "7")
+    expect(page).to_have_url(re.compile("timeline="))
+    for _ in range(100):
+        rows = json.loads(unpack(re.search("timeline=([^&]+)", page.url)[1]))["rows"]
+        if rows[0] == ["now", 0, 7, 1]:
+            break
+        page.wait_for_timeout(100)
+    assert rows[0] == ["now", 0, 7, 1]
+    with page.expect_download() as waiting:
+        page.get_by_role("button", name="Download world").click()
+    world = parse_world(waiting.value.path().read_text())
+    assert 7.0 in world.reward_values
+    comes_to_show(page, study(world, Settings()).decoded.tau_space[0])
+
+
+def test_files_are_dropped_in_and_bad_ones_refused(page, address):
+    open_at(page, address, "world=two_branch")
+    page.get_by_text("Bring your own").click()
+    box = page.locator('[data-testid="stFileUploaderDropzoneInput"]')
+    box.set_input_files({"name": "bad.npz", "mimeType": "application/zip", "buffer": b"PK nothing"})
+    expect(page.get_by_text("is not an .npz file of plain number arrays")).to_be_visible()
+    expect(page.locator(".verdict")).to_contain_text("choose long")
+    box.set_input_files({"name": "mine.npz", "mimeType": "application/zip", "buffer": with_arrays()})
+    expect(page.locator(".verdict")).to_contain_text("No truth to compare with")
+    found = study_of_gamma_space(read_gamma_space(with_arrays()), Settings(world="mine.npz"))
+    comes_to_show(page, found.decoded.tau_space[0])
+    box.set_input_files({"name": "mine.json", "mimeType": "application/json", "buffer": TEXT.encode()})
+    expect(page).to_have_url(re.compile("world=own"))
+    comes_to_show(page, study(parse_world(TEXT), Settings()).decoded.tau_space[0])
+
+
+@pytest.mark.parametrize(("width", "height"), [(390, 844), (1440, 900)])
+@pytest.mark.parametrize("query", [OWN, "world=timeline", "world=cliff_grid&source=learned"], ids=["own", "timeline", "learned"])
+def test_nothing_is_wider_than_the_screen_with_every_section_open(chromium, address, width, height, query):
+    from app.sources import FIRST_TIMELINE
+
+    context = chromium.new_context(viewport={"width": width, "height": height})
+    context.set_default_timeout(60_000)
+    page = context.new_page()
+    pinned = pack(json.dumps({"world": "two_branch"}))
+    query = query.replace("world=timeline", f"world=timeline&timeline={FIRST_TIMELINE}")
+    open_at(page, address, f"{query}&pin={pinned}")
+    page.wait_for_function("() => document.querySelectorAll('.js-plotly-plot .main-svg').length >= 8")
+    assert page.evaluate(TOO_WIDE) == []
+    assert page.evaluate("() => document.documentElement.scrollWidth <= innerWidth + 1")
+    for name in ("How to read this", "Copy", "Download"):
+        page.get_by_role("button", name=name, exact=True).click()
+        popover = page.locator('[data-testid="stPopoverBody"]')
+        expect(popover).to_be_visible()
+        page.wait_for_timeout(300)
+        place = popover.bounding_box()
+        assert place["x"] >= 0
+        assert place["x"] + place["width"] <= width + 1
+        page.keyboard.press("Escape")
+    context.close()
