@@ -12,7 +12,7 @@ from laplace_core.pipeline import GammaSpace, Study, study, study_of_gamma_space
 from laplace_core.settings import Settings
 from laplace_core.worlds import PRESETS, World, load_world
 
-__version__ = "0.1.0"
+__version__ = "0.2.0"
 
 __all__ = [
     "PRESETS",
