@@ -31,9 +31,9 @@ from laplace_core.worlds import dump_world
 
 WARM = 10
 """Users whose changes warm the server up before its memory is looked at."""
-AT_ONCE = 6
+AT_ONCE = 4
 """Users who do something at the same time; all others keep their page open."""
-PATIENCE = 30_000  # milliseconds until a picture that has not come counts as wrong
+PATIENCE = 60_000  # milliseconds until a picture that has not come counts as wrong
 _WORLDS = (
     "two_branch",
     "two_decisions",
@@ -216,6 +216,8 @@ async def check(user: User, what: str) -> None:
 
 
 async def opened(browser, address: str, number: int, seed: int) -> User:
+    from playwright.async_api import TimeoutError as Late
+
     context = await browser.new_context(viewport={"width": 900, "height": 500})
     context.set_default_timeout(PATIENCE)
     user = User(number, await context.new_page(), random.Random(f"{seed} {number}"))
@@ -223,7 +225,10 @@ async def opened(browser, address: str, number: int, seed: int) -> User:
     user.page.on("console", lambda message: message.type == "error" and user.errors.append(f"console: {message.text}"))
     user.wanted = start_of(user.chance)
     await user.page.goto(f"{address}/?{urlencode(user.wanted)}")
-    await user.page.wait_for_function(_READY)
+    try:
+        await user.page.wait_for_function(_READY, polling=100)
+    except Late:
+        user.errors.append(f"did not open: {(await user.page.inner_text('body'))[:200]!r}")
     await check(user, f"opened {user.wanted}")
     return user
 

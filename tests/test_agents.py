@@ -8,12 +8,12 @@ import numpy as np
 import pytest
 import torch
 
-from laplace_core.agents import LaplaceSettings, networks
+from laplace_core.agents import ENVIRONMENTS, LaplaceSettings, networks
 from laplace_core.agents.agent import Batch
 from laplace_core.agents.laplace import LaplaceAgent
 from laplace_core.agents.networks import DiscountInput
 from laplace_core.errors import InputError
-from laplace_core.training.environments import spec
+from laplace_core.training.environments import _time_limit, make, spec
 
 torch.set_num_threads(1)
 SMALL = LaplaceSettings(hidden=8, features=4, gammas=3, thetas=5, batch=6)
@@ -221,10 +221,21 @@ def test_auxiliary_states_need_a_time_limit():
         LaplaceAgent(replace(SMALL, termination="auxiliary"), 3, 2, None)
 
 
-def test_every_environment_has_a_size():
-    assert spec("CartPole-v1") == (4, 2, 500)
-    assert spec("Acrobot-v1") == (6, 3, 500)
-    assert spec("two_branch") == (3, 2, 200)
+@pytest.mark.parametrize("name", ENVIRONMENTS)
+def test_the_sizes_written_down_are_those_of_the_environment(name):
+    if name == "LunarLander-v3":
+        pytest.importorskip("Box2D")
+    env, sizes = make(name), spec(name)
+    assert env.reset(seed=0)[0].shape == (sizes.observation,)
+    assert env.action_space.n == sizes.actions
+    assert _time_limit(env)._max_episode_steps == sizes.time_limit
+
+
+@pytest.mark.parametrize("name", ["Ant-v5", "gym:Taxi-v3", "world.json", "../CartPole-v1", ""])
+def test_environments_off_the_list_are_refused(name):
+    for use in (make, spec):
+        with pytest.raises(InputError, match="is none of"):
+            use(name)
 
 
 def test_the_network_that_is_built_is_the_one_named():

@@ -253,7 +253,9 @@ def test_a_refusal_goes_when_the_file_is_taken_away():
     assert not run(page).error
 
 
-@pytest.mark.parametrize("name", ["-rf.npz", "=1+1.npz", "a b'c\"d.npz", "..npz", "x" * 200 + ".npz", "<b>.npz", "mine.npz"])
+@pytest.mark.parametrize(
+    "name", ["-rf.npz", "=1+1.npz", "a b'c\"d.npz", "..npz", "x" * 200 + ".npz", "<b>.npz", "mine.npz"]
+)
 def test_odd_names_of_files_make_no_trouble(name, monkeypatch):
     saved = downloads(monkeypatch)
     page = opened("bring", "copying", "downloading")

@@ -167,7 +167,9 @@ def test_a_pinned_gamma_space_is_gone_with_its_file_and_says_so():
         assert_one_sentence(warning.value)
 
 
-@pytest.mark.parametrize("pin", ["", "abc", pack("[1]"), pack('{"world": "nope"}'), pack('{"world": "own", "own": "x"}')])
+@pytest.mark.parametrize(
+    "pin", ["", "abc", pack("[1]"), pack('{"world": "nope"}'), pack('{"world": "own", "own": "x"}')]
+)
 def test_a_damaged_pin_is_noted_and_the_view_opens(pin):
     page = opened(world="two_branch", pin=pin)
     assert len(page.warning) == 1

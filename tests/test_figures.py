@@ -192,7 +192,9 @@ def test_the_fit_shows_what_the_timeline_gives_back():
     expected = (1 - gammas) * (found.gamma_space.differences[1] @ found.midpoints)
     np.testing.assert_allclose(unpacked(given["y"]), expected, rtol=1e-5, atol=1e-6)
     powers = gammas[:, None] ** np.arange(found.settings.steps)
-    np.testing.assert_allclose(unpacked(back["y"]), (1 - gammas) * (powers @ found.decoded.expected_reward[1]), rtol=1e-5)
+    np.testing.assert_allclose(
+        unpacked(back["y"]), (1 - gammas) * (powers @ found.decoded.expected_reward[1]), rtol=1e-5
+    )
 
 
 @pytest.mark.parametrize("step", [1.0, 0.5])

@@ -19,6 +19,7 @@ from pathlib import Path
 import streamlit as st
 
 from app.lens.payload import payload, structure
+from app.lens.presets import PRESETS, Preset, presets_for
 from app.lens.seen import seen
 from app.lens.state import checked, opening_state, state_of, values_of
 
@@ -32,15 +33,6 @@ class Released:
 
     state: dict[str, object]
     preset: str | None = None
-
-
-@dataclass(frozen=True)
-class Preset:
-    """A view worth seeing. ``state`` is applied in the browser if the lens is ``here``, in the world it needs."""
-
-    name: str
-    here: bool
-    state: Mapping[str, object]
 
 
 def lens(
@@ -112,9 +104,9 @@ def _text(name: str) -> str:
 
 
 @cache
-def script(last: str) -> str:
-    """The modules of the lens as one, ``last`` at the end: their imports from each other fall away."""
-    lines = "\n".join(_text(f"{name}.js") for name in (*_MODULES, last))
+def script(*more: str) -> str:
+    """The modules of the lens as one, ``more`` at the end: their imports from each other fall away."""
+    lines = "\n".join(_text(f"{name}.js") for name in (*_MODULES, *more))
     lines = re.sub(r"^import .*? from '\./.*?';\n", "", lines, flags=re.MULTILINE)
     return re.sub(r"^export (?!default)", "", lines, flags=re.MULTILINE)
 
@@ -145,12 +137,14 @@ globalThis.lens = standalone("__HELD__");
 
 
 __all__ = [
+    "PRESETS",
     "Preset",
     "Released",
     "checked",
     "lens",
     "opening_state",
     "payload",
+    "presets_for",
     "script",
     "seen",
     "standalone",

@@ -71,7 +71,7 @@ export function switchboard(model, wish) {
   return { box, sync: (state) => Object.values(shown).forEach(({ show }) => show(state)), sizes(effects) {
     for (const [name, found] of Object.entries(effects)) {
       const lost = found.on === undefined ? '' : Math.abs(found.on - found.off) > 1e-6 ? ` · regret ${short(found.off)} → ${short(found.on)}` : ' · same choice';
-      const words = name === 'constant' ? lost.slice(3) : `${found.size < 5e-4 ? 'nothing' : found.size.toFixed(found.size < 0.095 ? 3 : 2)} of a row${lost}`;
+      const words = name === 'constant' ? lost.slice(3) : `${found.size < 5e-4 ? 'moves nothing' : `moves ${short(found.size, 2)} of a row`}${lost}`;
       shown[name].size.textContent = words;
       shown[name].size.classList.toggle('large', name === 'constant' ? found.on - found.off > 1e-6 : found.size >= 0.05);
     }

@@ -104,7 +104,8 @@ export function rounded(low, high, least = 1e-9) {
 
 export const short = (value, digits = 3) => {
   if (!Number.isFinite(value)) return '–';
-  return String(Object.is(+value.toPrecision(digits), -0) ? 0 : +value.toPrecision(digits));
+  const found = +value.toPrecision(digits) || 0; // never a negative zero
+  return found && Math.abs(found) < 1e-4 ? found.toExponential().replace('e-0', 'e-') : String(found);
 };
 
 // Frame and labels of one box; returns the scales. Ticks are values, or [value, words].

@@ -64,7 +64,7 @@ export function htmlOf({ template, model, state, base }) {
   let text = '';
   for (let i = 0; i < model.bytes.length; i += 8192) text += String.fromCharCode(...model.bytes.subarray(i, i + 8192));
   const held = { state, base, payload: btoa(text) };
-  return template.replace('"__HELD__"', () => JSON.stringify(held).replace(/</g, '\\u003c'));
+  return template.replace(['"__HELD', '__"'].join(''), () => JSON.stringify(held).replace(/</g, '\\u003c'));
 }
 
 export const saveHtml = (lens) => save(htmlOf(lens), `${nameOf(lens)}.html`, 'text/html');

@@ -2,12 +2,12 @@
 import { element, footer, sliders, switchboard, toolbar } from './controls.js';
 import { canvasPen, short } from './drawing.js';
 import { SWITCHES, available, effect, gammaSpace, kernel, resolution, see } from './maths.js';
-import { PANELS, limitOfTau } from './panels.js';
+import { PANELS, limitOfTau, trueRow } from './panels.js';
 import { saveCsv, saveHtml, savePng, saveSvg } from './export.js';
 import { drawSurface } from './surface.js';
 
 const REST = 140; // ms without a change before what is slow is done
-const PER_FRAME = 2e6; // products that a frame may spend on horizons with an inverse each
+const PER_FRAME = 1e6, AT_REST = 2e7; // products to be spent on horizons with an inverse each
 
 function coloursOf(host) {
   const style = getComputedStyle(host), named = (name, other) => style.getPropertyValue(name).trim() || other;
@@ -21,7 +21,7 @@ export function mount(root, { model, state, base, presets = [], template }, repo
   const host = element('div', { class: 'laplace-lens' });
   const scene = { model, state, hover: {}, images: {}, camera: { turn: -0.6, tilt: 0.75 } };
   const history = { states: [state], at: 0 };
-  let seen, waiting, resting, later, playing, dragging = false, lastState;
+  let seen, waiting, resting, later, playing, dragging = false, lastState, lastMost;
   root.replaceChildren(host);
 
   const saved = { scene, drawOne, get verdict() { return verdict.textContent; }, template, model, get state() { return state; }, base };
@@ -49,7 +49,7 @@ export function mount(root, { model, state, base, presets = [], template }, repo
       tell();
     } else if (change.preset) {
       if (change.preset.here) set({ ...base, ...change.preset.state }, true);
-      else report({ state, preset: change.preset.name });
+      else { clearTimeout(later); report({ state, preset: change.preset.name }); }
       return;
     } else if (change === 'seed') set({ ...state, noise_seed: (state.noise_seed + 1) % 2 ** 31 }, true);
     else if (change === 'reset') set(base, true);
@@ -144,8 +144,9 @@ export function mount(root, { model, state, base, presets = [], template }, repo
     if (look === 'surface' && (panel.name === 'gamma-space' || panel.name === 'tau-space')) {
       const gamma = panel.name === 'gamma-space', values = gamma ? gammaSpace(seen, state) : seen.tau, n = gamma ? seen.grid.G : seen.n;
       const limit = gamma ? values.reduce((a, b) => Math.max(a, b), 0) || 1 : limitOfTau(scene) * model.dt, { gammas } = seen.grid;
+      const every = Math.ceil(model.K / 46), truth = gamma || !seen.truth || !seen.masses ? [] : Array.from({ length: Math.ceil(model.K / every) }, (_, i) => [model.K > 1 ? (i * every) / (model.K - 1) : 0.5, trueRow(scene, state.action, i * every)]);
       pen.text(panel.name, 2, 15, { size: 14, weight: 600, colour: scene.colours.text });
-      drawSurface(pen, { x: 8, y: 20, w: w - 16, h: h - 30 }, { values, n, width: seen.H, limit, x: [seen.thetas[0], seen.thetas[seen.H]], y: gamma ? [gammas[0], gammas[n - 1]] : [0, (n - 1) * model.dt], titles: ['θ', gamma ? 'γ' : 'τ'] }, scene.camera, scene.colours);
+      drawSurface(pen, { x: 8, y: 20, w: w - 16, h: h - 30 }, { values, n, width: seen.H, limit, x: [seen.thetas[0], seen.thetas[seen.H]], y: gamma ? [gammas[0], gammas[n - 1]] : [0, (n - 1) * model.dt], titles: ['θ', gamma ? 'γ' : 'τ'], truth: truth.filter(([, row]) => row) }, scene.camera, scene.colours);
       return null;
     }
     return panel.draw(pen, w, h, scene);
@@ -166,7 +167,10 @@ export function mount(root, { model, state, base, presets = [], template }, repo
   host.frames = [];
 
   function look(most) {
-    if (lastState !== state || (most === Infinity && !seen.whole)) seen = see(model, state, most);
+    if (lastState !== state || (most > lastMost && !seen.whole)) {
+      seen = see(model, state, most);
+      lastMost = most;
+    }
     lastState = state;
     Object.assign(scene, { state, seen, at: scene.hover.tau ?? seen.readRow });
     scene.kernel = kernel(model, state, seen);
@@ -175,7 +179,7 @@ export function mount(root, { model, state, base, presets = [], template }, repo
 
   function paint() {
     if (!host.isConnected) return;
-    look(dragging ? PER_FRAME : Infinity);
+    look(dragging ? PER_FRAME : AT_REST);
     scene.colours ??= coloursOf(host);
     for (const each of panels) {
       const { canvas } = each, w = canvas.clientWidth, h = canvas.clientHeight, dense = Math.min(2, devicePixelRatio);
@@ -196,15 +200,16 @@ export function mount(root, { model, state, base, presets = [], template }, repo
     const names = model.header.actions, T = model.horizons[seen.readRow], left = model.horizons[seen.leftRow], row = seen.readRow;
     const order = names.map((_, a) => a).sort((a, b) => seen.values[b][row] - seen.values[a][row]).slice(0, 3);
     const told = order.map((a) => `${names[a]} ${seen.values[a][row].toFixed(2)}`).join(', ');
-    const where = `At T = ${short(T)}${T === left ? '' : ` (read with ${short(left)} to go)`}`;
+    const where = state.used ? `With ${short(left)} of ${short(state.horizon)} steps to go, read at T = ${short(T)}` : `At T = ${short(T)}`;
     let tone = 'warn', words = `${where}: ${told}. It chooses ${names[seen.chosen]}.`;
     if (seen.truth) {
       const wrong = seen.regret > 1e-9 * Math.max(1, Math.abs(Math.max(...seen.optimumAt(seen.leftRow))));
       const true_ = seen.truth.values.map((line) => line[seen.leftRow]), top = Math.max(...true_.map(Math.abs), 1e-2 * Math.max(...model.arrays.rewards.map(Math.abs)), 1e-9);
-      const off = Math.max(...true_.map((value, a) => Math.abs(value - seen.values[a][row]))) / top;
-      tone = wrong ? 'bad' : off > 0.1 ? 'warn' : 'ok';
-      words = wrong ? `Wrong. ${where}: ${told}; the best is ${names[seen.best]}, and ${short(seen.regret)} is lost.`
-        : `${tone === 'ok' ? 'Right.' : 'Right, for the wrong reason.'} ${where}: ${told}; no action is better${tone === 'ok' ? '' : `, but a value is off by ${Math.round(100 * off)}%`}.`;
+      const offs = true_.map((value, a) => Math.abs(value - seen.values[a][row]) / top), worst = offs.indexOf(Math.max(...offs));
+      tone = wrong ? 'bad' : offs[worst] > 0.1 ? 'warn' : 'ok';
+      if (model.A === 1) words = `${where} the decoded value is ${seen.values[0][row].toFixed(2)}; the true one is ${true_[0].toFixed(2)}.`;
+      else words = wrong ? `Wrong. ${where}: ${told}; the best is ${names[seen.best]}, and ${short(seen.regret)} is lost.`
+        : `${tone === 'ok' ? 'Right.' : 'Right, for the wrong reason.'} ${where}: ${told}; no action is better${tone === 'ok' ? '' : `, but ${names[worst]} is worth ${true_[worst].toFixed(2)}`}.`;
     }
     if (verdict.textContent === words) return;
     verdict.textContent = words;
@@ -214,7 +219,7 @@ export function mount(root, { model, state, base, presets = [], template }, repo
   function rest() {
     if (!host.isConnected || playing) return;
     dragging = false;
-    if (!seen.whole) { look(Infinity); paint(); }
+    if (!seen.whole && lastMost < AT_REST) paint();
     const wanted = state;
     if (rest.of !== wanted) board.sizes(Object.fromEntries(Object.keys(SWITCHES).filter((name) => available(model, name)).map((name) => [name, effect(model, wanted, name)])));
     rest.of = wanted;

@@ -133,11 +133,10 @@ export function masses(rewards, thetas, slope) { // f_h(r) - f_{h+1}(r), (V, H-1
 
 export const filter = (s, alpha) => s.map((value) => value / (value * value + alpha * alpha));
 
-// An inverse is a matrix of rows (n, r) and a rule that turns components (r, width) into their coefficients.
+// An inverse turns components (r, width) into its n rows, and a target (n,) into weights over the components.
 const regular = ({ V, s, r, K }, alpha) => {
-  const f = filter(s, alpha);
-  return { rows: V, n: K, coefficients: (right, width) => right.map((value, i) => value * f[(i / width) | 0]),
-    weights: (target) => product(target, V, 1, K, r).map((value, i) => value * f[i]) };
+  const f = filter(s, alpha), scaled = (x, width) => x.map((value, i) => value * f[(i / width) | 0]);
+  return { n: K, decode: (right, width) => product(V, scaled(right, width), K, r, width), weights: (target) => scaled(product(target, V, 1, K, r), 1) };
 };
 
 // The inverse of the first rows only (K = T), grown row by row: [F^T; alpha] = Q R by rotations, so that no square is
@@ -163,23 +162,21 @@ export function growing({ V, s, r, K }, alpha) {
       }
     }
     return found;
-  }, get rows() {
-    const out = new Float64Array(found.n * r);
-    for (let i = 0; i < r; i++) for (let k = 0; k < found.n; k++) out[k * r + i] = Q[i * K + k];
-    return out;
-  }, coefficients(right, width) { // R^-T right
-    const out = Float64Array.from(right);
+  }, decode(right, width) { // Q R^-T right
+    const part = Float64Array.from(right), { n } = found, out = new Float64Array(n * width);
     for (let i = 0; i < r; i++) {
       for (let w = 0; w < width; w++) {
-        let sum = out[i * width + w];
-        for (let j = 0; j < i; j++) sum -= R[j * r + i] * out[j * width + w];
-        out[i * width + w] = sum / R[i * r + i];
+        let sum = part[i * width + w];
+        for (let j = 0; j < i; j++) sum -= R[j * r + i] * part[j * width + w];
+        part[i * width + w] = sum / R[i * r + i];
       }
+      for (let k = 0; k < n; k++) for (let w = 0; w < width; w++) out[k * width + w] += Q[i * K + k] * part[i * width + w];
     }
     return out;
   }, weights(target) { // R^-1 Q^T target
-    const out = product(target.subarray(0, found.n), found.rows, 1, found.n, r);
+    const out = new Float64Array(r);
     for (let i = r - 1; i >= 0; i--) {
+      for (let k = 0; k < found.n; k++) out[i] += Q[i * K + k] * target[k];
       for (let j = i + 1; j < r; j++) out[i] -= R[i * r + j] * out[j];
       out[i] /= R[i * r + i];
     }
@@ -192,7 +189,7 @@ function inverseOf(grid, { fold, alpha }, n) {
   if (!fold) return regular(grid, alpha);
   const grown = growing(grid, alpha);
   while (grown.n < n) grown.add();
-  return { n, rows: grown.rows, coefficients: grown.coefficients, weights: grown.weights };
+  return grown;
 }
 
 // ---- reading
@@ -255,7 +252,7 @@ function truthOf(model, state) {
 // ---- everything at once
 
 // What a state of the controls shows. `most` bounds the work on values over all horizons where every horizon has an
-// inverse of its own: beyond it some horizons are left out (NaN); Infinity leaves none out.
+// inverse of its own: beyond it some horizons are left out (NaN); 0 leaves all out but the one that is read.
 export function see(model, state, most = Infinity) {
   const { A, K, dt, cache, arrays } = model, grid = model.grids[state.paper_grid && model.grids.paper ? 'paper' : 'own'];
   const columns = grid.columns[state.mixed && grid.columns.per_gamma ? 'per_gamma' : 'shared'];
@@ -281,7 +278,7 @@ export function see(model, state, most = Infinity) {
     if (state.shift) { rows.copyWithin(wide, 0, rows.length - wide); rows.fill(0, 0, wide); }
     return rows;
   };
-  const rowsOf = (inverse, right, wide) => shift(product(inverse.rows, inverse.coefficients(right, wide), inverse.n, grid.r, wide), wide);
+  const rowsOf = (inverse, right, wide) => shift(inverse.decode(right, wide), wide);
   const survivalOf = (part, inverse) => rowsOf(inverse, part.constant, 1);
   const rawRows = (part, inverse) => {
     if (!hum && map) return product(rowsOf(inverse, part.columns, width), map, inverse.n, width, H);
@@ -311,14 +308,13 @@ export function see(model, state, most = Infinity) {
   };
   const values = Array.from({ length: A }, () => new Float64Array(K).fill(NaN));
   if (!state.fold) values.forEach((line, a) => line.forEach((_, k) => { line[k] = valueAt(k, rewards[a]); }));
-  else {
-    const grown = growing(grid, state.alpha), wide = state.normalise === 'paper' ? H * (hum ? grid.r : width) : grid.r;
-    const stride = Math.max(1, Math.ceil((A * wide * K * K) / 2 / most));
+  else values.forEach((line, a) => { line[readRow] = valueAt(readRow, rewards[a]); });
+  if (state.fold && most) { // every other horizon has an inverse of its own
+    const wide = state.normalise === 'paper' ? H * (hum ? grid.r : width) : grid.r, stride = Math.max(1, Math.ceil((A * wide * K * K) / 2 / most));
+    const grown = growing(grid, state.alpha);
     for (let k = 0; k < K; k++) {
       grown.add();
-      if (k !== readRow && k % stride && k !== K - 1) continue;
-      const own = k === readRow || { n: k + 1, rows: grown.rows, coefficients: grown.coefficients };
-      parts.forEach((part, a) => { values[a][k] = valueAt(k, k === readRow ? rewards[a] : rewardsOf(part, own)); });
+      if (k !== readRow && (k % stride === 0 || k === K - 1)) parts.forEach((part, a) => { values[a][k] = valueAt(k, rewardsOf(part, grown)); });
     }
   }
   const chosenAt = (row) => greedy(values.map((line) => line[row]));
@@ -421,19 +417,21 @@ export function available({ grids, arrays, truth }, name) {
     constant: truth }[name] ?? true;
 }
 
-// What a switch does to this picture: the probability that it moves (or, at the edge, loses) in the worst row, and the
+// What a switch does to this picture: the probability that it adds to or takes from a row, in the worst row, and the
 // regret with and without it.
 export function effect(model, state, name) {
-  const { dt } = model, rule = SWITCHES[name], least = 1; // only the horizon that is read
+  const rule = SWITCHES[name], least = 0; // of the values, only those of the horizon that is read
   const on = see(model, { ...state, ...rule.on }, least), off = see(model, { ...state, ...rule.off }, least);
   let size = 0;
   for (let k = 0; k < Math.min(on.n, off.n); k++) {
-    let moved = 0;
+    let more = 0, less = 0, all = 0;
     for (let h = 0; h < on.H; h++) {
       const change = on.tau[k * on.H + h] - off.tau[k * off.H + h];
-      moved += name === 'clip' ? -change : Math.abs(change) / 2;
+      if (change > 0) more += change; else less -= change;
+      all += change;
     }
-    size = Math.max(size, moved / dt);
+    // Other sensitivities have other cells, of which only the sums can be compared.
+    size = Math.max(size, (name === 'clip' ? Math.abs(all) : Math.max(more, less)) / model.dt);
   }
   return { size, on: on.regret, off: off.regret, flips: on.chosen !== off.chosen };
 }

@@ -36,22 +36,29 @@ function pixelColumns(thetas) {
 
 export const thetaRange = ({ thetas }) => [thetas[0], thetas[thetas.length - 1]];
 
-export const limitOfTau = ({ model, seen, state, images }) => {
-  if (!seen.truth) return Math.max(...seen.tau.map(Math.abs)) / model.dt || 1;
-  if (images.limitFor !== seen.masses) { // the truth's own peak: it knows the encoding, but not alpha or T
-    const { chances } = seen.truth, { masses, H } = seen, V = model.arrays.rewards.length;
-    let top = 0;
-    for (const rows of chances) {
-      for (let k = 0; k < model.K; k++) {
-        if (!masses) break;
-        for (let h = 0; h < H; h++) {
-          let sum = 0;
-          for (let v = 0; v < V; v++) sum += rows[k * V + v] * masses[v * H + h];
-          if (sum > top) top = sum;
-        }
-      }
-    }
-    Object.assign(images, { limitFor: masses, limit: top / model.dt || 1 });
+// True rows of an action, smeared by the activation, (H,) each; null where nothing is left. Few rewards share a row.
+export function trueRow({ model, seen }, a, k) {
+  const { masses, H } = seen, chances = seen.truth.chances[a], V = model.arrays.rewards.length;
+  let row = null;
+  for (let v = 0; v < V; v++) {
+    const chance = chances[k * V + v];
+    if (chance < 1e-12) continue;
+    row ??= new Float64Array(H);
+    for (let h = 0; h < H; h++) row[h] += chance * masses[v * H + h];
+  }
+  return row;
+}
+
+const top = (values) => values.reduce((a, b) => Math.max(a, b), 0);
+
+// Top of the colour scale: the truth's own peak, which knows the encoding, but not alpha or T.
+export const limitOfTau = (scene) => {
+  const { model, seen, images } = scene;
+  if (!seen.truth) return top(seen.tau.map(Math.abs)) / model.dt || 1;
+  if (images.limitFor !== seen.masses) {
+    let limit = 0;
+    for (let a = 0; a < model.A; a++) for (let k = 0; k < model.K; k++) limit = Math.max(limit, top(trueRow(scene, a, k) ?? []));
+    Object.assign(images, { limitFor: seen.masses, limit: limit / model.dt || 1 });
   }
   return images.limit;
 };
@@ -65,8 +72,8 @@ function drawSpace(pen, w, h, scene, { values, n, rows, limit, title, note, yTit
   titled(pen, w, title, note, scene);
   const scale = axes(pen, box, { x: thetaRange(seen), y: [-0.5, rows - 0.5], yTicks: rowTicks(labels), xTitle: 'sensitivity θ (reward)', yTitle, colours, grid: false });
   pen.path([[box.x, box.y], [box.x + box.w, box.y], [box.x + box.w, box.y + box.h], [box.x, box.y + box.h]], { fill: colours.empty, close: true });
-  const top = scale.Y(n - 0.5);
-  pen.image(images[image], box.x, top, box.w, box.y + box.h - top);
+  const upper = scale.Y(n - 0.5);
+  pen.image(images[image], box.x, upper, box.w, box.y + box.h - upper);
   return scale;
 }
 
@@ -76,7 +83,7 @@ export const gammaPanel = {
     const { seen, state, hover, colours, images } = scene;
     const version = JSON.stringify([state.slope, state.action, state.noise && [state.noise, state.noise_seed], state.mixed, state.paper_grid, state.clip, scene.model.id]);
     if (images.gammaFor !== version) Object.assign(images, { Z: gammaSpace(seen, state), gammaFor: version });
-    const { Z } = images, { gammas, G } = seen.grid, limit = Z.reduce((a, b) => Math.max(a, b), 0) || 1;
+    const { Z } = images, { gammas, G } = seen.grid, limit = top(Z) || 1;
     const margin = { right: 36 };
     const scale = drawSpace(pen, w, h, scene, { values: Z, n: G, rows: G, limit, labels: gammas, title: 'gamma-space', yTitle: 'discount γ', margin, image: 'gamma', version,
       note: hover.theta !== undefined && hover.gamma !== undefined ? `θ ${short(hover.theta)} · γ ${short(gammas[hover.gamma])} · ${short(Z[hover.gamma * seen.H + columnAt(seen, hover.theta)])}` : 'discounted steps' });
@@ -86,7 +93,7 @@ export const gammaPanel = {
   },
   point: ({ seen }, x, y) => ({ theta: x, gamma: Math.min(seen.grid.G - 1, Math.max(0, Math.round(y))) }),
   words: ({ model, state, seen, images }) => `Gamma-space of ${model.header.actions[state.action]}: ${seen.grid.G} discounts from ${short(seen.grid.gammas[0])} to ${short(seen.grid.gammas[seen.grid.G - 1])}, `
-    + `${seen.H} sensitivities from ${short(seen.thetas[0])} to ${short(seen.thetas[seen.H])}; the largest entry is ${short(images.Z ? images.Z.reduce((a, b) => Math.max(a, b), 0) : NaN)} discounted steps.`,
+    + `${seen.H} sensitivities from ${short(seen.thetas[0])} to ${short(seen.thetas[seen.H])}; the largest entry is ${short(top(images.Z ?? []))} discounted steps.`,
 };
 
 export const columnAt = ({ thetas, H }, theta) => {
@@ -99,23 +106,19 @@ export const columnAt = ({ thetas, H }, theta) => {
 };
 
 // Boxes around the cells where the true probability rises above the foot of its row's peak; with many rows only sides.
-function outline({ model, seen, state, images }) {
-  if (images.outlineFor === seen.masses && images.outlineOf === state.action) return images.outline;
-  const { chances } = seen.truth, { masses, H, thetas } = seen, V = model.arrays.rewards.length, few = model.K <= 16, half = few ? 0.46 : 0.5;
-  const rows = Array.from({ length: model.K }, (_, k) => Float64Array.from({ length: H }, (_, h) => {
-    let sum = 0;
-    for (let v = 0; v < V; v++) sum += chances[state.action][k * V + v] * masses[v * H + h];
-    return sum;
-  }));
-  const peaks = rows.map((row) => row.reduce((a, b) => Math.max(a, b), 0)), least = 1e-3 * Math.max(...peaks), found = [];
+function outline(scene) {
+  const { model, seen, state, images } = scene, { masses, H, thetas } = seen, few = model.K <= 16, half = few ? 0.46 : 0.5;
+  if (images.outlineFor === masses && images.outlineOf === state.action) return images.outline;
+  const rows = Array.from({ length: model.K }, (_, k) => trueRow(scene, state.action, k)), peaks = rows.map((row) => top(row ?? []));
+  const least = 1e-3 * top(peaks), found = [];
   rows.forEach((row, k) => {
-    const foot = Math.max(0.02 * peaks[k], least);
-    for (let h = 0; h < H; h++) {
+    const foot = Math.max(0.02 * peaks[k], least), low = k - half, high = k + half;
+    for (let h = 0; row && h < H; h++) {
       if (!(row[h] > foot)) continue;
       const left = thetas[h];
       while (h < H && row[h] > foot) h++;
-      const right = thetas[h], low = k - half, top = k + half;
-      found.push(...(few ? [[left, low], [right, low], [right, top], [left, top], [left, low], null] : [[left, low], [left, top], null, [right, low], [right, top], null]));
+      const right = thetas[h];
+      found.push(...(few ? [[left, low], [right, low], [right, high], [left, high], [left, low], null] : [[left, low], [left, high], null, [right, low], [right, high], null]));
     }
   });
   Object.assign(images, { outline: found, outlineFor: masses, outlineOf: state.action });
@@ -172,7 +175,7 @@ export const valuesPanel = {
     let low = 0, high = 0;
     for (const values of all) for (const value of values) if (value === value) { low = Math.min(low, value); high = Math.max(high, value); }
     const x = [horizons[0] - dt / 2, horizons[K - 1] + dt / 2];
-    titled(pen, w, 'value of each action over T', hover.tau !== undefined ? `T ${short(horizons[hover.tau])}: ${seen.values.slice(0, 4).map((v) => short(v[hover.tau])).join(' · ')}` : '', scene);
+    titled(pen, w, 'value of each action over T', hover.tau !== undefined ? `T ${short(horizons[hover.tau])}: ${seen.values.slice(0, 4).map((v) => short(v[hover.tau])).join(' · ')}` : seen.truth ? 'dotted: true' : '', scene);
     let at = box.x;
     names.forEach((name, a) => {
       const words = name.length > 16 ? `${name.slice(0, 15)}…` : name, wide = pen.width(words, 11) + 24;
@@ -252,7 +255,7 @@ export const spectrumPanel = {
     const factors = s.map((value) => value ** 2 / (value ** 2 + state.alpha ** 2)), passing = factors.filter((f) => f > 0.5).length;
     titled(pen, w, 'singular values, and what alpha lets through', w > 380 ? `${passing} of ${r} pass` : `${passing} of ${r}`, scene);
     const low = Math.floor(Math.log10(s[r - 1] / s[0])) - 0.3, scale = axes(pen, box, { x: [0.4, r + 0.6], y: [low, 0.6], xTitle: 'component', yTitle: 's / largest', colours,
-      xTicks: r <= 8 ? Array.from({ length: r }, (_, i) => i + 1) : undefined, yTicks: ticks(low, 0.6, 4).filter((tick) => Number.isInteger(tick)).map((tick) => [tick, tick ? `1e${tick}` : '1']) });
+      xTicks: r <= 8 ? Array.from({ length: r }, (_, i) => i + 1) : undefined, yTicks: ticks(low, 0.6, 6).filter((tick) => Number.isInteger(tick)).map((tick) => [tick, tick ? `1e${tick}` : '1']) });
     const { X, Y } = scale, half = 0.36 * (X(2) - X(1)), floor = box.y + box.h;
     factors.forEach((factor, i) => {
       const x = X(i + 1), top = floor - factor * box.h;
@@ -304,13 +307,13 @@ export const rewardsPanel = {
     const upper = { ...box, h: box.h * 0.62 }, lower = { ...box, y: box.y + box.h * 0.74, h: box.h * 0.26 };
     const rewards = Array.from(seen.rewards[a], (value) => value / dt), true_ = seen.truth && Array.from(seen.truth.rewards[a], (value) => value / dt);
     const low = Math.min(0, ...rewards, ...(true_ ?? [])), high = Math.max(0, ...rewards, ...(true_ ?? [])), x = [-0.5 * dt, (K - 0.5) * dt];
-    titled(pen, w, 'expected reward and survival', hover.tau < seen.n ? `τ ${short(hover.tau * dt)}: ${short(rewards[hover.tau])}, alive ${short(seen.survival[a][hover.tau] / dt)}` : `of ${model.header.actions[a]}`, scene);
+    titled(pen, w, 'expected reward and survival', hover.tau < seen.n ? `τ ${short(hover.tau * dt)}: ${short(rewards[hover.tau])}, alive ${short(seen.survival[a][hover.tau] / dt)}` : `of ${model.header.actions[a]}${seen.truth ? '; grey: true' : ''}`, scene);
     const span = 1e-3 * (seen.thetas[seen.H] - seen.thetas[0]), scale = axes(pen, upper, { x, y: rounded(low, high, span), xTicks: [], yTitle: 'E[r]', colours });
     const few = K <= 8 ? Array.from({ length: K }, (_, k) => k * dt) : undefined;
     const alive = axes(pen, lower, { x, y: [-0.25, 1.35], yTicks: [0, 1], xTicks: few, xTitle: 'future step τ', yTitle: 'alive', colours });
     const xs = Array.from({ length: K }, (_, k) => scale.X(k * dt)), { Y } = scale;
     pen.clip(upper.x, upper.y - 2, upper.w, upper.h + 4, () => {
-      const bar = 0.4 * (scale.X(dt) - scale.X(0));
+      const bar = Math.max(0.8, 0.4 * (scale.X(dt) - scale.X(0)));
       true_?.forEach((value, k) => value && pen.path([[xs[k] - bar, Y(0)], [xs[k] - bar, Y(value)], [xs[k] + bar, Y(value)], [xs[k] + bar, Y(0)]], { fill: 'rgba(138,143,152,0.45)', close: true }));
       line(pen, xs, rewards.map(Y), { stroke: actionColour(a), width: 2.2 });
       if (K <= 40) rewards.forEach((value, k) => pen.path(disc(xs[k], Y(value), 2.8), { fill: actionColour(a), close: true }));

@@ -6,6 +6,7 @@ only looked at and is packed in single floats.
 
 from __future__ import annotations
 
+import contextlib
 import json
 import struct
 from dataclasses import replace
@@ -75,10 +76,8 @@ def _of_world(study: Study) -> dict[str, np.ndarray]:
     }
     lowest = world.reward_values[timeline.max(axis=(0, 1)) > 1e-9][0]
     if space.thetas[0] < lowest < space.thetas[-1]:
-        try:
+        with contextlib.suppress(InputError):  # too narrow a range for so many sensitivities
             arrays["clipped_thetas"] = sensitivity_grid(s.thetas, float(lowest), s.theta_max, s.theta_spacing)
-        except InputError:  # too narrow a range for so many sensitivities
-            pass
     if world.reward_values.size > MOST_REWARDS:
         return arrays | {"differences": space.differences, "constant": space.constant}
     if study.learned is not None:

@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from app.lens.payload import unpacked
-from laplace_core import GammaSpace, Study
+from laplace_core import GammaSpace
 from laplace_core.encoding import theta_midpoints
 from laplace_core.horizon import (
     deadline_weights,
@@ -24,13 +24,17 @@ from laplace_core.pipeline import encode, with_noise
 from laplace_core.ties import greedy_action
 
 
-def seen(data: bytes, state: Mapping[str, object], tau: int = 0) -> dict[str, np.ndarray]:
+def seen(data: bytes, state: Mapping[str, object], tau: int = 0, rounding: float = 0.0) -> dict[str, np.ndarray]:
     """Arrays of a payload under a state of the controls; actions first.
 
-    ``tau`` is the row whose averaging kernel is wanted.
+    Args:
+        tau: the row whose averaging kernel is wanted.
+        rounding: relative error to give to gamma-space, to see which numbers hold under it.
     """
     header, arrays = unpacked(data)
     space = _space(header, arrays, state)
+    if rounding:
+        space = _shaken(space, rounding)
     K, dt = header["steps"], header["time_step"]
     horizons = row_horizons(K, dt)
     left = max(0.0, state["horizon"] - state["used"])
@@ -86,6 +90,12 @@ def _space(header: Mapping[str, object], arrays: Mapping[str, np.ndarray], state
     return with_noise(space, state["noise"], state["noise_seed"])
 
 
+def _shaken(space: GammaSpace, rounding: float) -> GammaSpace:
+    rng = np.random.default_rng(0)
+    values, constant = (x * (1.0 + rounding * rng.standard_normal(x.shape)) for x in (space.values, space.constant))
+    return replace(space, values=values, constant=constant)
+
+
 def _decoded(space: GammaSpace, state: Mapping[str, object], rows: int, dt: float) -> tuple[np.ndarray, np.ndarray]:
     """Tau-space and survival on the first ``rows`` rows, moved by one where the index is."""
     tau_space = decode(space.differences, space.gammas, rows, state["alpha"], dt)
@@ -135,8 +145,3 @@ def _averaging(gammas: np.ndarray, state: Mapping[str, object], tau: int, rows: 
     if rows == steps:
         return resolution_matrix(gammas, steps, state["alpha"], dt)[at]
     return discount_kernel(gammas, readout_weights(gammas, np.eye(rows)[at], state["alpha"], dt), steps, dt)
-
-
-def with_live(study: Study, **live: object) -> Study:
-    """The settings of a study with others for what moves in the browser."""
-    return replace(study, settings=replace(study.settings, **live))

@@ -71,8 +71,17 @@ def checked(heard: object, study: Study) -> dict[str, object]:
     if not isinstance(heard, Mapping):
         return found
     last, actions = float(study.horizons[-1]), len(study.action_names)
-    limits = {"alpha": (0, 1e6), "slope": (1e-12, 1e12), "horizon": (0, last), "softness": (0, 10), "used": (0, last),
-              "value_gamma": (1e-6, 0.999999), "noise": (0, 1), "noise_seed": (0, 2**31 - 1), "action": (0, actions - 1)}  # fmt: skip
+    limits = {
+        "alpha": (0, 1e6),
+        "slope": (1e-12, 1e12),
+        "horizon": (0, last),
+        "softness": (0, 10),
+        "used": (0, last),
+        "value_gamma": (1e-6, 0.999999),
+        "noise": (0, 1),
+        "noise_seed": (0, 2**31 - 1),
+        "action": (0, actions - 1),
+    }
     words = {"normalise": ("none", "survival", "paper"), "look": ("heatmap", "surface")}
     for name, value in heard.items():
         if name in limits and isinstance(value, int | float) and not isinstance(value, bool):

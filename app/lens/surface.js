@@ -14,13 +14,14 @@ function thinned(values, n, width) {
   return { out, rows, columns };
 }
 
-// `space` is { values, n, width, limit, x: [words, words], y: [words, words], titles: [x, y] }.
+// `space` is { values, n, width, limit, x: [low, high], y: [low, high], titles: [x, y], truth: [[height of the row, row]] }.
 export function drawSurface(pen, box, space, camera, colours) {
   const { out, rows, columns } = thinned(space.values, space.n, space.width), { turn, tilt } = camera;
-  const [c, s, up, flat] = [Math.cos(turn), Math.sin(turn), Math.sin(tilt), Math.cos(tilt)], size = Math.min(box.w * 0.6, box.h * 0.95);
+  const [c, s, up, flat] = [Math.cos(turn), Math.sin(turn), Math.sin(tilt), Math.cos(tilt)], TALL = 0.55;
+  const spread = Math.abs(c) + Math.abs(s), wide = (box.w * 0.84) / spread, tall = Math.min(wide, (box.h * 0.86) / (spread * up + TALL * flat));
   const place = (u, v, z) => { // u across theta, v up the rows, both in 0..1; z in limits
     const x = (u - 0.5) * c - (v - 0.5) * s, y = (u - 0.5) * s + (v - 0.5) * c;
-    return [box.x + box.w / 2 + x * size, box.y + box.h * 0.62 - y * up * size - Math.max(-0.3, Math.min(1.5, z)) * 0.5 * flat * size];
+    return [box.x + box.w / 2 + x * wide, box.y + box.h - 12 - tall * (spread * up * 0.5 + y * up + Math.max(-0.3, Math.min(1.2, z)) * TALL * flat)];
   };
   const point = (i, k) => place(i / Math.max(1, columns - 1), rows > 1 ? k / (rows - 1) : 0.5, out[k * columns + i] / space.limit);
   const edge = [[0, 0], [1, 0], [1, 1], [0, 1], [0, 0]].map(([u, v]) => place(u, v, 0));
@@ -37,14 +38,17 @@ export function drawSurface(pen, box, space, camera, colours) {
         { fill: colour, stroke: colour, width: 0.6, close: true });
     }
   }
-  const label = (words, u, v, bold) => {
+  for (const [v, row] of space.truth ?? []) { // the truth floats on the surface
+    pen.path(Array.from(row, (value, h) => place(h / (row.length - 1), v, value / space.limit)).filter((_, h) => row[h] > 1e-3 * space.limit), { stroke: '#ff7f0e', width: 1.6 });
+  }
+  const label = (words, u, v, bold, aside = 0) => {
     const [x, y] = place(u, v, 0);
-    pen.text(words, x, y + 14, { size: bold ? 11 : 10, align: 'center', colour: bold ? colours.text : colours.soft });
+    pen.text(words, x + aside, y + 14, { size: bold ? 11 : 10, align: 'center', colour: bold ? colours.text : colours.soft });
   };
   label(short(space.x[0]), 0, -0.06);
-  label(short(space.x[1]), 1, -0.06);
-  label(space.titles[0], 0.5, -0.1, true);
-  label(short(space.y[0]), 1.08, 0);
-  label(short(space.y[1]), 1.08, 1);
-  label(space.titles[1], 1.12, 0.5, true);
+  label(short(space.x[1]), 1, -0.06, false, -10);
+  label(space.titles[0], 0.5, -0.06, true);
+  label(short(space.y[0]), 1.06, 0, false, 10);
+  label(short(space.y[1]), 1.06, 1);
+  label(space.titles[1], 1.07, 0.5, true);
 }

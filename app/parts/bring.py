@@ -117,13 +117,13 @@ def _world_table(world: World) -> None:
         },
     )  # fmt: skip
     left, right, _ = st.columns([1, 1, 3])
-    with right:
+    with left:
         _download(world)
     try:
         made = world_from_rows(rows, base.name, base.states, base.actions, base.start, base.suggested, base.positions)
     except InputError as error:
         st.warning(f"Not taken over yet: {error}")
-        _offer_rescale(left, rows, base)
+        _offer_rescale(right, rows, base)
         return
     new = pack(dump_world(made))
     if new != word:

@@ -14,17 +14,18 @@ from tests.browser.test_workbench import open_at
 
 pytestmark = pytest.mark.browser
 
-ENDLESS = "world=cliff_grid&source=learned&l.episodes=1000000&l.epsilon_first=1&l.epsilon_floor=1&l.rate_floor=0.01"
+ENDLESS = "world=two_branch&p.slip=0.2&source=learned&l.episodes=1000000&l.rate_floor=0.2"
+"""It never settles: the rate stays high."""
 
 
 def learners() -> set[int]:
     """Processes that learn for a page at this moment."""
-    found = subprocess.run(["pgrep", "-f", "laplace_core learn .*--parent"], capture_output=True, text=True)  # noqa: S607
+    found = subprocess.run(["pgrep", "-f", "laplace_core learn .*--parent"], capture_output=True, text=True)
     return {int(line) for line in found.stdout.split()}
 
 
 def episodes(page) -> int:
-    return int(re.match(r"([\d,]+)", strip(page).inner_text())[1].replace(",", ""))
+    return int(re.search(r"([\d,]+) of 1,000,000", strip(page).inner_text())[1].replace(",", ""))
 
 
 def strip(page):
@@ -88,10 +89,10 @@ def test_several_seeds_end_in_bands_and_a_reload_brings_the_same(page, address):
     open_at(page, address, "world=two_branch&p.slip=0.2&source=learned&l.episodes=80&l.seeds=3")
     press_learn(page)
     expect(page.get_by_role("button", name="Download agent")).to_be_visible()
-    expect(strip(page)).to_contain_text("80 of 80 episodes")
+    expect(strip(page)).to_contain_text("240 of 240 episodes")  # of all three
     bands = """() => [...document.querySelectorAll('.js-plotly-plot')].map((p) => [p.dataset.name,
       p._fullData.filter((t) => t.fill === 'toself').length]).filter(([, n]) => n)"""
-    page.wait_for_function("() => document.querySelectorAll('.js-plotly-plot .main-svg').length >= 7")
+    page.wait_for_selector(".js-plotly-plot[data-name='probabilities'] .main-svg")
     page.wait_for_timeout(500)
     found = dict(page.evaluate(bands))
     assert found["rewards"] == 2
@@ -101,16 +102,6 @@ def test_several_seeds_end_in_bands_and_a_reload_brings_the_same(page, address):
     page.reload()
     expect(page.get_by_role("button", name="Download agent")).to_be_visible()
     expect(page.locator(".verdict")).to_have_text(words)
+    page.wait_for_function("() => document.querySelectorAll('.js-plotly-plot').length >= 7")
     page.wait_for_timeout(500)
     np.testing.assert_array_equal(tau_space(page), before)
-
-
-def test_a_page_that_is_closed_leaves_no_learner_behind_when_its_world_changes(page, address):
-    before = learners()
-    open_at(page, address, ENDLESS)
-    press_learn(page)
-    expect(strip(page)).to_contain_text("of 1,000,000 episodes")
-    assert len(learners() - before) == 1
-    page.get_by_role("button", name="Cancel").click()
-    expect(strip(page)).to_contain_text("cancelled at", timeout=15_000)
-    assert learners() <= before

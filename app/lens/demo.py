@@ -1,0 +1,41 @@
+"""The lens on a page of its own: ``streamlit run app/lens/demo.py``, any link of the workbench behind it."""
+
+import sys
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent.parent))
+
+import streamlit as st
+
+from app.lens import checked, lens, payload, presets_for, state_of, structure
+from app.query import parse_query
+from app.sources import view_of
+from laplace_core import Settings, World, study
+
+
+@st.cache_resource(max_entries=4)
+def packed(_world: World, settings: Settings) -> bytes:
+    return payload(study(_world, settings))[0]
+
+
+st.set_page_config(layout="wide")
+values = parse_query(dict(st.query_params))[0]
+view = view_of(values)
+found = study(view.world, view.settings)
+opening = state_of(values, view.settings, view.horizon or float(found.horizons[-1]), view.action)
+state = st.session_state.setdefault("state", opening)
+st.session_state["runs"] = st.session_state.get("runs", 0) + 1
+
+
+def heard(released):
+    st.session_state["state"] = checked(released.state, found)
+    st.session_state["asked"] = released.preset
+
+
+data = packed(view.world, structure(view.settings, view.world))
+lens(data, state, "demo", opening, presets_for(view), heard)
+if st.button("alpha 0.001 from Python"):
+    st.session_state["state"] = {**state, "alpha": 0.001}
+    st.rerun()
+asked = f", asks for {st.session_state['asked']}" if st.session_state.get("asked") else ""
+st.text(f"runs {st.session_state['runs']}, alpha {state['alpha']:g}, T {state['horizon']:g}{asked}")

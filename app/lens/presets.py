@@ -1,0 +1,43 @@
+"""Views worth seeing, one click away; some need another world."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from app.lens.payload import structure
+from app.lens.state import state_of
+from app.sources import View, view_of
+from laplace_core import World
+
+PRESETS: dict[str, dict[str, object]] = {
+    "Fig. 4b": {"world": "two_branch", "normalise": "paper", "action": "long"},
+    "Fig. 4c": {"world": "two_branch", "normalise": "paper", "action": "short"},
+    "Fig. 4d": {"world": "two_branch", "p.auxiliary": True, "normalise": "paper", "action": "short"},
+    "Fig. 6": {"world": "fig6_chain"},
+    "what alpha hides": {"world": "double_chain", "alpha": 0.3},
+    "deadline flips the choice": {"world": "discounting_chain", "alpha": 1e-4, "horizon": 60.0},
+}
+"""Values of a page by the name of the view."""
+
+
+@dataclass(frozen=True)
+class Preset:
+    """``state`` is applied in the browser if the lens is ``here``, in the world and on the grids that it needs."""
+
+    name: str
+    here: bool
+    state: Mapping[str, object]
+
+
+def presets_for(view: View) -> list[Preset]:
+    found = []
+    for name, values in PRESETS.items():
+        other = view_of(values)
+        last = other.settings.steps * other.settings.time_step
+        horizon = other.horizon or last + (1.0 - other.settings.time_step) / 2.0
+        same = isinstance(view.subject, World) and structure(view.settings, view.subject) == structure(
+            other.settings, other.subject
+        )
+        found.append(Preset(name, same, state_of(values, other.settings, horizon, other.action)))
+    return found

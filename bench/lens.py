@@ -1,0 +1,257 @@
+"""The lens in a headless Chromium: frames while a control is dragged, agreement with the library, bytes and memory.
+
+``python -m bench.lens``
+"""
+
+from __future__ import annotations
+
+import argparse
+import base64
+import os
+import statistics
+import time
+from pathlib import Path
+
+import numpy as np
+
+from app.lens import opening_state, payload, script, seen, structure
+from bench.browser import FLAGS, find_chromium, served
+from laplace_core import PRESETS, Settings, load_world, study
+
+ROOT = Path(__file__).resolve().parent.parent
+PAGE = ROOT / "app" / "lens" / "demo.py"
+FULL = {"gammas": 100, "thetas": 250, "steps": 200}
+MOVES = 60
+GOALS = {"redraws": 50, "frame": 16.0, "bytes": 200_000, "difference": 1e-4}
+ROUNDING = 1e-13
+"""Relative error of a gamma-space in doubles: where the library's own answer turns over it, there is none to match."""
+
+_SEEN = """
+(cases) => cases.map(({ payload, state, tau }) => {
+  const bytes = Uint8Array.from(atob(window.payloads[payload]), (sign) => sign.charCodeAt(0));
+  window.models ??= {};
+  const model = window.models[payload] ??= read(bytes);
+  const found = see(model, state), all = (x) => Array.from(x, (y) => (typeof y === 'number' ? y : Array.from(y)));
+  return { tau_space: all(found.tau), survival: all(found.survival), expected_reward: all(found.rewards),
+    horizon_values: all(found.values), read_row: found.readRow, chosen: found.chosen, regret: found.regret ?? null,
+    discount_kernel: all(kernel(model, state, found).actual),
+    averaging_kernel: all(resolution(model, state, found, tau).kernel), differences: all(gammaSpace(found, state)) };
+})
+"""
+
+
+# ---- agreement with the library
+
+
+def payloads(small: bool = False) -> dict[str, tuple[bytes, Settings]]:
+    """Worlds of every kind by a name: large, few rows, finer time steps, the paper's own grid."""
+    size = {"gammas": 40, "thetas": 60, "steps": 30} if small else FULL
+    wanted = {
+        "two_branch": ("two_branch", {}),
+        "two_decisions": ("two_decisions", size),
+        "discounting_chain": ("discounting_chain", size),
+        "cliff_grid": ("cliff_grid", {"thetas": 60, "steps": 50, "theta_spacing": "asinh"}),
+        "finer": ("two_decisions", {"time_step": 0.25, "thetas": 80}),
+        "paper": ("discounting_chain", {"spacing": "paper", "thetas": 50, "steps": 40 if small else 120}),
+    }
+    found = {}
+    for name, (world_name, values) in wanted.items():
+        world = load_world(world_name)
+        settings = study(world, Settings(world=world_name, **values)).settings
+        found[name] = payload(study(world, structure(settings, world)))[0], settings
+    return found
+
+
+def random_cases(held: dict[str, tuple[bytes, Settings]], count: int, seed: int) -> list[dict[str, object]]:
+    """States over the whole range of every control, all switches thrown by chance."""
+    rng, cases = np.random.default_rng(seed), []
+    for i in range(count):
+        name = list(held)[i % len(held)]
+        settings = held[name][1]
+        last = settings.steps * settings.time_step
+        T = float(rng.integers(1, last + 1)) if settings.time_step == 1 else float(rng.uniform(1, last))
+        chance = rng.random(7) < 0.35
+        state = opening_state(settings, T, int(rng.integers(PRESETS_ACTIONS[settings.world])))
+        state |= {
+            "alpha": float(10 ** rng.uniform(-6, 0)),
+            "slope": float(settings.slope * 10 ** rng.uniform(-1, 1)),
+            "softness": float(rng.choice([0, 0, 0.2, 0.7])),
+            "value_gamma": float(rng.uniform(0.5, 0.995)),
+            "noise": float(rng.choice([0, 0, 1e-5, 1e-2])),
+            "noise_seed": int(rng.integers(0, 2**31)),
+            "normalise": str(rng.choice(["none", "survival", "paper"])),
+            **dict(zip(("fold", "mixed", "paper_grid", "clip", "constant", "shift"), map(bool, chance), strict=False)),
+            "used": float(rng.integers(0, int(T) + 1)) if chance[6] else 0.0,
+        }
+        cases.append({"payload": name, "state": state, "tau": int(rng.integers(settings.steps))})
+    return cases
+
+
+PRESETS_ACTIONS = {name: load_world(name).n_actions for name in PRESETS}
+
+
+def bare_page(browser, held: dict[str, tuple[bytes, Settings]]):
+    """A page with nothing but the mathematics of the lens."""
+    page = browser.new_page()
+    page.goto("about:blank")
+    names = "read, see, gammaSpace, kernel, resolution, effect, SWITCHES, available"
+    page.add_script_tag(type="module", content=f"{script()}\nObject.assign(window, {{ {names} }});")
+    page.evaluate(
+        "(held) => { window.payloads = held; }", {n: base64.b64encode(d).decode() for n, (d, _) in held.items()}
+    )
+    page.wait_for_function("() => window.see")
+    return page
+
+
+def agreement(page, held: dict[str, tuple[bytes, Settings]], cases: list[dict[str, object]]) -> dict[str, float]:
+    """Largest difference of every output, as a share of its range, and how often another action is chosen.
+
+    A row rescaled although it holds nothing but rounding is rounding itself, in the browser as in the library: an
+    entry is held against the library where the library's own answer survives a rounding of gamma-space.
+    """
+    worst: dict[str, float] = {"other action": 0, "left out": 0, "entries": 0}
+    for start in range(0, len(cases), 10):
+        some = cases[start : start + 10]
+        for case, found in zip(some, page.evaluate(_SEEN, some), strict=True):
+            data, state = held[case["payload"]][0], case["state"]
+            true, moved = (seen(data, state, case["tau"], rounding) for rounding in (0.0, ROUNDING))
+            assert found["read_row"] == true["read_row"]
+            for name in ("tau_space", "survival", "expected_reward", "horizon_values", "discount_kernel",
+                         "averaging_kernel", "differences"):  # fmt: skip
+                shown, against = (x[name] for x in (true, moved))
+                if name in ("tau_space", "differences"):
+                    shown, against = shown[state["action"]], against[state["action"]]
+                width = max(float(np.ptp(shown)), 1e-300)
+                holds = np.abs(against - shown) <= 1e-6 * width
+                off = np.abs(np.array(found[name], float).reshape(shown.shape) - shown) / width
+                worst[name] = max(worst.get(name, 0.0), float(off[holds].max(initial=0.0)))
+                worst["left out"] += int((~holds).sum())
+                worst["entries"] += holds.size
+            values = true["horizon_values"]
+            first, second = np.sort(values[:, true["read_row"]])[::-1][:2] if len(values) > 1 else (1.0, 0.0)
+            stays = np.abs(moved["horizon_values"] - values)[:, true["read_row"]].max() <= 1e-6 * np.ptp(values)
+            if stays and first - second > 1e-4 * np.ptp(values):
+                worst["other action"] += int(found["chosen"] != true["chosen"])
+    return worst
+
+
+# ---- frames
+
+
+def drag(page, name: str, end: float = 0.5) -> tuple[int, list[float], int, int]:
+    """Redraws, their work in ms, server runs during the drag and after it, of one second of 60 pointer moves.
+
+    ``end`` is where the handle is let go, as a share of the track.
+    """
+    handle = page.locator(f"input[name={name}]")
+    handle.scroll_into_view_if_needed()
+    box = handle.bounding_box()
+    y, low, high = box["y"] + box["height"] / 2, box["x"] + 8, box["x"] + box["width"] - 8
+    page.mouse.move((low + high) / 2, y)
+    page.mouse.down()
+    time.sleep(0.5)
+    host = page.locator(".laplace-lens")
+    host.evaluate("(host) => { host.frames.length = 0; }")
+    runs = _runs(page)
+    began = time.perf_counter()
+    for i in range(MOVES):
+        share = end + 0.4 * np.sin(2 * np.pi * (i + 1) / MOVES)
+        page.mouse.move(low + share * (high - low), y)
+        time.sleep(max(0.0, began + (i + 1) / MOVES - time.perf_counter()))
+    frames = host.evaluate("(host) => host.frames.slice()")
+    during = _runs(page) - runs
+    page.mouse.up()
+    time.sleep(1.5)
+    return len(frames), frames, during, _runs(page) - runs - during
+
+
+def _runs(page) -> int:
+    return int(page.get_by_text("runs ").inner_text().split()[1].rstrip(","))
+
+
+def memory_of(pid: int) -> float:
+    """Resident megabytes of a process."""
+    pages = int(Path(f"/proc/{pid}/statm").read_text().split()[1])
+    return pages * os.sysconf("SC_PAGE_SIZE") / 1e6
+
+
+def releases(page, pid: int, count: int) -> list[tuple[int, float, float]]:
+    """(releases, heap of the browser in MB, memory of the server in MB), after garbage collection."""
+    session, rows = page.context.new_cdp_session(page), []
+    handle = page.locator("input[name=alpha]")
+    handle.focus()
+    for i in range(count + 1):
+        if i % max(1, count // 10) == 0:
+            session.send("HeapProfiler.collectGarbage")
+            heap = page.evaluate("() => performance.memory.usedJSHeapSize") / 1e6
+            rows.append((i, heap, memory_of(pid)))
+        if i == count:
+            break
+        runs = _runs(page)
+        page.keyboard.press("ArrowLeft" if i % 2 else "ArrowRight")
+        page.wait_for_function(f"() => document.body.innerText.includes('runs {runs + 1},')", polling=20)
+    return rows
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(prog="python -m bench.lens", description=__doc__.split("\n")[0])
+    parser.add_argument("--cases", type=int, default=200)
+    parser.add_argument("--releases", type=int, default=1000)
+    parser.add_argument("--world", default="two_decisions")
+    options = parser.parse_args()
+    chromium = find_chromium()
+    if chromium is None:
+        print("lens bench skipped: no Chromium on the path")
+        return
+    from playwright.sync_api import sync_playwright
+
+    print(f"load {os.getloadavg()[0]:.2f}")
+    largest = 0
+    for name in PRESETS:
+        world = load_world(name)
+        settings = study(world, Settings(world=name, **FULL)).settings
+        largest = max(largest, len(payload(study(world, structure(settings, world)))[0]))
+    print(f"payload at {FULL}: at most {largest:,} bytes over the presets; goal <= {GOALS['bytes']:,}")
+    query = "&".join(f"{name}={value}" for name, value in FULL.items())
+    with served(PAGE) as (address, server), sync_playwright() as playwright:
+        flags = [*FLAGS, "--enable-precise-memory-info"]
+        browser = playwright.chromium.launch(executable_path=chromium, args=flags)
+        held = payloads()
+        page = bare_page(browser, held)
+        found = agreement(page, held, random_cases(held, options.cases, 1))
+        page.close()
+        left, entries = found.pop("left out"), found.pop("entries")
+        print(f"against NumPy, {options.cases} settings, goal <= {GOALS['difference']:g} of the range:")
+        print("  " + ", ".join(f"{name} {value:.2g}" for name, value in found.items()))
+        print(f"  {left:,} of {entries:,} entries are rounding in the library itself and left out")
+
+        page = browser.new_page(viewport={"width": 1440, "height": 900})
+        received: list[int] = []
+        page.on("websocket", lambda socket: socket.on("framereceived", lambda frame: received.append(len(frame))))
+        page.goto(f"{address}/?world={options.world}&{query}")
+        page.locator("canvas.tau-space").wait_for()
+        time.sleep(3)
+        print(f"opening: {sum(received):,} bytes over the socket, scripts of the page included")
+        for name in ("alpha", "horizon", "slope"):
+            samples = [drag(page, name, end) for end in (0.45, 0.5, 0.55)]
+            received.clear()
+            samples.append(drag(page, name, 0.45))
+            work = [frame for _, frames, _, _ in samples for frame in frames]
+            late = float(np.percentile(work, 95))
+            print(
+                f"drag {name:8} redraws {[n for n, *_ in samples]} (goal >= {GOALS['redraws']}), work "
+                f"{statistics.median(work):.1f} ms, 95% {late:.1f} (goal <= {GOALS['frame']:g}), server runs during "
+                f"{[x for *_, x, _ in samples]}, after {[x for *_, x in samples]}, {sum(received):,} bytes; "
+                f"load {os.getloadavg()[0]:.2f}",
+                flush=True,
+            )
+        page.goto(f"{address}/?world={options.world}")
+        page.locator("canvas.tau-space").wait_for()
+        time.sleep(3)
+        for count, heap, memory in releases(page, server.pid, options.releases):
+            print(f"  after {count:5} releases: heap {heap:.1f} MB, server {memory:.1f} MB", flush=True)
+        browser.close()
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,173 @@
+"""What the lens sends to the browser and hears from it."""
+
+from __future__ import annotations
+
+import json
+import re
+import struct
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from app.lens import (
+    PRESETS,
+    checked,
+    opening_state,
+    payload,
+    presets_for,
+    script,
+    seen,
+    standalone,
+    state_of,
+    structure,
+    values_of,
+)
+from app.lens.payload import unpacked
+from app.query import parse_query
+from app.sources import view_of
+from laplace_core import PRESETS as WORLDS
+from laplace_core import Settings, load_world, study, study_of_gamma_space
+from laplace_core.encoding import PAPER_GAMMAS
+from laplace_core.inverse import transform_matrix
+
+FULL = {"gammas": 100, "thetas": 250, "steps": 200}
+
+
+def made(name="two_decisions", **values):
+    world = load_world(name)
+    settings = study(world, Settings(world=name, **values)).settings
+    return study(world, settings), study(world, structure(settings, world))
+
+
+@pytest.mark.parametrize("name", WORLDS)
+def test_a_payload_is_small(name):
+    _, plain = made(name, **FULL)
+    assert len(payload(plain)[0]) <= 200_000
+
+
+def test_a_payload_holds_what_the_library_holds():
+    found, plain = made(gammas=20)
+    header, arrays = unpacked(payload(plain)[0])
+    assert header["actions"] == list(found.action_names)
+    np.testing.assert_array_equal(arrays["thetas"], found.gamma_space.thetas)
+    F = transform_matrix(arrays["gammas"], header["steps"])
+    np.testing.assert_allclose((arrays["U"] * arrays["s"]) @ arrays["V"].T, F, atol=1e-12)
+    F = transform_matrix(np.array(PAPER_GAMMAS), header["steps"])
+    np.testing.assert_allclose((arrays["paper_U"] * arrays["paper_s"]) @ arrays["paper_V"].T, F, atol=1e-12)
+    np.testing.assert_allclose(arrays["shared"].sum(axis=-1), found.gamma_space.constant, rtol=1e-12)
+    assert not np.allclose(arrays["shared"], arrays["per_gamma"])
+    np.testing.assert_array_equal(arrays["optimum"], found.truth.optimum)
+    assert arrays["timeline"].dtype == np.float32
+    assert all(array.dtype == np.float64 for name, array in arrays.items() if name != "timeline")
+    assert arrays["clipped_thetas"][0] == 0.0
+
+
+def test_live_settings_share_one_payload():
+    world, first = load_world("two_branch"), made("two_branch")[0].settings
+    for change in ({"alpha": 3.0}, {"slope": 7.0}, {"noise": 0.1}, {"normalise": "paper"}, {"policy": "per_gamma"}):
+        assert structure(replace(first, **change), world) == structure(first, world)
+    assert structure(replace(first, gammas=30), world) != structure(first, world)
+
+
+@pytest.mark.parametrize("values", [
+    {}, {"normalise": "paper"}, {"normalise": "survival", "softness": 0.3}, {"policy": "per_gamma"},
+    {"noise": 1e-3, "noise_seed": 5}, {"time_step": 0.5}, {"slope": 3.0, "alpha": 1e-5},
+])  # fmt: skip
+def test_what_the_lens_shows_is_what_the_study_shows(values):
+    found, plain = made(**values)
+    shown = seen(payload(plain)[0], opening_state(found.settings, float(found.horizons[-1])))
+    for name in ("tau_space", "survival", "expected_reward", "horizon_values"):
+        np.testing.assert_allclose(shown[name], getattr(found.decoded, name), rtol=1e-9, atol=1e-9)
+    assert shown["chosen"] == found.decoded.actions[-1]
+
+
+def test_artefacts_that_no_setting_has():
+    found, plain = made("discounting_chain", steps=30)
+    data = payload(plain)[0]
+    state = opening_state(found.settings, 5.0, action=1)
+    whole, folded = seen(data, state), seen(data, {**state, "fold": True})
+    assert folded["tau_space"].shape[1] == 5
+    assert np.abs(folded["tau_space"] - whole["tau_space"][:, :5]).max() > 1e-3
+    moved = seen(data, {**state, "shift": True})
+    np.testing.assert_array_equal(moved["tau_space"][:, 1:], whole["tau_space"][:, :-1])
+    late = seen(data, {**state, "used": 3.0})
+    assert late["read_row"] == 1
+    assert seen(data, {**state, "used": 3.0, "constant": True})["read_row"] == 4
+    clipped = seen(data, {**state, "clip": True})
+    assert whole["tau_space"][1, 0].sum() - clipped["tau_space"][1, 0].sum() > 0.3
+
+
+def test_a_gamma_space_without_a_world():
+    found, _ = made("two_branch")
+    own = study_of_gamma_space(found.gamma_space, structure(Settings(world="mine.npz", steps=3, alpha=0.2), None))
+    data, header = payload(own)
+    assert "timeline" not in header["arrays"]
+    state = opening_state(replace(own.settings, alpha=0.2), 3.0)
+    np.testing.assert_allclose(seen(data, state)["tau_space"], found.decoded.tau_space, atol=1e-9)
+
+
+def test_a_learned_basis_is_what_is_sent():
+    world = load_world("two_branch")
+    settings = study(world, Settings()).settings
+    learned = 0.9 * np.asarray(study(world, settings).gamma_space.constant)[..., None] * np.array([0.2, 0.5, 0.3])
+    found = study(world, structure(settings, world), learned=learned)
+    arrays = unpacked(payload(found)[0])[1]
+    np.testing.assert_array_equal(arrays["shared"], learned)
+    assert "per_gamma" not in arrays
+    assert "paper_shared" not in arrays
+
+
+def test_the_state_goes_to_the_page_and_back():
+    found, _ = made("two_branch")
+    opening = opening_state(found.settings, 3.0)
+    state = {**opening, "alpha": 0.5, "mixed": True, "fold": True, "action": 1, "used": 2.0, "constant": True}
+    values = values_of(state, opening, found.action_names)
+    assert values == {"alpha": 0.5, "used": 2.0, "fold": "yes", "action": "long", "policy": "per_gamma",
+                      "deadline": "constant"}  # fmt: skip
+    settings = replace(found.settings, alpha=0.5, policy="per_gamma", deadline="constant")
+    assert state_of(values, settings, 3.0, 1) == state
+
+
+@pytest.mark.parametrize("heard", [
+    None, 7, [], {"alpha": -1}, {"alpha": "x"}, {"alpha": float("nan")}, {"horizon": 1e9}, {"fold": "yes"},
+    {"normalise": "<b>"}, {"action": 99}, {"nonsense": 1}, {"noise_seed": 2.0**40}, {"alpha": True},
+])  # fmt: skip
+def test_a_state_from_the_browser_is_not_trusted(heard):
+    found, _ = made("two_branch")
+    assert checked(heard, found) == opening_state(found.settings, 3.0)
+    good = {**opening_state(found.settings, 2.0), "alpha": 0.5, "fold": True}
+    assert checked(good, found) == good
+
+
+def test_every_preset_is_a_view():
+    view = view_of(parse_query({"world": "two_branch"})[0])
+    found = {preset.name: preset for preset in presets_for(view)}
+    assert list(found) == list(PRESETS)
+    assert found["Fig. 4c"].here
+    assert found["Fig. 4c"].state["normalise"] == "paper"
+    assert not found["Fig. 6"].here
+
+
+def test_the_script_is_one_module_without_imports():
+    assert not re.search(r"^\s*(import|export) ", script("standalone"), flags=re.MULTILINE)
+    names = re.findall(r"^(?:const|let|function|class) (\w+)", script("standalone"), flags=re.MULTILINE)
+    assert len(names) == len(set(names))
+
+
+def test_the_file_of_its_own_asks_for_nothing():
+    found, plain = made("two_branch")
+    state = opening_state(found.settings, 3.0)
+    page = standalone(payload(plain)[0], {**state, "look": "</script>"})
+    assert page.count("</script>") == 1
+    addresses = set(re.findall(r"(?:https?:)?//[\w.]+\.\w+[^\s\"'`]*", page))
+    assert addresses <= {"http://www.w3.org/2000/svg"}
+
+
+def test_a_message_begins_on_a_multiple_of_eight():
+    from app.lens import _message
+
+    message = _message({"state": {"x": 1}}, b"12345678")
+    (length,) = struct.unpack_from("<I", message)
+    assert (4 + length) % 8 == 0
+    assert json.loads(message[4 : 4 + length]) == {"state": {"x": 1}}
