@@ -1,7 +1,7 @@
-"""``python -m bench [--only core|browser] [--json FILE]``: print every figure beside its goal.
+"""``python -m bench [--only core|training|browser] [--json FILE]``: print every figure beside its goal.
 
 A part is a module of this package whose ``main()`` yields :class:`bench.report.Figure`, or prints for itself and
-returns its samples by name. ``browser`` runs where it is there.
+returns its samples by name.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from pathlib import Path
 from bench.machine import line, machine
 from bench.report import Figure, tally
 
-PARTS = ("core", "browser")
+PARTS = ("core", "training", "browser")
 
 
 def main() -> None:

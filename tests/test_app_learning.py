@@ -13,6 +13,7 @@ from app.link import pack
 from app.query import parse_query
 from laplace_core import Settings, load_world, study
 from laplace_core.cli import main
+from laplace_core.control import episode_regret_of
 from laplace_core.learned import (
     Learned,
     Learning,
@@ -218,9 +219,15 @@ def test_a_world_of_one_s_own_is_learned():
     assert "exact" in strip(page)  # another world, nothing learned of it yet
 
 
-def test_the_loss_of_exact_values_is_not_said_of_learned_ones():
-    assert "loses" in strip(opened(world="two_branch"))
-    assert "loses" not in strip(learn())
+def test_the_loss_is_that_of_acting_by_what_was_learned():
+    page = learn(**{"p.slip": "0.3", "l.episodes": "8"})
+    learned = learned_here(params={"slip": 0.3}, episodes=8)
+    loss = episode_regret_of(
+        learned.world, study_of(learned, Settings()).settings, learned=learned.basis[0].astype(float)
+    )
+    whole = study_of(learned, Settings()).settings.steps
+    expected = loss[whole - 1, learned.world.state_index("start")]
+    assert f"loses {expected if expected > 1e-6 else 0.0:.3g} against the best" in strip(page)
 
 
 # --- agents from files ---

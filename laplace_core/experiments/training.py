@@ -1,0 +1,82 @@
+"""How well, how fast and how surely an algorithm learns an environment: the same settings, several seeds."""
+
+from __future__ import annotations
+
+import time
+from pathlib import Path
+
+import numpy as np
+
+from laplace_core.errors import InputError
+from laplace_core.training.checkpoint import load_checkpoint
+from laplace_core.training.command import settings_of
+from laplace_core.training.evaluation import evaluate
+from laplace_core.training.loop import train
+from laplace_core.training.run_folder import read_config, read_metrics
+
+EPISODES = 100
+
+
+def report(algorithm: str, environment: str, seeds: int, aim: float, folder: Path) -> tuple[dict[str, object], str]:
+    """Train what is not trained yet, evaluate the best checkpoint of every seed, and tell.
+
+    Runs are kept in ``folder``; one that is there already is used if it was made with the same settings, and gone on
+    with if it was not finished.
+    """
+    rows = [_seed(algorithm, environment, seed, aim, folder) for seed in range(seeds)]
+    scores = np.array([row["score"] for row in rows])
+    numbers = {"algorithm": algorithm, "environment": environment, "aim": aim, "episodes": EPISODES, "seeds": rows}
+    numbers |= {"median": float(np.median(scores)), "lowest": float(scores.min())}
+    lines = [
+        f"{algorithm} on {environment}: mean of {EPISODES} episodes from start seeds never trained on",
+        f"{'seed':>4}  {'score':>16}  {f'steps to {aim:g}':>14}  {'seconds':>8}  {'all steps':>9}  {'seconds':>8}",
+    ]
+    for row in rows:
+        reached = f"{'never':>14}  {'':>8}"
+        if row["steps_to_aim"]:
+            reached = f"{row['steps_to_aim']:>14,}  {row['seconds_to_aim']:>8.0f}"
+        lines.append(
+            f"{row['seed']:>4}  {row['score']:>8.1f} +- {row['standard_error']:>4.1f}  {reached}  "
+            f"{row['steps']:>9,}  {row['seconds']:>8.0f}"
+        )
+    lines.append(f"median {numbers['median']:.1f}, lowest {numbers['lowest']:.1f}; +- is the standard error")
+    lines.append(f"steps to {aim:g}: the first evaluation while training (20 other start seeds) that reaches it")
+    return numbers, "\n".join(lines)
+
+
+def _seed(algorithm: str, environment: str, seed: int, aim: float, folder: Path) -> dict[str, object]:
+    settings = settings_of(algorithm, environment, {"seed": seed})
+    run = folder / f"{algorithm}_{environment}_{seed}"
+    finished = (run / "last.safetensors").exists()
+    there = (run / "config.json").exists()
+    if there and read_config(run / "config.json") != settings:
+        raise InputError(f"{run} was made with other settings: name another --runs folder.")
+    if not finished:
+        began = time.monotonic()
+        for _ in train(None if there else settings, run, resume=there):
+            pass
+        print(f"seed {seed}: {time.monotonic() - began:.0f} s", flush=True)
+    events = read_metrics(run)
+    seconds = _seconds(events)
+    reached = next((i for i, e in enumerate(events) if e["event"] == "Evaluation" and e["score"] >= aim), None)
+    scores = evaluate(load_checkpoint(run / "best.safetensors").agent, environment, EPISODES, seed)
+    return {
+        "seed": seed,
+        "score": scores.mean,
+        "standard_error": scores.standard_error,
+        "steps_to_aim": None if reached is None else events[reached]["step"],
+        "seconds_to_aim": None if reached is None else seconds[reached],
+        "steps": settings.steps,
+        "seconds": seconds[-1],
+    }
+
+
+def _seconds(events: list[dict[str, object]]) -> list[float]:
+    """Seconds of training behind each event, over all times that the run was gone on with."""
+    behind, last, found = 0.0, 0.0, []
+    for event in events:
+        if event["seconds"] < last:  # the clock began anew
+            behind += last
+        last = event["seconds"]
+        found.append(behind + last)
+    return found
