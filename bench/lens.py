@@ -10,13 +10,15 @@ import base64
 import os
 import statistics
 import time
+from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
 
 from app.lens import opening_state, payload, script, seen, structure
+from app.lens.payload import unpacked
 from bench.browser import FLAGS, find_chromium, served
-from laplace_core import PRESETS, Settings, load_world, study
+from laplace_core import PRESETS, Settings, load_world, study, study_of_gamma_space
 
 ROOT = Path(__file__).resolve().parent.parent
 PAGE = ROOT / "app" / "lens" / "demo.py"
@@ -44,7 +46,7 @@ _SEEN = """
 
 
 def payloads(small: bool = False) -> dict[str, tuple[bytes, Settings]]:
-    """Worlds of every kind by a name: large, few rows, finer time steps, the paper's own grid."""
+    """Spaces of every kind by a name: large, few rows, finer time steps, the paper's own grid, one without a world."""
     size = {"gammas": 40, "thetas": 60, "steps": 30} if small else FULL
     wanted = {
         "two_branch": ("two_branch", {}),
@@ -59,7 +61,9 @@ def payloads(small: bool = False) -> dict[str, tuple[bytes, Settings]]:
         world = load_world(world_name)
         settings = study(world, Settings(world=world_name, **values)).settings
         found[name] = payload(study(world, structure(settings, world)))[0], settings
-    return found
+    space = study(load_world("two_branch"), Settings(thetas=40)).gamma_space
+    own = study_of_gamma_space(space, structure(Settings(world="own.npz", steps=20), None))
+    return found | {"own gamma-space": (payload(own)[0], own.settings)}
 
 
 def random_cases(held: dict[str, tuple[bytes, Settings]], count: int, seed: int) -> list[dict[str, object]]:
@@ -71,10 +75,10 @@ def random_cases(held: dict[str, tuple[bytes, Settings]], count: int, seed: int)
         last = settings.steps * settings.time_step
         T = float(rng.integers(1, last + 1)) if settings.time_step == 1 else float(rng.uniform(1, last))
         chance = rng.random(7) < 0.35
-        state = opening_state(settings, T, int(rng.integers(PRESETS_ACTIONS[settings.world])))
+        state = opening_state(settings, T, int(rng.integers(len(unpacked(held[name][0])[0]["actions"]))))
         state |= {
             "alpha": float(10 ** rng.uniform(-6, 0)),
-            "slope": float(settings.slope * 10 ** rng.uniform(-1, 1)),
+            "slope": float(state["slope"] * 10 ** rng.uniform(-1, 1)),
             "softness": float(rng.choice([0, 0, 0.2, 0.7])),
             "value_gamma": float(rng.uniform(0.5, 0.995)),
             "noise": float(rng.choice([0, 0, 1e-5, 1e-2])),
@@ -85,9 +89,6 @@ def random_cases(held: dict[str, tuple[bytes, Settings]], count: int, seed: int)
         }
         cases.append({"payload": name, "state": state, "tau": int(rng.integers(settings.steps))})
     return cases
-
-
-PRESETS_ACTIONS = {name: load_world(name).n_actions for name in PRESETS}
 
 
 def bare_page(browser, held: dict[str, tuple[bytes, Settings]]):
@@ -175,26 +176,26 @@ def memory_of(pid: int) -> float:
     return pages * os.sysconf("SC_PAGE_SIZE") / 1e6
 
 
-def releases(page, pid: int, count: int) -> list[tuple[int, float, float]]:
-    """(releases, heap of the browser in MB, memory of the server in MB), after garbage collection."""
-    session, rows = page.context.new_cdp_session(page), []
+def releases(page, pid: int, count: int) -> Iterator[tuple[int, float, float]]:
+    """Releases so far, heap of the browser and memory of the server in MB, after garbage collection."""
+    session = page.context.new_cdp_session(page)
     handle = page.locator("input[name=alpha]")
     handle.focus()
     for i in range(count + 1):
         if i % max(1, count // 10) == 0:
             session.send("HeapProfiler.collectGarbage")
             heap = page.evaluate("() => performance.memory.usedJSHeapSize") / 1e6
-            rows.append((i, heap, memory_of(pid)))
+            yield i, heap, memory_of(pid)
         if i == count:
             break
         runs = _runs(page)
         page.keyboard.press("ArrowLeft" if i % 2 else "ArrowRight")
         page.wait_for_function(f"() => document.body.innerText.includes('runs {runs + 1},')", polling=20)
-    return rows
 
 
 def main() -> None:
     parser = argparse.ArgumentParser(prog="python -m bench.lens", description=__doc__.split("\n")[0])
+    parser.add_argument("--only", choices=("agreement", "drags", "releases"), help="run one part")
     parser.add_argument("--cases", type=int, default=200)
     parser.add_argument("--releases", type=int, default=1000)
     parser.add_argument("--world", default="two_decisions")
@@ -206,51 +207,60 @@ def main() -> None:
     from playwright.sync_api import sync_playwright
 
     print(f"load {os.getloadavg()[0]:.2f}")
+    with served(PAGE) as (address, server), sync_playwright() as playwright:
+        flags = [*FLAGS, "--enable-precise-memory-info"]
+        browser = playwright.chromium.launch(executable_path=chromium, args=flags)
+        if options.only in (None, "agreement"):
+            _agreement(browser, options.cases)
+        page = browser.new_page(viewport={"width": 1440, "height": 900})
+        if options.only in (None, "drags"):
+            _drags(page, f"{address}/?world={options.world}")
+        if options.only in (None, "releases"):
+            page.goto(f"{address}/?world={options.world}")
+            page.locator("canvas.tau-space").wait_for()
+            time.sleep(3)
+            for count, heap, memory in releases(page, server.pid, options.releases):
+                print(f"  after {count:5} releases: heap {heap:.1f} MB, server {memory:.1f} MB", flush=True)
+        browser.close()
+
+
+def _agreement(browser, count: int) -> None:
+    held = payloads()
+    page = bare_page(browser, held)
+    found = agreement(page, held, random_cases(held, count, 1))
+    page.close()
+    left, entries = found.pop("left out"), found.pop("entries")
+    print(f"against NumPy, {count} settings, goal <= {GOALS['difference']:g} of the range:")
+    print("  " + ", ".join(f"{name} {value:.2g}" for name, value in found.items()))
+    print(f"  {left:,} of {entries:,} entries are rounding in the library itself and left out")
+
+
+def _drags(page, address: str) -> None:
     largest = 0
     for name in PRESETS:
         world = load_world(name)
         settings = study(world, Settings(world=name, **FULL)).settings
         largest = max(largest, len(payload(study(world, structure(settings, world)))[0]))
     print(f"payload at {FULL}: at most {largest:,} bytes over the presets; goal <= {GOALS['bytes']:,}")
-    query = "&".join(f"{name}={value}" for name, value in FULL.items())
-    with served(PAGE) as (address, server), sync_playwright() as playwright:
-        flags = [*FLAGS, "--enable-precise-memory-info"]
-        browser = playwright.chromium.launch(executable_path=chromium, args=flags)
-        held = payloads()
-        page = bare_page(browser, held)
-        found = agreement(page, held, random_cases(held, options.cases, 1))
-        page.close()
-        left, entries = found.pop("left out"), found.pop("entries")
-        print(f"against NumPy, {options.cases} settings, goal <= {GOALS['difference']:g} of the range:")
-        print("  " + ", ".join(f"{name} {value:.2g}" for name, value in found.items()))
-        print(f"  {left:,} of {entries:,} entries are rounding in the library itself and left out")
-
-        page = browser.new_page(viewport={"width": 1440, "height": 900})
-        received: list[int] = []
-        page.on("websocket", lambda socket: socket.on("framereceived", lambda frame: received.append(len(frame))))
-        page.goto(f"{address}/?world={options.world}&{query}")
-        page.locator("canvas.tau-space").wait_for()
-        time.sleep(3)
-        print(f"opening: {sum(received):,} bytes over the socket, scripts of the page included")
-        for name in ("alpha", "horizon", "slope"):
-            samples = [drag(page, name, end) for end in (0.45, 0.5, 0.55)]
-            received.clear()
-            samples.append(drag(page, name, 0.45))
-            work = [frame for _, frames, _, _ in samples for frame in frames]
-            late = float(np.percentile(work, 95))
-            print(
-                f"drag {name:8} redraws {[n for n, *_ in samples]} (goal >= {GOALS['redraws']}), work "
-                f"{statistics.median(work):.1f} ms, 95% {late:.1f} (goal <= {GOALS['frame']:g}), server runs during "
-                f"{[x for *_, x, _ in samples]}, after {[x for *_, x in samples]}, {sum(received):,} bytes; "
-                f"load {os.getloadavg()[0]:.2f}",
-                flush=True,
-            )
-        page.goto(f"{address}/?world={options.world}")
-        page.locator("canvas.tau-space").wait_for()
-        time.sleep(3)
-        for count, heap, memory in releases(page, server.pid, options.releases):
-            print(f"  after {count:5} releases: heap {heap:.1f} MB, server {memory:.1f} MB", flush=True)
-        browser.close()
+    received: list[int] = []
+    page.on("websocket", lambda socket: socket.on("framereceived", lambda frame: received.append(len(frame))))
+    page.goto("&".join([address, *(f"{name}={value}" for name, value in FULL.items())]))
+    page.locator("canvas.tau-space").wait_for()
+    time.sleep(3)
+    print(f"opening: {sum(received):,} bytes over the socket, scripts of the page included")
+    for name in ("alpha", "horizon", "slope"):
+        samples = [drag(page, name, end) for end in (0.45, 0.5, 0.55)]
+        received.clear()
+        samples.append(drag(page, name, 0.45))
+        work = [frame for _, frames, _, _ in samples for frame in frames]
+        late = float(np.percentile(work, 95))
+        print(
+            f"drag {name:8} redraws {[n for n, *_ in samples]} (goal >= {GOALS['redraws']}), work "
+            f"{statistics.median(work):.1f} ms, 95% {late:.1f} (goal <= {GOALS['frame']:g}), server runs during "
+            f"{[x for *_, x, _ in samples]}, after {[x for *_, x in samples]}, {sum(received):,} bytes a release; "
+            f"load {os.getloadavg()[0]:.2f}",
+            flush=True,
+        )
 
 
 if __name__ == "__main__":

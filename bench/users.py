@@ -22,7 +22,7 @@ from urllib.parse import parse_qsl, urlencode, urlsplit
 import numpy as np
 
 from app.link import pack
-from app.query import parse_query
+from app.query import parse_query, query_of
 from app.sources import packed_timeline, view_of
 from bench.browser import FLAGS, ROOT, find_chromium, served
 from laplace_core import load_world, study
@@ -193,6 +193,7 @@ async def _choose_normalisation(user: User) -> None:
 
 async def check(user: User, what: str) -> None:
     """Hold the page against the library: its link, its tau-space and its verdict."""
+    user.wanted = query_of(parse_query(user.wanted)[0])  # numbers as the page writes them
     view = view_of(parse_query(user.wanted)[0])
     found = study(view.world, view.settings)
     row = len(found.horizons) - 1 if view.horizon is None else found.row_at(view.horizon)
@@ -245,8 +246,17 @@ async def several(jobs) -> list:
 
 
 async def changes(user: User, count: int) -> None:
+    """So many changes; a page that does not answer is an error, and is opened anew."""
+    from playwright.async_api import Error
+
     for _ in range(count):
-        await use(user)
+        try:
+            await use(user)
+        except Error as error:
+            said = (await user.page.inner_text("body"))[:300]
+            user.errors.append(f"{str(error).splitlines()[0]} at {user.page.url}: {said!r}")
+            await user.page.reload()
+            user.wanted = dict(parse_qsl(urlsplit(user.page.url).query)) or user.wanted
 
 
 def memory(process) -> float:

@@ -59,6 +59,7 @@ def lens(
         known.update(id=digest, shown=dict(state), base=dict(base or state), revision=known["revision"] + 1)
         known.pop("heard", None)
     told = {
+        "name": key,
         "id": digest,
         "revision": known["revision"],
         "state": known["shown"],

@@ -16,19 +16,27 @@ export function element(tag, attributes = {}, ...children) {
 const twoDigits = (value) => +value.toPrecision(2);
 const logarithmic = (low, high, perDecade = 40) => {
   const count = Math.round(perDecade * Math.log10(high / low));
-  return { count, at: (i) => twoDigits(low * (high / low) ** (i / count)), of: (value) => Math.round((count * Math.log10(Math.max(low, value) / low)) / Math.log10(high / low)) };
+  return { count, at: (i) => twoDigits(low * (high / low) ** (i / count)),
+    of: (value) => Math.round((count * Math.log10(Math.max(low, value) / low)) / Math.log10(high / low)) };
 };
-const linear = (low, step, count) => ({ count, at: (i) => +(low + i * step).toPrecision(12), of: (value) => Math.round((value - low) / step) });
-const withZero = (scale) => ({ count: scale.count + 1, at: (i) => (i ? scale.at(i - 1) : 0), of: (value) => (value > 0 ? scale.of(value) + 1 : 0) });
-const near1 = { count: 120, at: (i) => +(1 - 10 ** (-0.3 - (i * 2.7) / 120)).toPrecision(4), of: (value) => Math.round(((-Math.log10(1 - value) - 0.3) * 120) / 2.7) };
+const linear = (low, step, count) =>
+  ({ count, at: (i) => +(low + i * step).toPrecision(12), of: (value) => Math.round((value - low) / step) });
+const withZero = (scale) =>
+  ({ count: scale.count + 1, at: (i) => (i ? scale.at(i - 1) : 0), of: (value) => (value > 0 ? scale.of(value) + 1 : 0) });
+const near1 = { count: 120, at: (i) => +(1 - 10 ** (-0.3 - (i * 2.7) / 120)).toPrecision(4),
+  of: (value) => Math.round(((-Math.log10(1 - value) - 0.3) * 120) / 2.7) };
 
 // Name, label, unit, help, scale; a scale that depends on the world is a function of the model and the opening state.
 export const SLIDERS = [
   ['alpha', 'α, regularisation', '', 'What of the singular values comes back: s²/(s²+α²).', logarithmic(1e-6, 10)],
-  ['slope', 'slope', '1/reward', 'Steepness of the reward activation.', (model, base) => model.sloped && logarithmic(base.slope / 30, base.slope * 30, 60)],
-  ['horizon', 'horizon T', 'steps', 'Deadline of the episode, in steps of the world.', ({ horizons, dt, K }) => linear(horizons[0], dt, K - 1)],
-  ['used', 'steps already used', 'steps', 'Steps of the episode that are over: the time to go is T less these.', ({ truth, K, dt }) => truth && linear(0, 1, Math.max(0, Math.floor(K * dt) - 1))],
-  ['softness', 'softness of the deadline', '· T', 'Width of the deadline, as a share of the horizon; 0 is a hard one.', linear(0, 0.05, 20)],
+  ['slope', 'slope', '1/reward', 'Steepness of the reward activation.',
+    (model, base) => model.sloped && logarithmic(base.slope / 30, base.slope * 30, 60)],
+  ['horizon', 'horizon T', 'steps', 'Deadline of the episode, in steps of the world.',
+    ({ horizons, dt, K }) => linear(horizons[0], dt, K - 1)],
+  ['used', 'steps already used', 'steps', 'Steps of the episode that are over: the time to go is T less these.',
+    ({ truth, K, dt }) => truth && linear(0, 1, Math.max(0, Math.floor(K * dt) - 1))],
+  ['softness', 'softness of the deadline', '· T', 'Width of the deadline, as a share of the horizon; 0 is a hard one.',
+    linear(0, 0.05, 20)],
   ['value_gamma', 'γ in the value', '', 'Discount of the values that are compared.', near1],
   ['noise', 'noise in gamma-space', '', 'Standard deviation of (1 − γ) Q, seeded.', withZero(logarithmic(1e-7, 0.1, 6))],
 ];
@@ -38,11 +46,16 @@ export function sliders(model, base, wish) {
   for (const [name, label, unit, help, made] of SLIDERS) {
     const scale = typeof made === 'function' ? made(model, base) : made;
     if (!scale) continue;
-    const output = element('output', {}), input = element('input', { type: 'range', min: 0, max: Math.max(1, scale.count), step: 1, title: help, name, 'aria-label': label, disabled: scale.count < 1 });
+    const output = element('output', {}),
+      input = element('input', { type: 'range', min: 0, max: Math.max(1, scale.count), step: 1, title: help, name,
+      'aria-label': label, disabled: scale.count < 1 });
     input.oninput = () => wish({ [name]: scale.at(+input.value) }, false);
     input.onchange = () => wish({}, true);
-    const extra = name === 'alpha' ? [element('button', { type: 'button', class: 'small play', 'aria-label': 'sweep alpha', title: 'Sweep alpha up and down', onclick: () => wish('play', true) }, '▶')]
-      : name === 'noise' ? [element('button', { type: 'button', class: 'small', 'aria-label': 'another noise', title: 'Another seed', onclick: () => wish('seed', true) }, '⚄')] : [];
+    const extra = name === 'alpha'
+      ? [element('button', { type: 'button', class: 'small play', 'aria-label': 'sweep alpha', title: 'Sweep alpha up and down',
+      onclick: () => wish('play', true) }, '▶')]
+      : name === 'noise' ? [element('button', { type: 'button', class: 'small', 'aria-label': 'another noise',
+        title: 'Another seed', onclick: () => wish('seed', true) }, '⚄')] : [];
     box.append(element('div', { class: 'slider' }, element('span', { class: 'name' }, label), ...extra, output, input));
     shown[name] = (state) => {
       const at = scale.of(state[name]), words = `${short(state[name], 4)}${unit ? ` ${unit}` : ''}`;
@@ -61,7 +74,8 @@ export function switchboard(model, wish) {
   box.append(element('div', { class: 'pair' }, together('As the paper', all(true)), together('All repaired', all(false))));
   for (const [name, each] of Object.entries(SWITCHES)) {
     const there = names.includes(name), size = element('span', { class: 'size' }, there ? ' ' : 'not in this space');
-    const button = element('button', { type: 'button', role: 'switch', class: 'switch', name, disabled: !there }, element('i', {}), element('b', {}, each.label), size);
+    const button = element('button', { type: 'button', role: 'switch', class: 'switch', name, disabled: !there },
+      element('i', {}), element('b', {}, each.label), size);
     box.append(button);
     shown[name] = { size, show: (state) => {
       button.setAttribute('aria-checked', String(there && each.isOn(state)));
@@ -70,8 +84,10 @@ export function switchboard(model, wish) {
   }
   return { box, sync: (state) => Object.values(shown).forEach(({ show }) => show(state)), sizes(effects) {
     for (const [name, found] of Object.entries(effects)) {
-      const lost = found.on === undefined ? '' : Math.abs(found.on - found.off) > 1e-6 ? ` · regret ${short(found.off)} → ${short(found.on)}` : ' · same choice';
-      const words = name === 'constant' ? lost.slice(3) : `${found.size < 5e-4 ? 'moves nothing' : `moves ${short(found.size, 2)} of a row`}${lost}`;
+      const lost = found.on === undefined ? '' : Math.abs(found.on - found.off) > 1e-6
+        ? ` · regret ${short(found.off)} → ${short(found.on)}` : ' · same choice';
+      const words = name === 'constant' ? lost.slice(3)
+        : `${found.size < 5e-4 ? 'moves nothing here' : `moves ${short(found.size, 2)} of a row`}${lost}`;
       shown[name].size.textContent = words;
       shown[name].size.classList.toggle('large', name === 'constant' ? found.on - found.off > 1e-6 : found.size >= 0.05);
     }
@@ -80,13 +96,19 @@ export function switchboard(model, wish) {
 
 // The row above the pictures: which action, how the spaces are drawn, what is done to rows, history.
 export function toolbar(model, wish) {
-  const chips = model.header.actions.map((name, a) => element('button', { type: 'button', class: 'chip', style: `--chip: ${actionColour(a)}`, title: `show ${name}`, onclick: () => wish({ action: a }, true) }, name));
-  const looks = ['heatmap', 'surface'].map((look) => element('button', { type: 'button', class: 'chip', onclick: () => wish({ look }, true) }, look));
+  const chips = model.header.actions.map((name, a) =>
+    element('button', { type: 'button', class: 'chip', style: `--chip: ${actionColour(a)}`, title: `show ${name}`,
+    onclick: () => wish({ action: a }, true) }, name));
+  const looks = ['heatmap', 'surface'].map((look) => element('button',
+    { type: 'button', class: 'chip', onclick: () => wish({ look }, true) }, look));
   const rows = element('select', { 'aria-label': 'rows of tau-space', onchange: () => wish({ normalise: rows.value }, true) },
-    ...[['none', 'rows as decoded'], ['survival', 'rows given survival'], ['paper', 'rows rescaled to 1']].map(([value, words]) => element('option', { value }, words)));
-  const does = (words, name, label) => element('button', { type: 'button', class: 'tool', 'aria-label': label, title: label, onclick: () => wish(name, true) }, words);
+    ...[['none', 'rows as decoded'], ['survival', 'rows given survival'],
+      ['paper', 'rows rescaled to 1']].map(([value, words]) => element('option', { value }, words)));
+  const does = (words, name, label) =>
+    element('button', { type: 'button', class: 'tool', 'aria-label': label, title: label, onclick: () => wish(name, true) }, words);
   const undo = does('↶', 'undo', 'undo'), redo = does('↷', 'redo', 'redo'), reset = does('reset', 'reset', 'reset');
-  const box = element('div', { class: 'toolbar' }, element('span', { class: 'group', role: 'group', 'aria-label': 'action' }, ...chips), element('span', { class: 'group', role: 'group', 'aria-label': 'drawing' }, ...looks),
+  const box = element('div', { class: 'toolbar' }, element('span', { class: 'group', role: 'group', 'aria-label': 'action' },
+    ...chips), element('span', { class: 'group', role: 'group', 'aria-label': 'drawing' }, ...looks),
     rows, element('span', { class: 'group' }, undo, redo, reset));
   return { box, sync(state, history) {
     chips.forEach((chip, a) => chip.setAttribute('aria-pressed', String(a === state.action)));
@@ -99,7 +121,13 @@ export function toolbar(model, wish) {
 
 export function footer(presets, files, wish) {
   const box = element('div', { class: 'footer' });
-  if (presets.length) box.append(element('span', { class: 'group', role: 'group', 'aria-label': 'examples' }, element('span', { class: 'name' }, 'See'), ...presets.map((preset) => element('button', { type: 'button', class: 'tool', onclick: () => wish({ preset }, true) }, preset.name))));
-  box.append(element('span', { class: 'group', role: 'group', 'aria-label': 'downloads' }, element('span', { class: 'name' }, 'Save'), ...files.map(([words, save]) => element('button', { type: 'button', class: 'tool', 'aria-label': `save ${words}`, onclick: save }, words))));
+  if (presets.length) box.append(element('span', { class: 'group', role: 'group', 'aria-label': 'examples' },
+    element('span', { class: 'name' }, 'See'),
+    ...presets.map((preset) => element('button', { type: 'button', class: 'tool', onclick: () => wish({ preset }, true) },
+    preset.name))));
+  box.append(element('span', { class: 'group', role: 'group', 'aria-label': 'downloads' },
+    element('span', { class: 'name' }, 'Save'),
+    ...files.map(([words, save]) =>
+    element('button', { type: 'button', class: 'tool', 'aria-label': `save ${words}`, onclick: save }, words))));
   return box;
 }

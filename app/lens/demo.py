@@ -33,7 +33,8 @@ def heard(released):
 
 
 data = packed(view.world, structure(view.settings, view.world))
-lens(data, state, "demo", opening, presets_for(view), heard)
+if st.toggle("show the lens", True):
+    lens(data, state, "demo", opening, presets_for(view), heard)
 if st.button("alpha 0.001 from Python"):
     st.session_state["state"] = {**state, "alpha": 0.001}
     st.rerun()

@@ -25,7 +25,8 @@ export function canvasPen(context, font) {
       context.stroke();
     },
     text(words, x, y, { size = 11, weight = 400, align = 'left', colour, turn } = {}) {
-      Object.assign(context, { font: `${weight} ${size}px ${font}`, textAlign: align, fillStyle: colour, textBaseline: 'alphabetic' });
+      Object.assign(context, { font: `${weight} ${size}px ${font}`, textAlign: align, fillStyle: colour,
+        textBaseline: 'alphabetic' });
       if (!turn) { context.fillText(words, x, y); return; }
       context.save();
       context.translate(x, y);
@@ -52,7 +53,8 @@ export function canvasPen(context, font) {
   };
 }
 
-const escaped = (words) => String(words).replace(/[&<>"]/g, (sign) => ({ '&': '&amp;', '<': '&lt;', '>': '&gt;', '"': '&quot;' })[sign]);
+const escaped = (words) => String(words).replace(/[&<>"]/g, (sign) =>
+  ({ '&': '&amp;', '<': '&lt;', '>': '&gt;', '"': '&quot;' })[sign]);
 
 export function svgPen(font, measure) {
   const parts = [], short = (value) => +value.toFixed(2);
@@ -123,7 +125,8 @@ export function axes(pen, box, { x, y, xTicks, yTicks, xTitle, yTitle, colours, 
   }
   if (xTitle) pen.text(xTitle, box.x + box.w / 2, box.y + box.h + 27, { align: 'center', colour: colours.soft, size: 11 });
   if (yTitle) pen.text(yTitle, box.x - 36, box.y + box.h / 2, { align: 'center', colour: colours.soft, size: 11, turn: true });
-  return { X, Y, x, y, box, toX: (px) => x[0] + ((px - box.x) / box.w) * (x[1] - x[0]), toY: (py) => y[0] + ((box.y + box.h - py) / box.h) * (y[1] - y[0]) };
+  return { X, Y, x, y, box, toX: (px) => x[0] + ((px - box.x) / box.w) * (x[1] - x[0]),
+    toY: (py) => y[0] + ((box.y + box.h - py) / box.h) * (y[1] - y[0]) };
 }
 
 // About six labelled rows, evenly spaced; rows are drawn at equal heights whatever they stand for.
@@ -174,7 +177,8 @@ export function heatmap(canvas, values, n, width, limit, columns) {
 }
 
 export function colourBar(pen, canvas, box, limit, colours) {
-  if (!canvas.height || canvas.height !== 128) heatmap(canvas, Float64Array.from({ length: 128 }, (_, i) => -UNDER + (i / 127) * (1 + UNDER)), 128, 1, 1);
+  if (!canvas.height || canvas.height !== 128) heatmap(canvas,
+    Float64Array.from({ length: 128 }, (_, i) => -UNDER + (i / 127) * (1 + UNDER)), 128, 1, 1);
   pen.image(canvas, box.x, box.y, box.w, box.h);
   for (const value of [0, limit]) {
     const y = box.y + box.h * (1 - (value / limit + UNDER) / (1 + UNDER));

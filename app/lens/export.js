@@ -4,7 +4,8 @@ import { PANELS } from './panels.js';
 
 const SIZE = { w: 440, h: 260, gap: 16, head: 46, columns: 3 };
 const WIDE = SIZE.columns * (SIZE.w + SIZE.gap) + SIZE.gap, HIGH = SIZE.head + 2 * (SIZE.h + SIZE.gap);
-const place = (i) => [SIZE.gap + (i % SIZE.columns) * (SIZE.w + SIZE.gap), SIZE.head + Math.floor(i / SIZE.columns) * (SIZE.h + SIZE.gap)];
+const place = (i) => [SIZE.gap + (i % SIZE.columns) * (SIZE.w + SIZE.gap),
+  SIZE.head + Math.floor(i / SIZE.columns) * (SIZE.h + SIZE.gap)];
 
 export function save(content, name, type) {
   const link = document.createElement('a');
@@ -50,9 +51,11 @@ export const saveSvg = (lens) => save(svgOf(lens), `${nameOf(lens)}.svg`, 'image
 // One row a future step: decoded and true reward and survival, the value of the horizon that ends there, tau-space.
 export function csvOf({ scene: { model, seen, state } }) {
   const quoted = (words) => `"${String(words).replace(/"/g, '""')}"`, names = model.header.actions, a = state.action;
-  const head = ['tau', 'reward', 'survival', ...(seen.truth ? ['true reward', 'true survival'] : []), 'horizon', ...names.map((name) => `value of ${name}`),
+  const head = ['tau', 'reward', 'survival', ...(seen.truth ? ['true reward', 'true survival'] : []), 'horizon',
+    ...names.map((name) => `value of ${name}`),
     ...(seen.truth ? ['best action'] : []), ...Array.from(seen.midpoints, (theta) => `P at ${+theta.toPrecision(8)}`)];
-  const rows = Array.from({ length: model.K }, (_, k) => [k * model.dt, seen.rewards[a][k], seen.survival[a][k], ...(seen.truth ? [seen.truth.rewards[a][k], seen.truth.survival[a][k]] : []),
+  const rows = Array.from({ length: model.K }, (_, k) => [k * model.dt, seen.rewards[a][k], seen.survival[a][k],
+    ...(seen.truth ? [seen.truth.rewards[a][k], seen.truth.survival[a][k]] : []),
     model.horizons[k], ...seen.values.map((line) => line[k]), ...(seen.truth ? [quoted(names[seen.bestAt(k)])] : []),
     ...(k < seen.n ? seen.tau.slice(k * seen.H, (k + 1) * seen.H) : Array(seen.H).fill(''))]);
   return [`# ${JSON.stringify({ world: model.header.world, state: model.header.state, action: names[a], ...state, action_index: a })}`, head.map(quoted).join(','), ...rows.map((row) => row.map((x) => x ?? '').join(','))].join('\n');

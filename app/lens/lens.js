@@ -13,8 +13,10 @@ function coloursOf(host) {
   const style = getComputedStyle(host), named = (name, other) => style.getPropertyValue(name).trim() || other;
   const text = style.color, primary = named('--st-primary-color', '#0b7285'), paper = named('--st-background-color', '#ffffff');
   const light = (text.match(/\d+/g) ?? [0]).slice(0, 3).reduce((a, b) => a + +b, 0) > 382;
-  return { text, primary, paper, soft: light ? '#a9b1ba' : '#5b636d', wash: light ? 'rgba(59,201,219,0.22)' : 'rgba(11,114,133,0.16)', font: style.fontFamily,
-    mark: light ? '#ffffff' : '#000000', halo: light ? 'rgba(0,0,0,0.65)' : 'rgba(255,255,255,0.75)', empty: light ? '#1b2026' : '#eceff2' };
+  return { text, primary, paper, soft: light ? '#a9b1ba' : '#5b636d',
+    wash: light ? 'rgba(59,201,219,0.22)' : 'rgba(11,114,133,0.16)', font: style.fontFamily,
+    mark: light ? '#ffffff' : '#000000', halo: light ? 'rgba(0,0,0,0.65)' : 'rgba(255,255,255,0.75)',
+      empty: light ? '#1b2026' : '#eceff2' };
 }
 
 export function mount(root, { model, state, base, presets = [], template }, report) {
@@ -24,19 +26,23 @@ export function mount(root, { model, state, base, presets = [], template }, repo
   let seen, waiting, resting, later, playing, dragging = false, lastState, lastMost;
   root.replaceChildren(host);
 
-  const saved = { scene, drawOne, get verdict() { return verdict.textContent; }, template, model, get state() { return state; }, base };
-  const files = [['PNG', () => savePng(saved)], ['SVG', () => saveSvg(saved)], ['CSV', () => saveCsv(saved)], ...(template ? [['HTML', () => saveHtml(saved)]] : [])];
+  const saved = { scene, drawOne, get verdict() { return verdict.textContent; }, template, model, get state() { return state; },
+    base };
+  const files = [['PNG', () => savePng(saved)], ['SVG', () => saveSvg(saved)], ['CSV', () => saveCsv(saved)],
+    ...(template ? [['HTML', () => saveHtml(saved)]] : [])];
   const verdict = element('div', { class: 'verdict' }), said = element('div', { class: 'said', role: 'status' });
   const tools = toolbar(model, wish), handles = sliders(model, base, wish), board = switchboard(model, wish);
   const panels = PANELS.map((panel) => {
     const canvas = element('canvas', { role: 'img', tabindex: 0, class: `panel ${panel.name}`, 'aria-label': panel.name });
     canvas.onpointermove = (event) => pointed(panel, canvas, event);
     canvas.onpointerleave = () => point({});
-    canvas.onpointerdown = (event) => { if (state.look === 'surface' && panel.point.length === 3) canvas.setPointerCapture(event.pointerId); };
+    canvas.onpointerdown = (event) => { if (state.look === 'surface'
+      && panel.point.length === 3) canvas.setPointerCapture(event.pointerId); };
     canvas.onkeydown = (event) => stepped(panel, event);
     return { panel, canvas };
   });
-  host.append(verdict, tools.box, element('div', { class: 'panels' }, ...panels.map(({ canvas }) => canvas)), handles.box, board.box, footer(presets, files, wish), said);
+  host.append(verdict, tools.box, element('div', { class: 'panels' }, ...panels.map(({ canvas }) => canvas)), handles.box,
+    board.box, footer(presets, files, wish), said);
 
   // ---- from a wish to a state, and from states to releases
 
@@ -114,7 +120,8 @@ export function mount(root, { model, state, base, presets = [], template }, repo
     const { scale } = canvas;
     if (state.look === 'surface' && (panel.name === 'gamma-space' || panel.name === 'tau-space')) {
       if (!event.buttons) return;
-      scene.camera = { turn: scene.camera.turn + event.movementX * 0.01, tilt: Math.min(1.5, Math.max(0.1, scene.camera.tilt + event.movementY * 0.01)) };
+      scene.camera = { turn: scene.camera.turn + event.movementX * 0.01,
+        tilt: Math.min(1.5, Math.max(0.1, scene.camera.tilt + event.movementY * 0.01)) };
       draw();
       return;
     }
@@ -128,11 +135,16 @@ export function mount(root, { model, state, base, presets = [], template }, repo
     if (event.key === 'Escape') point({});
     if (across === undefined) return;
     event.preventDefault();
-    const { hover } = scene, limited = (value, low, high) => Math.min(high, Math.max(low, value)), K = model.K, big = event.shiftKey ? 10 : 1;
+    const { hover } = scene, limited = (value, low, high) => Math.min(high, Math.max(low, value)), K = model.K,
+      big = event.shiftKey ? 10 : 1;
     if (panel.name === 'gamma-space' || panel.name === 'tau-space') {
-      if (state.look === 'surface') { scene.camera = { turn: scene.camera.turn + 0.1 * across, tilt: limited(scene.camera.tilt + 0.1 * up, 0.1, 1.5) }; draw(); return; }
-      const { thetas, H } = seen, theta = limited((hover.theta ?? (thetas[0] + thetas[H]) / 2) + (across * big * (thetas[H] - thetas[0])) / H, thetas[0], thetas[H]);
-      const row = panel.name === 'tau-space' ? { tau: limited((hover.tau ?? -1) + up * big, 0, K - 1) } : { gamma: limited((hover.gamma ?? -1) + up * big, 0, seen.grid.G - 1) };
+      if (state.look === 'surface') { scene.camera = { turn: scene.camera.turn + 0.1 * across,
+        tilt: limited(scene.camera.tilt + 0.1 * up, 0.1, 1.5) }; draw(); return; }
+      const { thetas, H } = seen,
+        theta = limited((hover.theta ?? (thetas[0] + thetas[H]) / 2) + (across * big * (thetas[H] - thetas[0])) / H, thetas[0],
+        thetas[H]);
+      const row = panel.name === 'tau-space' ? { tau: limited((hover.tau ?? -1) + up * big, 0, K - 1) }
+        : { gamma: limited((hover.gamma ?? -1) + up * big, 0, seen.grid.G - 1) };
       point({ theta, ...row });
     } else point({ tau: limited((hover.tau ?? -1) + (across || up) * big, 0, K - 1) });
   }
@@ -142,11 +154,17 @@ export function mount(root, { model, state, base, presets = [], template }, repo
   function drawOne(pen, { panel }, w, h) {
     const { look } = state;
     if (look === 'surface' && (panel.name === 'gamma-space' || panel.name === 'tau-space')) {
-      const gamma = panel.name === 'gamma-space', values = gamma ? gammaSpace(seen, state) : seen.tau, n = gamma ? seen.grid.G : seen.n;
+      const gamma = panel.name === 'gamma-space', values = gamma ? gammaSpace(seen, state) : seen.tau,
+        n = gamma ? seen.grid.G : seen.n;
       const limit = gamma ? values.reduce((a, b) => Math.max(a, b), 0) || 1 : limitOfTau(scene) * model.dt, { gammas } = seen.grid;
-      const every = Math.ceil(model.K / 46), truth = gamma || !seen.truth || !seen.masses ? [] : Array.from({ length: Math.ceil(model.K / every) }, (_, i) => [model.K > 1 ? (i * every) / (model.K - 1) : 0.5, trueRow(scene, state.action, i * every)]);
+      const every = Math.ceil(model.K / 46), truth = gamma || !seen.truth || !seen.masses ? []
+        : Array.from({ length: Math.ceil(model.K / every) },
+        (_, i) => [model.K > 1 ? (i * every) / (model.K - 1) : 0.5, trueRow(scene, state.action, i * every)]);
       pen.text(panel.name, 2, 15, { size: 14, weight: 600, colour: scene.colours.text });
-      drawSurface(pen, { x: 8, y: 20, w: w - 16, h: h - 30 }, { values, n, width: seen.H, limit, x: [seen.thetas[0], seen.thetas[seen.H]], y: gamma ? [gammas[0], gammas[n - 1]] : [0, (n - 1) * model.dt], titles: ['θ', gamma ? 'γ' : 'τ'], truth: truth.filter(([, row]) => row) }, scene.camera, scene.colours);
+      drawSurface(pen, { x: 8, y: 20, w: w - 16, h: h - 30 },
+        { values, n, width: seen.H, limit, x: [seen.thetas[0], seen.thetas[seen.H]],
+        y: gamma ? [gammas[0], gammas[n - 1]] : [0, (n - 1) * model.dt], titles: ['θ', gamma ? 'γ' : 'τ'],
+        truth: truth.filter(([, row]) => row) }, scene.camera, scene.colours);
       return null;
     }
     return panel.draw(pen, w, h, scene);
@@ -184,7 +202,8 @@ export function mount(root, { model, state, base, presets = [], template }, repo
     for (const each of panels) {
       const { canvas } = each, w = canvas.clientWidth, h = canvas.clientHeight, dense = Math.min(2, devicePixelRatio);
       if (!w) continue;
-      if (canvas.width !== Math.round(w * dense) || canvas.height !== Math.round(h * dense)) Object.assign(canvas, { width: Math.round(w * dense), height: Math.round(h * dense) });
+      if (canvas.width !== Math.round(w * dense) || canvas.height !== Math.round(h * dense)) Object.assign(canvas,
+        { width: Math.round(w * dense), height: Math.round(h * dense) });
       const context = canvas.getContext('2d');
       context.setTransform(dense, 0, 0, dense, 0, 0);
       context.clearRect(0, 0, w, h);
@@ -196,20 +215,24 @@ export function mount(root, { model, state, base, presets = [], template }, repo
     judge();
   }
 
+  const two = (value) => (Math.round(value * 100) / 100 + 0).toFixed(2); // never a negative zero
+
   function judge() {
     const names = model.header.actions, T = model.horizons[seen.readRow], left = model.horizons[seen.leftRow], row = seen.readRow;
     const order = names.map((_, a) => a).sort((a, b) => seen.values[b][row] - seen.values[a][row]).slice(0, 3);
-    const told = order.map((a) => `${names[a]} ${seen.values[a][row].toFixed(2)}`).join(', ');
-    const where = state.used ? `With ${short(left)} of ${short(state.horizon)} steps to go, read at T = ${short(T)}` : `At T = ${short(T)}`;
+    const told = order.map((a) => `${names[a]} ${two(seen.values[a][row])}`).join(', ');
+    const where = state.used ? `With ${short(left)} of ${short(state.horizon)} steps to go, read at T = ${short(T)}`
+      : `At T = ${short(T)}`;
     let tone = 'warn', words = `${where}: ${told}. It chooses ${names[seen.chosen]}.`;
     if (seen.truth) {
       const wrong = seen.regret > 1e-9 * Math.max(1, Math.abs(Math.max(...seen.optimumAt(seen.leftRow))));
-      const true_ = seen.truth.values.map((line) => line[seen.leftRow]), top = Math.max(...true_.map(Math.abs), 1e-2 * Math.max(...model.arrays.rewards.map(Math.abs)), 1e-9);
+      const true_ = seen.truth.values.map((line) => line[seen.leftRow]),
+        top = Math.max(...true_.map(Math.abs), 1e-2 * Math.max(...model.arrays.rewards.map(Math.abs)), 1e-9);
       const offs = true_.map((value, a) => Math.abs(value - seen.values[a][row]) / top), worst = offs.indexOf(Math.max(...offs));
       tone = wrong ? 'bad' : offs[worst] > 0.1 ? 'warn' : 'ok';
-      if (model.A === 1) words = `${where} the decoded value is ${seen.values[0][row].toFixed(2)}; the true one is ${true_[0].toFixed(2)}.`;
+      if (model.A === 1) words = `${where} the decoded value is ${two(seen.values[0][row])}; the true one is ${two(true_[0])}.`;
       else words = wrong ? `Wrong. ${where}: ${told}; the best is ${names[seen.best]}, and ${short(seen.regret)} is lost.`
-        : `${tone === 'ok' ? 'Right.' : 'Right, for the wrong reason.'} ${where}: ${told}; no action is better${tone === 'ok' ? '' : `, but ${names[worst]} is worth ${true_[worst].toFixed(2)}`}.`;
+        : `${tone === 'ok' ? 'Right.' : 'Right, for the wrong reason.'} ${where}: ${told}; no action is better${tone === 'ok' ? '' : `, but ${names[worst]} is worth ${two(true_[worst])}`}.`;
     }
     if (verdict.textContent === words) return;
     verdict.textContent = words;
@@ -221,7 +244,8 @@ export function mount(root, { model, state, base, presets = [], template }, repo
     dragging = false;
     if (!seen.whole && lastMost < AT_REST) paint();
     const wanted = state;
-    if (rest.of !== wanted) board.sizes(Object.fromEntries(Object.keys(SWITCHES).filter((name) => available(model, name)).map((name) => [name, effect(model, wanted, name)])));
+    if (rest.of !== wanted) board.sizes(Object.fromEntries(Object.keys(SWITCHES).filter((name) =>
+      available(model, name)).map((name) => [name, effect(model, wanted, name)])));
     rest.of = wanted;
     for (const { panel, canvas } of panels) canvas.setAttribute('aria-label', panel.words(scene));
     if (said.textContent !== verdict.textContent) said.textContent = verdict.textContent;

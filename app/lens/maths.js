@@ -136,7 +136,8 @@ export const filter = (s, alpha) => s.map((value) => value / (value * value + al
 // An inverse turns components (r, width) into its n rows, and a target (n,) into weights over the components.
 const regular = ({ V, s, r, K }, alpha) => {
   const f = filter(s, alpha), scaled = (x, width) => x.map((value, i) => value * f[(i / width) | 0]);
-  return { n: K, decode: (right, width) => product(V, scaled(right, width), K, r, width), weights: (target) => scaled(product(target, V, 1, K, r), 1) };
+  return { n: K, decode: (right, width) => product(V, scaled(right, width), K, r, width),
+    weights: (target) => scaled(product(target, V, 1, K, r), 1) };
 };
 
 // The inverse of the first rows only (K = T), grown row by row: [F^T; alpha] = Q R by rotations, so that no square is
@@ -209,7 +210,8 @@ function discounts(model, softness, gamma, steps, dt) {
     model.horizons.forEach((horizon, k) => {
       // A hard deadline counts rows before it, and of the true steps the share that lies before it.
       const weights = softness > 0 ? deadlineWeights(horizon, steps, softness, dt)
-        : Float64Array.from({ length: steps }, (_, n) => (dt === model.dt ? Number(n <= k) : Math.min(1, Math.max(0, horizon - n))));
+        : Float64Array.from({ length: steps },
+          (_, n) => (dt === model.dt ? Number(n <= k) : Math.min(1, Math.max(0, horizon - n))));
       for (let n = 0; n < steps; n++) out[k * steps + n] = weights[n] * gamma ** (n * dt);
     });
     return out;
@@ -261,7 +263,8 @@ export function see(model, state, most = Infinity) {
   const spaceKey = [state.slope, thetas === arrays.thetas];
   const M = model.truth ? remember(cache, 'masses', spaceKey, () => masses(arrays.rewards, thetas, state.slope)) : null;
   const map = columns.plain ? null : M, width = columns.width; // columns -> midpoints; null: they are the midpoints
-  const hum = state.noise > 0 ? remember(cache, 'noise', [grid.name, state.noise_seed], () => noiseOf(model, grid)(state.noise_seed)) : null;
+  const drawn = () => noiseOf(model, grid, state.noise_seed);
+  const hum = state.noise > 0 ? remember(cache, 'noise', [grid.name, state.noise_seed], drawn) : null;
   const readRow = rowAt(model, state.constant ? state.horizon : Math.max(0, state.horizon - state.used));
   const leftRow = rowAt(model, Math.max(0, state.horizon - state.used)), n = state.fold ? readRow + 1 : K;
 
@@ -310,15 +313,18 @@ export function see(model, state, most = Infinity) {
   if (!state.fold) values.forEach((line, a) => line.forEach((_, k) => { line[k] = valueAt(k, rewards[a]); }));
   else values.forEach((line, a) => { line[readRow] = valueAt(readRow, rewards[a]); });
   if (state.fold && most) { // every other horizon has an inverse of its own
-    const wide = state.normalise === 'paper' ? H * (hum ? grid.r : width) : grid.r, stride = Math.max(1, Math.ceil((A * wide * K * K) / 2 / most));
+    const wide = state.normalise === 'paper' ? H * (hum ? grid.r : width) : grid.r;
+    const stride = Math.max(1, Math.ceil((A * wide * K * K) / 2 / most));
     const grown = growing(grid, state.alpha);
     for (let k = 0; k < K; k++) {
       grown.add();
-      if (k !== readRow && (k % stride === 0 || k === K - 1)) parts.forEach((part, a) => { values[a][k] = valueAt(k, rewardsOf(part, grown)); });
+      if (k === readRow || (k % stride && k !== K - 1)) continue;
+      parts.forEach((part, a) => { values[a][k] = valueAt(k, rewardsOf(part, grown)); });
     }
   }
   const chosenAt = (row) => greedy(values.map((line) => line[row]));
-  const seen = { grid, thetas, midpoints, H, n, inverse, readRow, leftRow, tau, survival, rewards, values, masses: M, columns, map, hum,
+  const seen = { grid, thetas, midpoints, H, n, inverse, readRow, leftRow, tau, survival, rewards, values, masses: M, columns,
+    map, hum,
     chosen: chosenAt(readRow), chosenAt, whole: !values[0].some(Number.isNaN), d };
   if (model.truth) {
     const truth = truthOf(model, state), optimumAt = (row) => values.map((_, a) => arrays.optimum[a * K + row]);
@@ -344,22 +350,20 @@ export function normalise(rows, survival, how, width, dt) {
 }
 
 // Noise of gamma-space for a seed at level 1, in components: of the differences, and of the constant channel.
-function noiseOf({ A, H }, grid) {
-  return (seed) => {
-    const { G, r, Ut, gammas } = grid, values = normalNoise(seed, A * G * H), more = normalNoise(seed, A * G, A * G * H);
-    const differences = [], constant = new Float64Array(A * G), width = H - 1;
-    for (let a = 0; a < A; a++) {
-      const out = new Float64Array(G * width);
-      for (let g = 0; g < G; g++) {
-        const scale = 1 / (1 - gammas[g]), from = (a * G + g) * H;
-        for (let h = 0; h < width; h++) out[g * width + h] = scale * (values[from + h] - values[from + h + 1]);
-        constant[a * G + g] = scale * more[a * G + g];
-      }
-      differences.push(out);
+function noiseOf({ A, H }, grid, seed) {
+  const { G, r, Ut, gammas } = grid, width = H - 1, differences = [], constant = new Float64Array(A * G);
+  const values = normalNoise(seed, A * G * H), more = normalNoise(seed, A * G, A * G * H);
+  for (let a = 0; a < A; a++) {
+    const out = new Float64Array(G * width);
+    for (let g = 0; g < G; g++) {
+      const scale = 1 / (1 - gammas[g]), from = (a * G + g) * H;
+      for (let h = 0; h < width; h++) out[g * width + h] = scale * (values[from + h] - values[from + h + 1]);
+      constant[a * G + g] = scale * more[a * G + g];
     }
-    return { differences, projected: differences.map((x) => product(Ut, x, r, G, width)),
-      constants: differences.map((_, a) => constants(grid, constant, a)) };
-  };
+    differences.push(out);
+  }
+  return { differences, projected: differences.map((x) => product(Ut, x, r, G, width)),
+    constants: differences.map((_, a) => constants(grid, constant, a)) };
 }
 
 export function gammaSpace({ grid, columns, map, hum, H }, state) { // differences of the shown action, (G, H-1)
@@ -413,7 +417,8 @@ for (const [name, each] of Object.entries(SWITCHES)) {
 
 export function available({ grids, arrays, truth }, name) {
   const own = grids.own.columns;
-  return { mixed: Boolean(own.per_gamma), paper_grid: Boolean(grids.paper), clip: Boolean(arrays.clipped_thetas) && !own.shared.plain,
+  return { mixed: Boolean(own.per_gamma), paper_grid: Boolean(grids.paper),
+    clip: Boolean(arrays.clipped_thetas) && !own.shared.plain,
     constant: truth }[name] ?? true;
 }
 

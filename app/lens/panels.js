@@ -4,11 +4,13 @@ import { NEUTRAL, actionColour, axes, colourBar, heatmap, line, rounded, rowTick
 import { gammaSpace } from './maths.js';
 
 const TRUTH = { stroke: '#ffffff', width: 1.5 }, HALO = { stroke: '#111111', width: 3.5 };
-const inside = (w, h, { left = 46, right = 10, top = 28, bottom = 34 } = {}) => ({ x: left, y: top, w: w - left - right, h: h - top - bottom });
+const inside = (w, h, { left = 46, right = 10, top = 28, bottom = 34 } = {}) =>
+  ({ x: left, y: top, w: w - left - right, h: h - top - bottom });
 
 function titled(pen, w, words, note, { colours }) {
   pen.text(words, 2, 15, { size: 14, weight: 600, colour: colours.text });
-  if (note && pen.width(words, 14, 600) + pen.width(note, 11) + 14 < w) pen.text(note, w - 4, 15, { size: 11, align: 'right', colour: colours.soft });
+  if (note && pen.width(words, 14, 600) + pen.width(note, 11) + 14 < w) pen.text(note, w - 4, 15,
+    { size: 11, align: 'right', colour: colours.soft });
 }
 
 function marked(pen, { box, X, Y }, { x, y }, colours) { // where the other panels point to
@@ -70,8 +72,10 @@ function drawSpace(pen, w, h, scene, { values, n, rows, limit, title, note, yTit
     images[`${image} of`] = version;
   }
   titled(pen, w, title, note, scene);
-  const scale = axes(pen, box, { x: thetaRange(seen), y: [-0.5, rows - 0.5], yTicks: rowTicks(labels), xTitle: 'sensitivity θ (reward)', yTitle, colours, grid: false });
-  pen.path([[box.x, box.y], [box.x + box.w, box.y], [box.x + box.w, box.y + box.h], [box.x, box.y + box.h]], { fill: colours.empty, close: true });
+  const scale = axes(pen, box, { x: thetaRange(seen), y: [-0.5, rows - 0.5], yTicks: rowTicks(labels),
+    xTitle: 'sensitivity θ (reward)', yTitle, colours, grid: false });
+  pen.path([[box.x, box.y], [box.x + box.w, box.y], [box.x + box.w, box.y + box.h], [box.x, box.y + box.h]],
+    { fill: colours.empty, close: true });
   const upper = scale.Y(n - 0.5);
   pen.image(images[image], box.x, upper, box.w, box.y + box.h - upper);
   return scale;
@@ -81,18 +85,23 @@ export const gammaPanel = {
   name: 'gamma-space',
   draw(pen, w, h, scene) {
     const { seen, state, hover, colours, images } = scene;
-    const version = JSON.stringify([state.slope, state.action, state.noise && [state.noise, state.noise_seed], state.mixed, state.paper_grid, state.clip, scene.model.id]);
+    const version = JSON.stringify([state.slope, state.action, state.noise && [state.noise, state.noise_seed], state.mixed,
+      state.paper_grid, state.clip, scene.model.id]);
     if (images.gammaFor !== version) Object.assign(images, { Z: gammaSpace(seen, state), gammaFor: version });
     const { Z } = images, { gammas, G } = seen.grid, limit = top(Z) || 1;
     const margin = { right: 36 };
-    const scale = drawSpace(pen, w, h, scene, { values: Z, n: G, rows: G, limit, labels: gammas, title: 'gamma-space', yTitle: 'discount γ', margin, image: 'gamma', version,
-      note: hover.theta !== undefined && hover.gamma !== undefined ? `θ ${short(hover.theta)} · γ ${short(gammas[hover.gamma])} · ${short(Z[hover.gamma * seen.H + columnAt(seen, hover.theta)])}` : 'discounted steps' });
-    colourBar(pen, images.bar ??= document.createElement('canvas'), { x: w - 32, y: scale.box.y, w: 7, h: scale.box.h }, limit, colours);
+    const scale = drawSpace(pen, w, h, scene, { values: Z, n: G, rows: G, limit, labels: gammas, title: 'gamma-space',
+      yTitle: 'discount γ', margin, image: 'gamma', version,
+      note: hover.theta !== undefined && hover.gamma !== undefined
+        ? `θ ${short(hover.theta)} · γ ${short(gammas[hover.gamma])} · ${short(Z[hover.gamma * seen.H + columnAt(seen, hover.theta)])}` : 'discounted steps' });
+    colourBar(pen, images.bar ??= document.createElement('canvas'), { x: w - 32, y: scale.box.y, w: 7, h: scale.box.h }, limit,
+      colours);
     marked(pen, scale, { x: hover.theta, y: hover.gamma }, colours);
     return scale;
   },
   point: ({ seen }, x, y) => ({ theta: x, gamma: Math.min(seen.grid.G - 1, Math.max(0, Math.round(y))) }),
-  words: ({ model, state, seen, images }) => `Gamma-space of ${model.header.actions[state.action]}: ${seen.grid.G} discounts from ${short(seen.grid.gammas[0])} to ${short(seen.grid.gammas[seen.grid.G - 1])}, `
+  words: ({ model, state, seen, images }) =>
+    `Gamma-space of ${model.header.actions[state.action]}: ${seen.grid.G} discounts from ${short(seen.grid.gammas[0])} to ${short(seen.grid.gammas[seen.grid.G - 1])}, `
     + `${seen.H} sensitivities from ${short(seen.thetas[0])} to ${short(seen.thetas[seen.H])}; the largest entry is ${short(top(images.Z ?? []))} discounted steps.`,
 };
 
@@ -109,7 +118,8 @@ export const columnAt = ({ thetas, H }, theta) => {
 function outline(scene) {
   const { model, seen, state, images } = scene, { masses, H, thetas } = seen, few = model.K <= 16, half = few ? 0.46 : 0.5;
   if (images.outlineFor === masses && images.outlineOf === state.action) return images.outline;
-  const rows = Array.from({ length: model.K }, (_, k) => trueRow(scene, state.action, k)), peaks = rows.map((row) => top(row ?? []));
+  const rows = Array.from({ length: model.K }, (_, k) => trueRow(scene, state.action, k)),
+    peaks = rows.map((row) => top(row ?? []));
   const least = 1e-3 * top(peaks), found = [];
   rows.forEach((row, k) => {
     const foot = Math.max(0.02 * peaks[k], least), low = k - half, high = k + half;
@@ -118,7 +128,8 @@ function outline(scene) {
       const left = thetas[h];
       while (h < H && row[h] > foot) h++;
       const right = thetas[h];
-      found.push(...(few ? [[left, low], [right, low], [right, high], [left, high], [left, low], null] : [[left, low], [left, high], null, [right, low], [right, high], null]));
+      found.push(...(few ? [[left, low], [right, low], [right, high], [left, high], [left, low], null]
+        : [[left, low], [left, high], null, [right, low], [right, high], null]));
     }
   });
   Object.assign(images, { outline: found, outlineFor: masses, outlineOf: state.action });
@@ -131,8 +142,10 @@ export const tauPanel = {
     const { model, state, seen, hover, colours, images, resolution } = scene, limit = limitOfTau(scene);
     const values = model.dt === 1 ? seen.tau : seen.tau.map((value) => value / model.dt), { K, dt } = model;
     const labels = Float64Array.from({ length: K }, (_, k) => k * dt), cell = hover.theta !== undefined && hover.tau < seen.n;
-    const scale = drawSpace(pen, w, h, scene, { values, n: seen.n, rows: K, limit, labels, title: 'tau-space', yTitle: 'future step τ', margin: { right: 84 }, image: 'tau', version: seen.tau,
-      note: cell && hover.tau !== undefined ? `θ ${short(hover.theta)} · τ ${short(hover.tau * dt)} · p ${short(seen.tau[hover.tau * seen.H + columnAt(seen, hover.theta)] / dt)}` : 'probability' });
+    const scale = drawSpace(pen, w, h, scene, { values, n: seen.n, rows: K, limit, labels, title: 'tau-space',
+      yTitle: 'future step τ', margin: { right: 84 }, image: 'tau', version: seen.tau,
+      note: cell && hover.tau !== undefined
+        ? `θ ${short(hover.theta)} · τ ${short(hover.tau * dt)} · p ${short(seen.tau[hover.tau * seen.H + columnAt(seen, hover.theta)] / dt)}` : 'probability' });
     const { box, X, Y } = scale;
     if (seen.truth && seen.masses) {
       const points = outline(scene).map((point) => point && [X(point[0]), Y(point[1])]);
@@ -144,7 +157,8 @@ export const tauPanel = {
     const deadline = Y(seen.readRow + 0.5);
     pen.path([[box.x, deadline], [box.x + box.w, deadline]], { stroke: '#111', width: 3 });
     pen.path([[box.x, deadline], [box.x + box.w, deadline]], { stroke: '#ff9f1c', width: 1.6, dash: [6, 4] });
-    pen.text('T', box.x + box.w - 4, deadline + (deadline < box.y + 14 ? 12 : -4), { size: 11, weight: 700, align: 'right', colour: '#ff9f1c' });
+    pen.text('T', box.x + box.w - 4, deadline + (deadline < box.y + 14 ? 12 : -4),
+      { size: 11, weight: 700, align: 'right', colour: '#ff9f1c' });
     // The ruler: through which window the row under the cursor is seen.
     const ruler = { x: box.x + box.w + 6, w: 38 }, peak = Math.max(...resolution.kernel.map(Math.abs)) || 1;
     const at = Array.from(resolution.kernel, (value, k) => [ruler.x + 6 + (28 * value) / peak, Y(k)]);
@@ -173,9 +187,13 @@ export const valuesPanel = {
     const { model, state, seen, hover, colours } = scene, { horizons, K, dt } = model, names = model.header.actions;
     const box = inside(w, h, { top: 44, bottom: 62 }), all = [...seen.values, ...(seen.truth?.values ?? [])];
     let low = 0, high = 0;
-    for (const values of all) for (const value of values) if (value === value) { low = Math.min(low, value); high = Math.max(high, value); }
+    for (const values of all) for (const value of values) if (value === value) { low = Math.min(low, value);
+    high = Math.max(high, value); }
     const x = [horizons[0] - dt / 2, horizons[K - 1] + dt / 2];
-    titled(pen, w, 'value of each action over T', hover.tau !== undefined ? `T ${short(horizons[hover.tau])}: ${seen.values.slice(0, 4).map((v) => short(v[hover.tau])).join(' · ')}` : seen.truth ? 'dotted: true' : '', scene);
+    titled(pen, w, 'value of each action over T',
+      hover.tau !== undefined
+      ? `T ${short(horizons[hover.tau])}: ${seen.values.slice(0, 4).map((v) => short(v[hover.tau])).join(' · ')}` : seen.truth
+      ? 'dotted: true' : '', scene);
     let at = box.x;
     names.forEach((name, a) => {
       const words = name.length > 16 ? `${name.slice(0, 15)}…` : name, wide = pen.width(words, 11) + 24;
@@ -187,13 +205,15 @@ export const valuesPanel = {
     const scale = axes(pen, box, { x, y: rounded(low, high, 1e-3), xTicks: [], yTitle: 'value', colours }), { X, Y } = scale;
     const xs = Array.from(horizons, X);
     pen.clip(box.x, box.y - 3, box.w, box.h + 6, () => {
-      seen.truth?.values.forEach((values, a) => line(pen, xs, values.map(Y), { stroke: actionColour(a), width: 1.3, dash: [2, 3] }));
+      seen.truth?.values.forEach((values, a) =>
+        line(pen, xs, values.map(Y), { stroke: actionColour(a), width: 1.3, dash: [2, 3] }));
       seen.values.forEach((values, a) => {
         const known = [...values.keys()].filter((k) => Number.isFinite(values[k]));
         pen.path(known.map((k) => [xs[k], Y(values[k])]), { stroke: actionColour(a), width: a === state.action ? 2.4 : 1.8 });
         if (K <= 40) for (const k of known) pen.path(disc(xs[k], Y(values[k]), 2.6), { fill: actionColour(a), close: true });
       });
-      for (const [T, value] of crossings(model, seen)) pen.path(disc(X(T), Y(value), 4), { stroke: colours.text, width: 1.5, fill: colours.paper, close: true });
+      for (const [T, value] of crossings(model, seen)) pen.path(disc(X(T), Y(value), 4),
+        { stroke: colours.text, width: 1.5, fill: colours.paper, close: true });
     });
     const strip = (top, chosenAt) => {
       let from = 0;
@@ -201,7 +221,8 @@ export const valuesPanel = {
         const now = chosenAt(from);
         if (k < K && chosenAt(k) === now) continue;
         const left = X(horizons[from] - dt / 2), right = X(horizons[k - 1] + dt / 2);
-        if (now >= 0) pen.path([[left, top], [right, top], [right, top + 10], [left, top + 10]], { fill: actionColour(now), close: true });
+        if (now >= 0) pen.path([[left, top], [right, top], [right, top + 10], [left, top + 10]],
+          { fill: actionColour(now), close: true });
         from = k;
       }
     };
@@ -220,7 +241,8 @@ export const valuesPanel = {
     }
     const spots = K <= 8 ? [...horizons] : ticks(...x).filter((tick) => tick >= x[0]);
     for (const tick of spots) pen.text(short(tick), X(tick), under + 36, { size: 10.5, align: 'center', colour: colours.soft });
-    pen.text(used ? 'time to go (steps)' : 'horizon T (steps)', box.x + box.w / 2, under + 50, { size: 11, align: 'center', colour: colours.soft });
+    pen.text(used ? 'time to go (steps)' : 'horizon T (steps)', box.x + box.w / 2, under + 50,
+      { size: 11, align: 'center', colour: colours.soft });
     for (const [row, dash] of [[seen.leftRow, [5, 4]], ...(used ? [[seen.readRow, [1, 4]]] : [])]) {
       pen.path([[xs[row], box.y], [xs[row], under + 24]], { stroke: '#ff9f1c', width: 1.8, dash });
     }
@@ -228,11 +250,13 @@ export const valuesPanel = {
     return scale;
   },
   point: ({ model }, x) => ({ tau: Math.min(model.K - 1, Math.max(0, Math.round((x - model.horizons[0]) / model.dt))) }),
-  words: ({ model, seen, state }) => `Value of each action over the horizon T. Read at T = ${short(model.horizons[seen.readRow])}: ${model.header.actions.map((name, a) => `${name} ${short(seen.values[a][seen.readRow], 4)}`).join(', ')}. `
+  words: ({ model, seen, state }) =>
+    `Value of each action over the horizon T. Read at T = ${short(model.horizons[seen.readRow])}: ${model.header.actions.map((name, a) => `${name} ${short(seen.values[a][seen.readRow], 4)}`).join(', ')}. `
     + `Chosen: ${model.header.actions[seen.chosen]}.${seen.truth ? ` Best: ${model.header.actions[seen.best]}; ${short(seen.regret)} is lost.` : ''} The two leading lines cross ${crossings(model, seen).length} times.`,
 };
 
-const disc = (x, y, r) => Array.from({ length: 13 }, (_, i) => [x + r * Math.cos((i * Math.PI) / 6), y + r * Math.sin((i * Math.PI) / 6)]);
+const disc = (x, y, r) =>
+  Array.from({ length: 13 }, (_, i) => [x + r * Math.cos((i * Math.PI) / 6), y + r * Math.sin((i * Math.PI) / 6)]);
 
 // Where the leading action changes hands: T and value at the crossing of the two lines.
 export function crossings({ horizons, K }, { values, chosenAt }) {
@@ -240,7 +264,8 @@ export function crossings({ horizons, K }, { values, chosenAt }) {
   for (let i = 1; i < rows.length; i++) {
     const [k, next] = [rows[i - 1], rows[i]], a = chosenAt(k), b = chosenAt(next);
     if (a === b) continue;
-    const before = values[a][k] - values[b][k], after = values[b][next] - values[a][next], share = before + after > 0 ? before / (before + after) : 0;
+    const before = values[a][k] - values[b][k], after = values[b][next] - values[a][next],
+      share = before + after > 0 ? before / (before + after) : 0;
     found.push([horizons[k] + share * (horizons[next] - horizons[k]), values[a][k] + share * (values[a][next] - values[a][k])]);
   }
   return found;
@@ -253,17 +278,22 @@ export const spectrumPanel = {
   draw(pen, w, h, scene) {
     const { state, seen, hover, colours } = scene, { s, r, U, V } = seen.grid, box = inside(w, h);
     const factors = s.map((value) => value ** 2 / (value ** 2 + state.alpha ** 2)), passing = factors.filter((f) => f > 0.5).length;
-    titled(pen, w, 'singular values, and what alpha lets through', w > 380 ? `${passing} of ${r} pass` : `${passing} of ${r}`, scene);
-    const low = Math.floor(Math.log10(s[r - 1] / s[0])) - 0.3, scale = axes(pen, box, { x: [0.4, r + 0.6], y: [low, 0.6], xTitle: 'component', yTitle: 's / largest', colours,
-      xTicks: r <= 8 ? Array.from({ length: r }, (_, i) => i + 1) : undefined, yTicks: ticks(low, 0.6, 6).filter((tick) => Number.isInteger(tick)).map((tick) => [tick, tick ? `1e${tick}` : '1']) });
+    titled(pen, w, 'singular values, and what alpha lets through', w > 380 ? `${passing} of ${r} pass` : `${passing} of ${r}`,
+      scene);
+    const low = Math.floor(Math.log10(s[r - 1] / s[0])) - 0.3,
+      scale = axes(pen, box, { x: [0.4, r + 0.6], y: [low, 0.6], xTitle: 'component', yTitle: 's / largest', colours,
+      xTicks: r <= 8 ? Array.from({ length: r }, (_, i) => i + 1) : undefined,
+        yTicks: ticks(low, 0.6, 6).filter((tick) => Number.isInteger(tick)).map((tick) => [tick, tick ? `1e${tick}` : '1']) });
     const { X, Y } = scale, half = 0.36 * (X(2) - X(1)), floor = box.y + box.h;
     factors.forEach((factor, i) => {
       const x = X(i + 1), top = floor - factor * box.h;
       pen.path([[x - half, floor], [x - half, top], [x + half, top], [x + half, floor]], { fill: colours.wash, close: true });
       pen.path(disc(x, Y(Math.log10(s[i] / s[0])), 3.2), { fill: factor > 0.5 ? colours.primary : NEUTRAL, close: true });
     });
-    const weights = hover.gamma !== undefined ? factors.map((_, i) => Math.abs(U[hover.gamma * r + i])) : hover.tau !== undefined ? factors.map((_, i) => Math.abs(V[hover.tau * r + i])) : null;
-    if (weights) line(pen, Array.from(weights, (_, i) => X(i + 1)), weights.map((value) => floor - value * box.h), { stroke: colours.mark, width: 1.4 });
+    const weights = hover.gamma !== undefined ? factors.map((_, i) => Math.abs(U[hover.gamma * r + i])) : hover.tau !== undefined
+      ? factors.map((_, i) => Math.abs(V[hover.tau * r + i])) : null;
+    if (weights) line(pen, Array.from(weights, (_, i) => X(i + 1)), weights.map((value) => floor - value * box.h),
+      { stroke: colours.mark, width: 1.4 });
     const level = Math.log10(state.alpha / s[0]);
     if (level > low && level < 0.6) {
       pen.path([[box.x, Y(level)], [box.x + box.w, Y(level)]], { stroke: '#ff9f1c', width: 1.6, dash: [6, 4] });
@@ -272,7 +302,8 @@ export const spectrumPanel = {
     return scale;
   },
   point: () => ({}),
-  words: ({ state, seen }) => `Singular values of the transform: ${seen.grid.r} usable, the smallest ${short(seen.grid.s[seen.grid.r - 1] / seen.grid.s[0])} of the largest. `
+  words: ({ state, seen }) =>
+    `Singular values of the transform: ${seen.grid.r} usable, the smallest ${short(seen.grid.s[seen.grid.r - 1] / seen.grid.s[0])} of the largest. `
     + `Alpha ${short(state.alpha)} lets ${seen.grid.s.filter((value) => value > state.alpha).length} of them through by more than half.`,
 };
 
@@ -281,12 +312,16 @@ export const kernelPanel = {
   draw(pen, w, h, scene) {
     const { model, seen, hover, colours, kernel } = scene, { K, dt } = model, box = inside(w, h);
     const low = Math.min(0, ...kernel.actual), high = Math.max(1, ...kernel.actual);
-    titled(pen, w, 'what the value weighs', `noise gain ${short(kernel.gain)}${scene.state.normalise === 'none' ? '' : ', before rescaling'}`, scene);
-    const scale = axes(pen, box, { x: [-0.5 * dt, (K - 0.5) * dt], y: rounded(low, high, 1e-3), xTitle: 'future step τ', yTitle: 'weight', colours, xTicks: K <= 8 ? Array.from({ length: K }, (_, k) => k * dt) : undefined });
+    titled(pen, w, 'what the value weighs',
+      `noise gain ${short(kernel.gain)}${scene.state.normalise === 'none' ? '' : ', before rescaling'}`, scene);
+    const scale = axes(pen, box, { x: [-0.5 * dt, (K - 0.5) * dt], y: rounded(low, high, 1e-3), xTitle: 'future step τ',
+      yTitle: 'weight', colours, xTicks: K <= 8 ? Array.from({ length: K }, (_, k) => k * dt) : undefined });
     const { X, Y } = scale, xs = Array.from({ length: K }, (_, k) => X(k * dt)), steps = [];
     kernel.wanted.forEach((value, k) => steps.push([X((k - 0.5) * dt), Y(value)], [X((k + 0.5) * dt), Y(value)]));
-    pen.path([[steps[0][0], Y(0)], ...steps, [steps[steps.length - 1][0], Y(0)]], { fill: 'rgba(138,143,152,0.22)', stroke: NEUTRAL, width: 1, close: true });
-    if (hover.gamma !== undefined) line(pen, xs, xs.map((_, k) => Y(seen.grid.gammas[hover.gamma] ** (k * dt))), { stroke: colours.mark, width: 1.2, dash: [3, 3] });
+    pen.path([[steps[0][0], Y(0)], ...steps, [steps[steps.length - 1][0], Y(0)]],
+      { fill: 'rgba(138,143,152,0.22)', stroke: NEUTRAL, width: 1, close: true });
+    if (hover.gamma !== undefined) line(pen, xs, xs.map((_, k) => Y(seen.grid.gammas[hover.gamma] ** (k * dt))),
+      { stroke: colours.mark, width: 1.2, dash: [3, 3] });
     line(pen, xs, kernel.actual.map(Y), { stroke: colours.primary, width: 2.2 });
     if (K <= 40) kernel.actual.forEach((value, k) => pen.path(disc(xs[k], Y(value), 2.6), { fill: colours.primary, close: true }));
     if (hover.tau !== undefined) marked(pen, scale, { x: hover.tau * dt }, colours);
@@ -305,16 +340,23 @@ export const rewardsPanel = {
   draw(pen, w, h, scene) {
     const { model, state, seen, hover, colours } = scene, { K, dt } = model, a = state.action, box = inside(w, h);
     const upper = { ...box, h: box.h * 0.62 }, lower = { ...box, y: box.y + box.h * 0.74, h: box.h * 0.26 };
-    const rewards = Array.from(seen.rewards[a], (value) => value / dt), true_ = seen.truth && Array.from(seen.truth.rewards[a], (value) => value / dt);
-    const low = Math.min(0, ...rewards, ...(true_ ?? [])), high = Math.max(0, ...rewards, ...(true_ ?? [])), x = [-0.5 * dt, (K - 0.5) * dt];
-    titled(pen, w, 'expected reward and survival', hover.tau < seen.n ? `τ ${short(hover.tau * dt)}: ${short(rewards[hover.tau])}, alive ${short(seen.survival[a][hover.tau] / dt)}` : `of ${model.header.actions[a]}${seen.truth ? '; grey: true' : ''}`, scene);
-    const span = 1e-3 * (seen.thetas[seen.H] - seen.thetas[0]), scale = axes(pen, upper, { x, y: rounded(low, high, span), xTicks: [], yTitle: 'E[r]', colours });
+    const rewards = Array.from(seen.rewards[a], (value) => value / dt),
+      true_ = seen.truth && Array.from(seen.truth.rewards[a], (value) => value / dt);
+    const low = Math.min(0, ...rewards, ...(true_ ?? [])), high = Math.max(0, ...rewards, ...(true_ ?? [])),
+      x = [-0.5 * dt, (K - 0.5) * dt];
+    titled(pen, w, 'expected reward and survival',
+      hover.tau < seen.n ? `τ ${short(hover.tau * dt)}: ${short(rewards[hover.tau])}, alive ${short(seen.survival[a][hover.tau] / dt)}` : `of ${model.header.actions[a]}${seen.truth ? '; grey: true' : ''}`, scene);
+    const span = 1e-3 * (seen.thetas[seen.H] - seen.thetas[0]),
+      scale = axes(pen, upper, { x, y: rounded(low, high, span), xTicks: [], yTitle: 'E[r]', colours });
     const few = K <= 8 ? Array.from({ length: K }, (_, k) => k * dt) : undefined;
-    const alive = axes(pen, lower, { x, y: [-0.25, 1.35], yTicks: [0, 1], xTicks: few, xTitle: 'future step τ', yTitle: 'alive', colours });
+    const alive = axes(pen, lower, { x, y: [-0.25, 1.35], yTicks: [0, 1], xTicks: few, xTitle: 'future step τ', yTitle: 'alive',
+      colours });
     const xs = Array.from({ length: K }, (_, k) => scale.X(k * dt)), { Y } = scale;
     pen.clip(upper.x, upper.y - 2, upper.w, upper.h + 4, () => {
       const bar = Math.max(0.8, 0.4 * (scale.X(dt) - scale.X(0)));
-      true_?.forEach((value, k) => value && pen.path([[xs[k] - bar, Y(0)], [xs[k] - bar, Y(value)], [xs[k] + bar, Y(value)], [xs[k] + bar, Y(0)]], { fill: 'rgba(138,143,152,0.45)', close: true }));
+      true_?.forEach((value, k) => value
+        && pen.path([[xs[k] - bar, Y(0)], [xs[k] - bar, Y(value)], [xs[k] + bar, Y(value)], [xs[k] + bar, Y(0)]],
+        { fill: 'rgba(138,143,152,0.45)', close: true }));
       line(pen, xs, rewards.map(Y), { stroke: actionColour(a), width: 2.2 });
       if (K <= 40) rewards.forEach((value, k) => pen.path(disc(xs[k], Y(value), 2.8), { fill: actionColour(a), close: true }));
     });

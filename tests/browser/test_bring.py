@@ -123,7 +123,9 @@ def test_a_timeline_is_drawn_by_hand(page, address):
         page.get_by_role("button", name="Download world").click()
     world = parse_world(waiting.value.path().read_text())
     assert 7.0 in world.reward_values
-    comes_to_show(page, study(world, Settings()).decoded.tau_space[0])
+    # A world file does not say which settings suit it; the timeline on the page brings its own.
+    settings = Settings(gammas=50, alpha=1e-3, steps=11)
+    comes_to_show(page, study(world, settings).decoded.tau_space[0])
 
 
 def test_files_are_dropped_in_and_bad_ones_refused(page, address):

@@ -117,6 +117,18 @@ def test_python_and_undo_meet(page, demo):
     page.get_by_text("alpha 0.2, T 3").wait_for()
 
 
+def test_a_lens_put_back_shows_what_was_let_go_of(page, demo):
+    open_at(page, demo)
+    page.locator("input[name=alpha]").press("End")
+    page.get_by_text("alpha 10, T 3").wait_for()
+    toggle = page.locator("label", has_text="show the lens")
+    toggle.click()
+    expect(page.locator("canvas.tau-space")).to_have_count(0)
+    toggle.click()
+    page.locator("canvas.tau-space").wait_for()
+    assert page.locator("input[name=alpha]").get_attribute("aria-valuetext") == "10"
+
+
 def test_one_place_is_marked_in_every_picture(page, demo):
     open_at(page, demo)
     before = {panel: picture(page, panel) for panel in ("gamma-space", "values", "kernel", "rewards", "spectrum")}
