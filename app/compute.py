@@ -168,3 +168,9 @@ def comparison(a: View, b: View, what: str) -> tuple[str, dict[str, str]]:
     drawn = figures.comparison(found)
     note = f" {found.note}" if found.note else ""
     return summary(found, values) + note, {name: figures.to_json(figure) for name, figure in drawn.items()}
+
+
+def forget() -> None:
+    """Let go of everything that is cached for views; a large learner leaves a new table behind every moment."""
+    for cached in (_study, verdict_for, _artefacts, _episode_regrets, _figure, _bands, _learning_figure, comparison):
+        cached.cache_clear()

@@ -88,6 +88,8 @@ def _numbers(values: np.ndarray, chosen: int, names: tuple[str, ...]) -> str:
         return ""
     others = np.where(np.arange(len(values)) == chosen, -np.inf, values)
     rival = int(np.argmax(others))
+    if values[rival] >= values[chosen] - TIE_TOLERANCE * max(1.0, abs(values[chosen])):
+        return f" (a tie at {_two(values[chosen])})"
     digits = next((n for n in (2, 3, 4) if round(values[chosen], n) != round(values[rival], n)), 2)
     whose = f" for {names[rival]}" if len(values) > 2 else ""
     return f" ({_two(values[chosen], digits)} v {_two(values[rival], digits)}{whose})"

@@ -230,3 +230,9 @@ def test_any_flipped_byte_of_the_header_is_refused_or_read(good):
 def test_the_settings_of_a_file_stay_frozen(good):
     learned = parse_learned(good)
     assert hash(learned) != hash(replace(learned))  # by identity: a key of caches
+
+
+def test_equal_agents_make_equal_bytes(good):
+    again = learned_bytes(parse_learned(good))
+    assert again == good
+    assert learned_bytes(parse_learned(again)) == good

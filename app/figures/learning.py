@@ -33,7 +33,7 @@ def learning_curve(learned: Learned) -> Figure:
         traces,
         margin={"l": 56, "t": 58 if len(learned.seeds) <= 5 else 76},
         xaxis=axis("episode", anchor="y2", rangemode="tozero"),
-        yaxis=axis("error (% of range)", type="log", domain=[0.44, 1.0]),
+        yaxis=axis("error (% of range)", type="log", dtick=1, exponentformat="power", domain=[0.44, 1.0]),
         yaxis2=axis("return", domain=[0.0, 0.36]),
     )
 

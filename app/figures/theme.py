@@ -65,6 +65,7 @@ def build(title: str, traces: list[dict], margin: dict[str, int] | None = None, 
             "y": 1.0,
             "yanchor": "bottom",
             "font": {"size": 11},
+            "traceorder": "normal",
         },
         "hoverlabel": {"align": "left"},
     }

@@ -32,7 +32,8 @@ def rewards_and_survival(study: Study, action: int, bands: Bands | None = None) 
         shape = {"color": NEUTRAL, "width": 1, "shape": "hvh" if few else "linear"}
         traces.append(line("true survival", truth.survival, line=shape, yaxis="y2"))
     if bands is not None and len(bands.studies) > 1:
-        traces.append(_band(taus, bands.expected_reward, action, step, action_colour(action), "y"))
+        band = _band(taus, bands.expected_reward, action, step, action_colour(action), "y")
+        traces.append({**band, "showlegend": True, "name": "range over seeds"})
         traces.append(_band(taus, bands.survival, action, step, NEUTRAL, "y2"))
     colour = {"color": action_colour(action), "width": 2}
     traces.append(line("decoded reward", decoded.expected_reward, "lines+markers" if few else "lines", line=colour))

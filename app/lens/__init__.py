@@ -43,7 +43,7 @@ def lens(
     presets: Sequence[Preset] = (),
     on_release: Callable[[Released], None] | None = None,
 ) -> Released | None:
-    """Draw the lens and return what was released just now, if anything.
+    """Draw the lens and return what was released just now, if anything; pass its state through :func:`checked`.
 
     A state that equals what was released last is not sent again: the browser has it.
 
@@ -78,8 +78,11 @@ def lens(
     return None if result.released is None else _released(result.released)
 
 
-def _released(found: Mapping[str, object]) -> Released:
-    return Released(dict(found["state"]), found.get("preset"))
+def _released(found: object) -> Released:
+    """What the browser says, which is not to be trusted: :func:`checked` looks at the state value by value."""
+    found = found if isinstance(found, Mapping) else {}
+    state, preset = found.get("state"), found.get("preset")
+    return Released(dict(state) if isinstance(state, Mapping) else {}, preset if preset in PRESETS else None)
 
 
 def _message(told: Mapping[str, object], data: bytes) -> bytes:

@@ -130,9 +130,10 @@ export function axes(pen, box, { x, y, xTicks, yTicks, xTitle, yTitle, colours, 
 }
 
 // About six labelled rows, evenly spaced; rows are drawn at equal heights whatever they stand for.
-export function rowTicks(labels) {
-  const stride = [1, 2, 5, 10, 20, 50, 100, 200, 500].find((n) => labels.length / n <= 8);
-  return Array.from({ length: Math.ceil(labels.length / stride) }, (_, i) => [i * stride, short(labels[i * stride])]);
+export function rowTicks(labels, [low, high]) {
+  const stride = [1, 2, 5, 10, 20, 50, 100, 200, 500].find((n) => (high - low) / n <= 8);
+  return Array.from({ length: Math.ceil(labels.length / stride) }, (_, i) => [i * stride, short(labels[i * stride])])
+    .filter(([row]) => row >= low && row <= high);
 }
 
 export const line = (pen, xs, ys, style) => pen.path(Array.from(ys, (y, i) => (Number.isFinite(y) ? [xs[i], y] : null)), style);

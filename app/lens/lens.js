@@ -9,6 +9,8 @@ import { drawSurface } from './surface.js';
 const REST = 140; // ms without a change before what is slow is done
 const PER_FRAME = 1e6, AT_REST = 2e7; // products to be spent on horizons with an inverse each
 
+const isSpace = (panel) => Boolean(panel.rows); // of the two that can be zoomed, or drawn as surfaces
+
 function coloursOf(host) {
   const style = getComputedStyle(host), named = (name, other) => style.getPropertyValue(name).trim() || other;
   const text = style.color, primary = named('--st-primary-color', '#0b7285'), paper = named('--st-background-color', '#ffffff');
@@ -21,7 +23,7 @@ function coloursOf(host) {
 
 export function mount(root, { model, state, base, presets = [], template }, report) {
   const host = element('div', { class: 'laplace-lens' });
-  const scene = { model, state, hover: {}, images: {}, camera: { turn: -0.6, tilt: 0.75 } };
+  const scene = { model, state, hover: {}, images: {}, zoom: {}, camera: { turn: -0.6, tilt: 0.75 } };
   const history = { states: [state], at: 0 };
   let seen, waiting, resting, later, playing, dragging = false, lastState, lastMost;
   root.replaceChildren(host);
@@ -36,8 +38,16 @@ export function mount(root, { model, state, base, presets = [], template }, repo
     const canvas = element('canvas', { role: 'img', tabindex: 0, class: `panel ${panel.name}`, 'aria-label': panel.name });
     canvas.onpointermove = (event) => pointed(panel, canvas, event);
     canvas.onpointerleave = () => point({});
-    canvas.onpointerdown = (event) => { if (state.look === 'surface'
-      && panel.point.length === 3) canvas.setPointerCapture(event.pointerId); };
+    if (isSpace(panel)) {
+      canvas.title = 'Drag to zoom or to turn, double-click for all of it';
+      canvas.onpointerdown = (event) => {
+        if (event.pointerType !== 'mouse' && state.look === 'heatmap') return;
+        canvas.setPointerCapture(event.pointerId);
+        if (state.look === 'heatmap') scene.band = { panel, from: [event.offsetX, event.offsetY], to: [event.offsetX, event.offsetY] };
+      };
+      canvas.onpointerup = () => zoomed(panel, canvas.scale);
+      canvas.ondblclick = () => { scene.zoom = {}; draw(); };
+    }
     canvas.onkeydown = (event) => stepped(panel, event);
     return { panel, canvas };
   });
@@ -116,9 +126,24 @@ export function mount(root, { model, state, base, presets = [], template }, repo
     draw();
   }
 
+  // A rectangle drawn over a space is what both spaces then show of theta, and this one of its rows.
+  function zoomed(panel, scale) {
+    const { band } = scene;
+    scene.band = undefined;
+    if (!band) return;
+    const [[x, y], [x2, y2]] = [band.from, band.to], sorted = (a, b) => [Math.min(a, b), Math.max(a, b)];
+    if (Math.abs(x - x2) > 8) scene.zoom.theta = sorted(scale.toX(x), scale.toX(x2));
+    if (Math.abs(y - y2) > 8) scene.zoom[panel.rows] = sorted(scale.toY(y), scale.toY(y2));
+    draw();
+  }
+
   function pointed(panel, canvas, event) {
     const { scale } = canvas;
-    if (state.look === 'surface' && (panel.name === 'gamma-space' || panel.name === 'tau-space')) {
+    if (scene.band) {
+      scene.band.to = [event.offsetX, event.offsetY];
+      draw();
+    }
+    if (state.look === 'surface' && isSpace(panel)) {
       if (!event.buttons) return;
       scene.camera = { turn: scene.camera.turn + event.movementX * 0.01,
         tilt: Math.min(1.5, Math.max(0.1, scene.camera.tilt + event.movementY * 0.01)) };
@@ -130,14 +155,23 @@ export function mount(root, { model, state, base, presets = [], template }, repo
     point(within ? panel.point(scene, scale.toX(x), scale.toY(y)) : {});
   }
 
+  const canvasOf = (panel) => panels.find((each) => each.panel === panel).canvas;
+
+  function zoomIn(panel, { x, y }) { // to half the range, around the cursor
+    const half = ([low, high], at = (low + high) / 2) => [at - (high - low) / 4, at + (high - low) / 4];
+    Object.assign(scene.zoom, { theta: half(x, scene.hover.theta), [panel.rows]: half(y, scene.hover[panel.rows]) });
+    draw();
+  }
+
   function stepped(panel, event) {
     const [across, up] = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[event.key] ?? [];
-    if (event.key === 'Escape') point({});
+    if (event.key === 'Escape') { scene.zoom = {}; point({}); draw(); }
+    if (event.key === '+' && isSpace(panel)) zoomIn(panel, canvasOf(panel).scale);
     if (across === undefined) return;
     event.preventDefault();
     const { hover } = scene, limited = (value, low, high) => Math.min(high, Math.max(low, value)), K = model.K,
       big = event.shiftKey ? 10 : 1;
-    if (panel.name === 'gamma-space' || panel.name === 'tau-space') {
+    if (isSpace(panel)) {
       if (state.look === 'surface') { scene.camera = { turn: scene.camera.turn + 0.1 * across,
         tilt: limited(scene.camera.tilt + 0.1 * up, 0.1, 1.5) }; draw(); return; }
       const { thetas, H } = seen,
@@ -153,7 +187,7 @@ export function mount(root, { model, state, base, presets = [], template }, repo
 
   function drawOne(pen, { panel }, w, h) {
     const { look } = state;
-    if (look === 'surface' && (panel.name === 'gamma-space' || panel.name === 'tau-space')) {
+    if (look === 'surface' && isSpace(panel)) {
       const gamma = panel.name === 'gamma-space', values = gamma ? gammaSpace(seen, state) : seen.tau,
         n = gamma ? seen.grid.G : seen.n;
       const limit = gamma ? values.reduce((a, b) => Math.max(a, b), 0) || 1 : limitOfTau(scene) * model.dt, { gammas } = seen.grid;
@@ -167,7 +201,12 @@ export function mount(root, { model, state, base, presets = [], template }, repo
         truth: truth.filter(([, row]) => row) }, scene.camera, scene.colours);
       return null;
     }
-    return panel.draw(pen, w, h, scene);
+    const scale = panel.draw(pen, w, h, scene);
+    if (scene.band?.panel === panel) {
+      const [[x, y], [x2, y2]] = [scene.band.from, scene.band.to];
+      pen.path([[x, y], [x2, y], [x2, y2], [x, y2]], { stroke: '#ffffff', width: 1.4, dash: [4, 3], close: true });
+    }
+    return scale;
   }
 
   function draw() {

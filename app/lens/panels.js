@@ -15,8 +15,8 @@ function titled(pen, w, words, note, { colours }) {
 
 function marked(pen, { box, X, Y }, { x, y }, colours) { // where the other panels point to
   const lines = [];
-  if (x !== undefined) lines.push([[X(x), box.y], [X(x), box.y + box.h]]);
-  if (y !== undefined) lines.push([[box.x, Y(y)], [box.x + box.w, Y(y)]]);
+  if (X(x) >= box.x && X(x) <= box.x + box.w) lines.push([[X(x), box.y], [X(x), box.y + box.h]]);
+  if (Y(y) >= box.y && Y(y) <= box.y + box.h) lines.push([[box.x, Y(y)], [box.x + box.w, Y(y)]]);
   for (const each of lines) {
     pen.path(each, { stroke: colours.halo, width: 3 });
     pen.path(each, { stroke: colours.mark, width: 1.2 });
@@ -66,23 +66,25 @@ export const limitOfTau = (scene) => {
 };
 
 function drawSpace(pen, w, h, scene, { values, n, rows, limit, title, note, yTitle, labels, margin, image, version }) {
-  const { seen, colours, images } = scene, box = inside(w, h, margin);
+  const { seen, colours, images, zoom } = scene, box = inside(w, h, margin);
   if (images[`${image} of`] !== version) {
     heatmap(images[image] ??= document.createElement('canvas'), values, n, seen.H, limit, pixelColumns(seen.thetas));
     images[`${image} of`] = version;
   }
   titled(pen, w, title, note, scene);
-  const scale = axes(pen, box, { x: thetaRange(seen), y: [-0.5, rows - 0.5], yTicks: rowTicks(labels),
+  const x = zoom.theta ?? thetaRange(seen), y = zoom[image] ?? [-0.5, rows - 0.5];
+  const scale = axes(pen, box, { x, y, yTicks: rowTicks(labels, y),
     xTitle: 'sensitivity θ (reward)', yTitle, colours, grid: false });
   pen.path([[box.x, box.y], [box.x + box.w, box.y], [box.x + box.w, box.y + box.h], [box.x, box.y + box.h]],
     { fill: colours.empty, close: true });
-  const upper = scale.Y(n - 0.5);
-  pen.image(images[image], box.x, upper, box.w, box.y + box.h - upper);
+  const [left, right] = thetaRange(seen).map(scale.X), upper = scale.Y(n - 0.5);
+  pen.clip(box.x, box.y, box.w, box.h, () => pen.image(images[image], left, upper, right - left, scale.Y(-0.5) - upper));
   return scale;
 }
 
 export const gammaPanel = {
   name: 'gamma-space',
+  rows: 'gamma',
   draw(pen, w, h, scene) {
     const { seen, state, hover, colours, images } = scene;
     const version = JSON.stringify([state.slope, state.action, state.noise && [state.noise, state.noise_seed], state.mixed,
@@ -138,6 +140,7 @@ function outline(scene) {
 
 export const tauPanel = {
   name: 'tau-space',
+  rows: 'tau',
   draw(pen, w, h, scene) {
     const { model, state, seen, hover, colours, images, resolution } = scene, limit = limitOfTau(scene);
     const values = model.dt === 1 ? seen.tau : seen.tau.map((value) => value / model.dt), { K, dt } = model;
@@ -154,17 +157,20 @@ export const tauPanel = {
         pen.path(points, K <= 16 ? TRUTH : { ...TRUTH, width: 1 });
       });
     }
-    const deadline = Y(seen.readRow + 0.5);
-    pen.path([[box.x, deadline], [box.x + box.w, deadline]], { stroke: '#111', width: 3 });
-    pen.path([[box.x, deadline], [box.x + box.w, deadline]], { stroke: '#ff9f1c', width: 1.6, dash: [6, 4] });
-    pen.text('T', box.x + box.w - 4, deadline + (deadline < box.y + 14 ? 12 : -4),
-      { size: 11, weight: 700, align: 'right', colour: '#ff9f1c' });
-    // The ruler: through which window the row under the cursor is seen.
-    const ruler = { x: box.x + box.w + 6, w: 38 }, peak = Math.max(...resolution.kernel.map(Math.abs)) || 1;
-    const at = Array.from(resolution.kernel, (value, k) => [ruler.x + 6 + (28 * value) / peak, Y(k)]);
-    pen.path([[ruler.x + 6, Y(0)], ...at, [ruler.x + 6, Y(K - 1)]], { fill: colours.wash, stroke: colours.primary, width: 1.2 });
-    const low = Y(resolution.low / dt - 0.5), high = Y(resolution.high / dt + 0.5);
-    pen.path([[ruler.x + 3, low], [ruler.x, low], [ruler.x, high], [ruler.x + 3, high]], { stroke: colours.text, width: 1.4 });
+    const deadline = Y(seen.readRow + 0.5), ruler = { x: box.x + box.w + 6, w: 38 };
+    pen.clip(box.x, box.y - 1, box.w, box.h + 2, () => {
+      pen.path([[box.x, deadline], [box.x + box.w, deadline]], { stroke: '#111', width: 3 });
+      pen.path([[box.x, deadline], [box.x + box.w, deadline]], { stroke: '#ff9f1c', width: 1.6, dash: [6, 4] });
+      pen.text('T', box.x + box.w - 4, deadline + (deadline < box.y + 14 ? 12 : -4),
+        { size: 11, weight: 700, align: 'right', colour: '#ff9f1c' });
+    });
+    pen.clip(ruler.x - 2, box.y - 1, ruler.w + 4, box.h + 2, () => { // through which window the row under the cursor is seen
+      const peak = top(resolution.kernel.map(Math.abs)) || 1, foot = ruler.x + 6;
+      const at = Array.from(resolution.kernel, (value, k) => [foot + (28 * value) / peak, Y(k)]);
+      pen.path([[foot, Y(0)], ...at, [foot, Y(K - 1)]], { fill: colours.wash, stroke: colours.primary, width: 1.2 });
+      const low = Y(resolution.low / dt - 0.5), high = Y(resolution.high / dt + 0.5);
+      pen.path([[ruler.x + 3, low], [ruler.x, low], [ruler.x, high], [ruler.x + 3, high]], { stroke: colours.text, width: 1.4 });
+    });
     pen.text(`±${short(resolution.half, 2)}`, ruler.x, box.y + box.h + 13, { size: 10.5, colour: colours.text });
     colourBar(pen, images.bar ??= document.createElement('canvas'), { x: w - 32, y: box.y, w: 7, h: box.h }, limit, colours);
     marked(pen, scale, { x: hover.theta, y: hover.tau }, colours);

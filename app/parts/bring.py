@@ -36,7 +36,12 @@ def open_group(world: World | None) -> None:
         if "_refused" in st.session_state:
             st.error(st.session_state["_refused"])
         for name in sources.shipped_agents():
-            st.button(f"Open {name.replace('_', ' ')}", on_click=_open_agent, args=(name,), width="stretch")
+            st.button(
+                f"Open the learned {name.removesuffix('_td').replace('_', ' ')}",
+                on_click=_open_agent,
+                args=(name,),
+                width="stretch",
+            )
         if world is not None and state.world_name() not in sources.BROUGHT:
             st.button("Edit this world as a table", on_click=state.edit_world, args=(world,), width="stretch")
         if state.world_name() != sources.TIMELINE:

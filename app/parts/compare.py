@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from html import escape
 
 import streamlit as st
 
@@ -15,6 +16,8 @@ from app.query import query_of, unpinned
 from app.sources import View
 from laplace_core import InputError
 
+_UNSAID = ("pin", "edit", "compare", "look", "run", "own", "timeline")
+
 
 def pin_button() -> None:
     """Pin what is seen as A; again to pin something else."""
@@ -24,6 +27,20 @@ def pin_button() -> None:
 def _pin() -> None:
     values = {name: value for name, value in state.chosen().items() if name not in ("pin", "edit")}
     state.choose("pin", pack(json.dumps({"world": state.world_name(), **query_of(values)})))
+
+
+def _differs(pinned: dict[str, object]) -> str:
+    """In words, what was set otherwise in A and in B."""
+    a, b = ({**query_of(values), "world": str(values.get("world"))} for values in (pinned, state.chosen()))
+    names = [name for name in (*a, *b) if a.get(name) != b.get(name) and name not in _UNSAID]
+    names = list(dict.fromkeys(names))
+    if not names:
+        return '<div class="artefact">Nothing is set otherwise yet.</div>'
+    told = [
+        f"{which}: " + ", ".join(f"{name} {values.get(name, 'by default')[:24]}" for name in names[:5])
+        for which, values in (("A", a), ("B", b))
+    ]
+    return f'<div class="artefact">{escape(" · ".join(told))}</div>'
 
 
 def comparison(view: View) -> None:
@@ -43,7 +60,7 @@ def comparison(view: View) -> None:
         st.warning(f"A cannot be shown any more: {error}")
         return
     title, choice, unpin = st.columns([3.2, 1, 0.7], vertical_alignment="center")
-    title.html('<div class="panel-title">A, pinned, against B, what you see above</div>')
+    title.html(f'<div class="panel-title">A, pinned, against B, what you see above</div>{_differs(values)}')
     with choice:
         key = state.show("compare", "tau-space")
         st.segmented_control("Space", ("tau-space", "gamma-space"), key=key, on_change=state.keep, args=(key,),

@@ -30,6 +30,8 @@ _SHOWN = {
     "peers": "Also learn the four other codes of the return",
 }
 
+LARGE = 500_000
+"""Numbers in a learner's table beyond which pictures of its earlier snapshots are not kept."""
 LEARN_DEFAULTS = resolve_learning(LearnSettings(), load_world("two_branch"))
 
 
@@ -58,7 +60,8 @@ def source_group(world: World) -> None:
                 parameter = next(p for p in LEARN_SCHEMA if p.name == name)
                 with st.container() if parameter.type is bool else columns[i % 2]:
                     number(LEARN + name, parameter, getattr(wanted, name), title)
-    st.button("Learn", on_click=_begin, args=(world,), type="primary", width="stretch", disabled=bool(refused))
+    busy = bool(refused) or at_work()
+    st.button("Learn", on_click=_begin, args=(world,), type="primary", width="stretch", disabled=busy)
 
 
 def agent_title(agent: str) -> str:
@@ -122,6 +125,8 @@ def current(world: World) -> tuple[Learned | None, runs.Watched | None]:
     if watched is None:
         return None, None
     found = watched.learned()
+    if found is not None and watched.running and found.basis.size > LARGE:
+        compute.forget()
     return None if found is None else sources.about(found, world), watched
 
 
@@ -169,7 +174,7 @@ def strip(view: View, watched: runs.Watched | None) -> None:
         if watched is None and view.learned is None:
             button.button("Learn now", on_click=_begin, args=(view.world,), type="primary", width="stretch")
         if watched is not None and watched.running:
-            button.button("Cancel", on_click=watched.cancel, width="stretch")
+            button.button("Cancel", on_click=_cancel, args=(watched,), width="stretch")
         if view.learned is None:
             return
         if len(view.learned.basis) > 1:
@@ -182,13 +187,20 @@ def strip(view: View, watched: runs.Watched | None) -> None:
             )  # fmt: skip
 
 
+def _cancel(watched: runs.Watched) -> None:
+    """Callback: stop; a link no longer asks for the whole run."""
+    watched.cancel()
+    state.choose("run", None)
+
+
 def _told(view: View, watched: runs.Watched | None) -> None:
     if watched is None:
         if view.learned is None:
             st.info("Nothing is learned with these settings yet: the pictures are exact.")
         else:
             shown = view.learned.settings
-            st.caption(f"Learned in {shown.episodes:,} episodes by {shown.seeds} learner(s), policy {shown.policy}.")
+            who = f"each of {shown.seeds} learners" if shown.seeds > 1 else "one learner"
+            st.caption(f"Learned in {shown.episodes:,} episodes by {who}, policy {shown.policy}.")
         return
     if watched.error:
         st.error(watched.error)
@@ -201,7 +213,10 @@ def _told(view: View, watched: runs.Watched | None) -> None:
         st.progress(0.0, "Waiting for a free place: other learners are running." if watched.waiting else "Starting ...")
         return
     share = told["episodes"] / told["of"]
-    words = [f"{told['episodes']:,} of {told['of']:,} episodes", f"{told['steps_per_second']:,} steps/s"]
+    seeds = (view.learned.settings if view.learned else learning_of(view.world)).seeds
+    each = f" by each of {seeds} learners" if seeds > 1 else ""
+    words = [f"{told['episodes'] // seeds:,} of {told['of'] // seeds:,} episodes{each}"]
+    words.append(f"{told['steps_per_second']:,} steps/s")
     if told["error"] is not None:
         words.append(f"error {100 * told['error']:.2g}% of the range")
     if watched.running and told["eta"] is not None:

@@ -76,8 +76,8 @@ def _view(running: bool) -> None:
     with above:
         panels.verdict(view)
         learning.strip(view, watched)
-    learning.pictures(view)
     controls.live_group(found, float(found.horizons[compute.row_of(view)]))
+    learning.pictures(view)
     export.footer(view)
     compare.comparison(view)
     bring.editor(view)

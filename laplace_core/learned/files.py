@@ -62,7 +62,17 @@ def learned_bytes(learned: Learned) -> bytes:
     metadata = {name: json.dumps(value, allow_nan=False, separators=(",", ":")) for name, value in entries.items()}
     if sum(map(len, metadata.values())) > MAX_HEADER // 2:  # quotes are escaped once more
         raise InputError(f"world {learned.world.name!r} is too large to be saved with what was learned of it.")
-    return save(tensors, metadata)
+    return _in_order(save(tensors, metadata))
+
+
+def _in_order(content: bytes) -> bytes:
+    """The same file with its metadata sorted: equal agents make equal bytes."""
+    size = int.from_bytes(content[:8], "little")
+    header = json.loads(content[8 : 8 + size])
+    header["__metadata__"] = dict(sorted(header["__metadata__"].items()))
+    text = json.dumps(header, separators=(",", ":"), ensure_ascii=False).encode()
+    text += b" " * (-len(text) % 8)
+    return len(text).to_bytes(8, "little") + text + content[8 + size :]
 
 
 def _short(x: float) -> float:

@@ -205,6 +205,31 @@ def test_the_surface_keeps_its_camera(page, demo):
     assert picture(page, "tau-space") == turned
 
 
+def test_zoom_survives_every_change(page, demo):
+    open_at(page, demo, "world=cliff_grid")
+    whole = picture(page, "tau-space")
+    box = page.locator("canvas.tau-space").bounding_box()
+    page.mouse.move(box["x"] + 100, box["y"] + 60)
+    page.mouse.down()
+    page.mouse.move(box["x"] + 220, box["y"] + 200, steps=4)
+    page.mouse.up()
+    page.mouse.move(5, 5)
+    page.wait_for_timeout(300)
+    zoomed = picture(page, "tau-space")
+    assert zoomed != whole
+    for key in ("ArrowLeft", "ArrowRight"):
+        page.locator("input[name=alpha]").press(key)
+        page.wait_for_timeout(500)
+    assert picture(page, "tau-space") == zoomed
+    page.locator("canvas.tau-space").focus()
+    page.keyboard.press("Escape")
+    page.wait_for_timeout(300)
+    assert picture(page, "tau-space") == whole
+    page.keyboard.press("+")
+    page.wait_for_timeout(300)
+    assert picture(page, "tau-space") != whole
+
+
 def saved(page, name, path):
     with page.expect_download() as waiting:
         page.get_by_role("button", name=f"save {name}").click()
