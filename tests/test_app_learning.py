@@ -250,7 +250,7 @@ def shipped(agent, tmp_path, monkeypatch):
 
 
 def test_an_agent_that_ships_is_opened_with_its_world_and_a_link_to_it(shipped, agent):
-    page = press(opened("bring"), "Open toy world td")
+    page = press(opened("bring"), "Open the learned toy world")
     assert not page.error
     assert link(page)["agent"] == shipped
     page.selectbox(key="learner").set_value("1")
@@ -272,7 +272,7 @@ def test_a_downloaded_agent_is_opened_again(monkeypatch):
 
 
 def test_an_agent_s_world_changes_and_the_agent_is_closed(shipped):
-    page = press(opened("bring"), "Open toy world td")
+    page = press(opened("bring"), "Open the learned toy world")
     page.number_input(key="p.slip").set_value(0.3)
     run(page)
     assert "agent" not in link(page)
@@ -295,7 +295,7 @@ def test_hostile_agents_are_one_sentence_and_the_view_stays(agent, tmp_path):
 @pytest.mark.parametrize("learner", ["mean", "1"])
 def test_the_python_of_a_learned_view_repeats_it(shipped, agent, learner, tmp_path, monkeypatch):
     saved = downloads(monkeypatch)
-    page = press(opened("bring", "copying", "downloading"), "Open toy world td")
+    page = press(opened("bring", "copying", "downloading"), "Open the learned toy world")
     page.selectbox(key="learner").set_value(learner)
     page.select_slider(key="alpha").set_value(0.05)
     run(page)
@@ -310,7 +310,7 @@ def test_the_python_of_a_learned_view_repeats_it(shipped, agent, learner, tmp_pa
 
 def test_the_command_of_a_learned_view_repeats_it(shipped, tmp_path, monkeypatch):
     saved = downloads(monkeypatch)
-    page = press(opened("bring", "copying", "downloading"), "Open toy world td")
+    page = press(opened("bring", "copying", "downloading"), "Open the learned toy world")
     page.selectbox(key="learner").set_value("1")
     run(page)
     (tmp_path / "two_branch_td.safetensors").write_bytes(saved["two_branch_td.safetensors"])

@@ -89,7 +89,7 @@ def test_several_seeds_end_in_bands_and_a_reload_brings_the_same(page, address):
     open_at(page, address, "world=two_branch&p.slip=0.2&source=learned&l.episodes=80&l.seeds=3")
     press_learn(page)
     expect(page.get_by_role("button", name="Download agent")).to_be_visible()
-    expect(strip(page)).to_contain_text("240 of 240 episodes")  # of all three
+    expect(strip(page)).to_contain_text("80 of 80 episodes by each of 3 learners")
     bands = """() => [...document.querySelectorAll('.js-plotly-plot')].map((p) => [p.dataset.name,
       p._fullData.filter((t) => t.fill === 'toself').length]).filter(([, n]) => n)"""
     page.wait_for_selector(".js-plotly-plot[data-name='probabilities'] .main-svg")

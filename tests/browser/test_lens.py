@@ -73,12 +73,12 @@ def test_the_first_view_and_each_remedy_by_one_switch(page, demo):
     expect(page.locator("[role=switch][aria-checked=true]")).to_have_count(0)
 
 
-@pytest.mark.parametrize("control", ["alpha", "horizon", "slope"])
-def test_a_drag_redraws_and_the_server_hears_the_release_only(page, demo, control):
+def test_a_drag_redraws_and_the_server_hears_the_release_only(page, demo):
     open_at(page, demo, "world=discounting_chain&thetas=60")
-    redraws, _, during, after = drag(page, control, 0.4)
-    assert redraws >= 20  # a busy machine; the bench holds it against 50
-    assert (during, after) == (0, 1)
+    for control in ("alpha", "horizon", "slope"):
+        redraws, _, during, after = drag(page, control, 0.4)
+        assert redraws >= 20  # a busy machine; the bench holds it against 50
+        assert (during, after) == (0, 1)
 
 
 def test_keys_held_down_are_one_release(page, demo):

@@ -24,7 +24,7 @@ def test_the_first_view_and_both_remedies(page, address):
     verdict = open_at(page, address)
     expect(verdict).to_have_class(re.compile("bad"))
     expect(verdict).to_contain_text("14.85 v 9.74")
-    page.get_by_role("button", name="Add auxiliary states").click()
+    page.get_by_role("button", name="Add auxiliary states").first.click()
     expect(verdict).to_have_class(re.compile("ok"))
     expect(verdict).to_contain_text("choose long")
     expect(page).to_have_url(re.compile(r"p\.auxiliary=true"))
