@@ -115,22 +115,24 @@ def agreement(page, held: dict[str, tuple[bytes, Settings]], cases: list[dict[st
         some = cases[start : start + 10]
         for case, found in zip(some, page.evaluate(_SEEN, some), strict=True):
             data, state = held[case["payload"]][0], case["state"]
-            true, moved = (seen(data, state, case["tau"], rounding) for rounding in (0.0, ROUNDING))
+            true, *moved = (seen(data, state, case["tau"], shake) for shake in (0.0, ROUNDING, -ROUNDING))
             assert found["read_row"] == true["read_row"]
             for name in ("tau_space", "survival", "expected_reward", "horizon_values", "discount_kernel",
                          "averaging_kernel", "differences"):  # fmt: skip
-                shown, against = (x[name] for x in (true, moved))
-                if name in ("tau_space", "differences"):
-                    shown, against = shown[state["action"]], against[state["action"]]
+                action = state["action"] if name in ("tau_space", "differences") else slice(None)
+                shown = true[name][action]
                 width = max(float(np.ptp(shown)), 1e-300)
-                holds = np.abs(against - shown) <= 1e-6 * width
+                holds = np.all([np.abs(each[name][action] - shown) <= 1e-6 * width for each in moved], axis=0)
                 off = np.abs(np.array(found[name], float).reshape(shown.shape) - shown) / width
                 worst[name] = max(worst.get(name, 0.0), float(off[holds].max(initial=0.0)))
                 worst["left out"] += int((~holds).sum())
                 worst["entries"] += holds.size
             values = true["horizon_values"]
             first, second = np.sort(values[:, true["read_row"]])[::-1][:2] if len(values) > 1 else (1.0, 0.0)
-            stays = np.abs(moved["horizon_values"] - values)[:, true["read_row"]].max() <= 1e-6 * np.ptp(values)
+            row = true["read_row"]
+            stays = max(np.abs(each["horizon_values"] - values)[:, row].max() for each in moved) <= 1e-6 * np.ptp(
+                values
+            )
             if stays and first - second > 1e-4 * np.ptp(values):
                 worst["other action"] += int(found["chosen"] != true["chosen"])
     return worst

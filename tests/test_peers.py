@@ -26,6 +26,7 @@ from laplace_core.learning import (
     return_distribution,
     reward_indicator_basis,
 )
+from laplace_core.learning.peers import quantiles_of
 from laplace_core.worlds import END
 from tests.random_worlds import worlds_with_policy
 from tests.slow_twins import assert_mean_agrees, sampled_rewards
@@ -297,3 +298,30 @@ def test_what_does_not_fit_is_refused():
     for words, build in refused.items():
         with pytest.raises(InputError, match=words):
             build()
+
+
+def test_quantiles_of_a_discrete_distribution_are_those_of_its_cumulated_mass():
+    # Masses .2 at -1, .5 at 2, .3 at 7: cumulated .2, .7, 1.
+    found = quantiles_of(np.array([7.0, -1.0, 2.0]), np.array([0.3, 0.2, 0.5]), np.array([0.1, 0.2, 0.5, 0.7, 0.9]))
+    np.testing.assert_array_equal(found, [-1.0, -1.0, 2.0, 2.0, 7.0])
+
+
+def test_while_the_rate_is_high_quantiles_are_taken_over_and_then_learned():
+    world = load_world("two_branch")
+    rate = Decay(1.0, 1.0, 0.0)  # 1, 1/2, 1/3: only the first is above .6
+    peer = Quantile(world, 0.9, count=2, scale=1.0, rate=rate, takes_over=0.6)
+    ends = Transition(0, 0, 5.0, int(np.searchsorted(world.reward_values, 5.0)), END)
+    peer.update(ends)
+    np.testing.assert_array_equal(peer.locations[0, 0], [5.0, 5.0])
+    # Levels 1/4 and 3/4, rate 1/2, a target of 4 below both: each falls by 1/2 (1 - level).
+    peer.update(ends._replace(reward=4.0))
+    np.testing.assert_allclose(peer.locations[0, 0], [5.0 - 0.375, 5.0 - 0.125])
+
+
+def test_no_step_leaps_over_the_target():
+    world = load_world("two_branch")
+    peer = Quantile(world, 0.9, count=2, scale=100.0, rate=Decay(1.0, 1.0, 0.0), takes_over=0.6)
+    ends = Transition(0, 0, 5.0, int(np.searchsorted(world.reward_values, 5.0)), END)
+    for reward, wanted in ((5.0, 5.0), (7.0, 7.0), (7.0, 7.0), (6.0, 6.0)):  # 100 a step, but no further than this
+        peer.update(ends._replace(reward=reward))
+        np.testing.assert_array_equal(peer.locations[0, 0], [wanted, wanted])

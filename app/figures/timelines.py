@@ -46,7 +46,7 @@ def rewards_and_survival(study: Study, action: int, bands: Bands | None = None) 
     return build(
         "rewards and survival",
         traces,
-        margin={"t": 66},
+        margin={"t": 66 if bands is None or len(bands.studies) < 2 else 84},
         xaxis=axis("future step tau", anchor="y2"),
         yaxis=axis("expected reward", domain=[0.38, 1.0], zeroline=True, **flat),
         yaxis2=axis("survival", domain=[0.0, 0.3], range=[-0.2, 1.3], tickvals=[0, 1], zeroline=True),

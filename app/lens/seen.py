@@ -91,9 +91,10 @@ def _space(header: Mapping[str, object], arrays: Mapping[str, np.ndarray], state
 
 
 def _shaken(space: GammaSpace, rounding: float) -> GammaSpace:
-    rng = np.random.default_rng(0)
-    values, constant = (x * (1.0 + rounding * rng.standard_normal(x.shape)) for x in (space.values, space.constant))
-    return replace(space, values=values, constant=constant)
+    """Errors that alternate along the sensitivities; with the other sign every difference moves the other way."""
+    signs = np.random.default_rng(0).choice([-rounding, rounding], size=space.constant.shape)
+    values = space.values * (1.0 + signs[..., None] * (-1.0) ** np.arange(space.thetas.size))
+    return replace(space, values=values, constant=space.constant * (1.0 + signs))
 
 
 def _decoded(space: GammaSpace, state: Mapping[str, object], rows: int, dt: float) -> tuple[np.ndarray, np.ndarray]:

@@ -150,7 +150,7 @@ class _Learner:
             low, high = bounds
             self.plain = PlainQ(world, s.peer_gamma, rate=s.rate)
             self.categorical = Categorical(world, s.peer_gamma, np.linspace(low, high, s.atoms), rate=s.rate)
-            self.quantile = Quantile(world, s.peer_gamma, s.quantiles, high - low, rate=s.quantile_rate)
+            self.quantile = Quantile(world, s.peer_gamma, s.quantiles, high - low, rate=s.quantile_rate, takes_over=0.5)
             self.expectile = Expectile(world, s.peer_gamma, low, high, s.expectiles, rate=s.rate)
             for peer in (self.plain, self.categorical, self.quantile, self.expectile):
                 peer.act = self.laplace.act  # all evaluate the one policy that acts

@@ -111,12 +111,17 @@ class Quantile(_Peer):
 
     Args:
         scale: in units of reward, such as the range of the returns; a gradient of probabilities has no unit.
+        takes_over: while the learning rate is above this, the quantiles of the target replace those of the table;
+            afterwards no step goes beyond the target. Infinite: the plain gradient, whose step has one size however
+            near the target is, so that an outer quantile leaps over it and takes a hundred steps back.
     """
 
     def __init__(
-        self, world: World, gamma: float, count: int = 51, scale: float = 1.0, policy=None, rate: Decay = _RATE
-    ):
+        self, world: World, gamma: float, count: int = 51, scale: float = 1.0, policy=None, rate: Decay = _RATE,
+        takes_over: float = np.inf,
+    ):  # fmt: skip
         super().__init__(world, gamma, policy, rate)
+        self.takes_over = takes_over
         if count < 1 or not scale > 0:
             raise InputError("quantiles need a count of at least 1 and a positive scale.")
         self.levels, self.scale = (np.arange(count) + 0.5) / count, scale
@@ -125,12 +130,27 @@ class Quantile(_Peer):
     def update(self, transition: Transition) -> None:
         pair = transition.state, transition.action
         locations, masses = self._target(transition)
-        below = (locations < self.locations[pair][:, None]) @ masses
-        self.locations[pair] += self._next_rate(transition) * self.scale * (self.levels - below)
+        rate = self._next_rate(transition)
+        if rate > self.takes_over:
+            self.locations[pair] = quantiles_of(locations, masses, self.levels)
+        else:
+            below = (locations < self.locations[pair][:, None]) @ masses
+            moved = self.locations[pair] + rate * self.scale * (self.levels - below)
+            if np.isfinite(self.takes_over):
+                here = self.locations[pair]
+                moved = np.clip(moved, np.minimum(here, locations.min()), np.maximum(here, locations.max()))
+            self.locations[pair] = moved
         self.values[pair] = self.locations[pair].mean()
 
     def distribution(self, state: int, action: int) -> tuple[np.ndarray, np.ndarray]:
         return self.locations[state, action], np.full(self.levels.size, 1.0 / self.levels.size)
+
+
+def quantiles_of(locations: np.ndarray, masses: np.ndarray, levels: np.ndarray) -> np.ndarray:
+    """Quantiles of a discrete distribution at each level in (0, 1): where its cumulated mass first reaches it."""
+    order = np.argsort(locations)
+    reached = np.searchsorted(np.cumsum(masses[order]) * (1.0 + 1e-12), levels)
+    return locations[order][np.minimum(reached, locations.size - 1)]
 
 
 class Expectile(_Peer):
