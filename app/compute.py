@@ -8,6 +8,7 @@ from functools import lru_cache
 import numpy as np
 
 from app import figures
+from app.lens.payload import payload, structure
 from app.sources import Learner, Observed, View
 from laplace_core import GammaSpace, InputError, Settings, Study, World, study, study_of_gamma_space
 from laplace_core.artifacts import Artefact, find_artefacts
@@ -170,7 +171,27 @@ def comparison(a: View, b: View, what: str) -> tuple[str, dict[str, str]]:
     return summary(found, values) + note, {name: figures.to_json(figure) for name, figure in drawn.items()}
 
 
+def lens_payload(view: View) -> bytes:
+    """What the lens needs of a view: its factors, on whatever of the settings does not move in the browser."""
+    return _lens_payload(view.subject, structure(view.settings, view.world))
+
+
+@lru_cache(maxsize=16)
+def _lens_payload(subject: Subject, settings: Settings) -> bytes:
+    return payload(_study(subject, settings))[0]
+
+
 def forget() -> None:
     """Let go of everything that is cached for views; a large learner leaves a new table behind every moment."""
-    for cached in (_study, verdict_for, _artefacts, _episode_regrets, _figure, _bands, _learning_figure, comparison):
+    for cached in (
+        _study,
+        verdict_for,
+        _artefacts,
+        _episode_regrets,
+        _figure,
+        _bands,
+        _learning_figure,
+        comparison,
+        _lens_payload,
+    ):
         cached.cache_clear()

@@ -6,6 +6,7 @@ import json
 from collections.abc import Mapping
 
 from app import sources
+from app.lens.state import VIEW as LENS
 from app.link import unpack
 from app.sources import LEARN, PARAM
 from laplace_core import InputError, Settings
@@ -31,6 +32,7 @@ VIEW = (
     Parameter("agent", None, 0, 0, "An agent that learned before.", str),
     Parameter("run", None, 0, 0, "The run of learning that is looked at.", str),
     Parameter("learner", "mean", 0, 0, "The learner shown, or the mean of all.", str, ("mean", *"01234567")),
+    *LENS,
     Parameter("edit", "no", 0, 0, "Whether the world is open as a table.", str, ("no", "yes")),
 )
 """What is looked at, beside the settings of the study."""

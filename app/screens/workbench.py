@@ -5,7 +5,7 @@ from __future__ import annotations
 import streamlit as st
 
 from app import compute, controls, sources, state
-from app.parts import bring, compare, export, learning, panels
+from app.parts import bring, compare, export, learning, panels, sidebar
 from app.query import OPENING, read_link
 from laplace_core import InputError
 
@@ -18,42 +18,10 @@ def page() -> None:
     for note in state.notes():
         st.warning(note)
     with st.sidebar:
-        st.html('<div class="brand">Laplace code workbench</div>')
-        controls.world_group()
-        try:
-            world = sources.world_of(state.chosen())
-            if world is not None:
-                state.drop_missing(world)
-            learned, _ = learning.current(world) if world is not None else (None, None)
-            view = sources.view_of(state.chosen(), learned)
-        except InputError as error:
-            st.error(str(error))
-            _undo_button()
-            st.button("Back to the opening view", on_click=state.go_to, kwargs=OPENING)
+        if sidebar.groups() is None:
             return
-        if world is None:
-            file = sources.gamma_space_files()[str(state.chosen()["data"])]
-            st.caption(f"{file.name}: {len(view.subject.gammas)} discounts, {len(view.subject.thetas)} sensitivities")
-            controls.look_group_of_file(file.states, tuple(f"action {a}" for a in range(view.actions)), view.action)
-        else:
-            controls.look_group(world, view.settings, view.action)
-            learning.source_group(world)
-        bring.open_group(world)
-        grids = st.expander("Discounts, sensitivities, policy", key="learning", on_change="rerun")
-        if grids.open:
-            with grids:
-                controls.grid_group(view.settings, decided="agent" in state.chosen())
-        more = st.expander("Noise and acting", key="more", on_change="rerun")
-        if more.open:
-            with more:
-                controls.study_group(view.settings)
-        st.button("Reset to the world's own settings", on_click=state.reset, width="stretch")
     running = learning.at_work()
     st.fragment(_view, run_every=LOOK_EVERY if running else None)(running)
-
-
-def _undo_button() -> None:
-    st.button("Undo the last change", on_click=state.undo)
 
 
 def _view(running: bool) -> None:
@@ -68,7 +36,7 @@ def _view(running: bool) -> None:
         found = compute.study_for(view)
     except InputError as error:
         st.error(str(error))
-        _undo_button()
+        sidebar.undo_button()
         return
     state.worked()
     above = st.container()

@@ -1,0 +1,50 @@
+"""The sidebar of the pages that show a world: what is looked at, and how it was learned."""
+
+from __future__ import annotations
+
+import streamlit as st
+
+from app import controls, sources, state
+from app.parts import bring, learning
+from app.query import OPENING
+from app.sources import View
+from laplace_core import InputError
+
+
+def groups() -> View | None:
+    """All groups of controls; None if what is set by hand makes no view, which is said."""
+    st.html('<div class="brand">Laplace code workbench</div>')
+    controls.world_group()
+    try:
+        world = sources.world_of(state.chosen())
+        if world is not None:
+            state.drop_missing(world)
+        learned, _ = learning.current(world) if world is not None else (None, None)
+        view = sources.view_of(state.chosen(), learned)
+    except InputError as error:
+        st.error(str(error))
+        undo_button()
+        st.button("Back to the opening view", on_click=state.go_to, kwargs=OPENING)
+        return None
+    if world is None:
+        file = sources.gamma_space_files()[str(state.chosen()["data"])]
+        st.caption(f"{file.name}: {len(view.subject.gammas)} discounts, {len(view.subject.thetas)} sensitivities")
+        controls.look_group_of_file(file.states, tuple(f"action {a}" for a in range(view.actions)), view.action)
+    else:
+        controls.look_group(world, view.settings, view.action)
+        learning.source_group(world)
+    bring.open_group(world)
+    grids = st.expander("Discounts, sensitivities, policy", key="learning", on_change="rerun")
+    if grids.open:
+        with grids:
+            controls.grid_group(view.settings, decided="agent" in state.chosen())
+    more = st.expander("Noise and acting", key="more", on_change="rerun")
+    if more.open:
+        with more:
+            controls.study_group(view.settings)
+    st.button("Reset to the world's own settings", on_click=state.reset, width="stretch")
+    return view
+
+
+def undo_button() -> None:
+    st.button("Undo the last change", on_click=state.undo)
