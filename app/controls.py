@@ -73,7 +73,7 @@ def look_group(world: World, settings: Settings, action: int) -> None:
         st.selectbox("State", world.states, key=key, on_change=state.keep, args=(key,), help=BY_NAME["state"].help)
     else:
         index = world.state_index(settings.state)
-        st.session_state["state_index"] = index
+        state.put("state_index", index)
         st.number_input("State", 0, world.n_states - 1, key="state_index", on_change=_keep_state, args=(world,))
         st.caption(settings.state)
     _action(world.actions, action)
@@ -82,7 +82,7 @@ def look_group(world: World, settings: Settings, action: int) -> None:
 def look_group_of_file(states: int, names: tuple[str, ...], action: int) -> None:
     """State and action of a gamma-space from a file."""
     if states > 1:
-        st.session_state["state_index"] = int(state.chosen().get("state", 0))
+        state.put("state_index", int(state.chosen().get("state", 0)))
         st.number_input("State", 0, states - 1, key="state_index", on_change=_keep_index)
     _action(names, action)
 
@@ -92,7 +92,7 @@ def _keep_index() -> None:
 
 
 def _action(names: tuple[str, ...], action: int) -> None:
-    st.session_state["action"] = names[action]
+    state.put("action", names[action])
     help_ = "Action whose spaces are shown."
     st.selectbox("Action", names, key="action", on_change=state.keep, args=("action",), help=help_)
 
@@ -170,7 +170,7 @@ def _noise(settings: Settings) -> None:
 
 def _horizon(found: Study, horizon: float) -> None:
     key = "horizon"
-    st.session_state[key] = horizon  # the nearest that exists: a shorter world may not reach what was asked for
+    state.put(key, horizon)  # the nearest that exists: a shorter world may not reach what was asked for
     step, last = found.settings.time_step, float(found.horizons[-1])
     shown = "%d" if step == 1 else "%.3g"
     if len(found.horizons) == 1:

@@ -31,6 +31,7 @@ def _page() -> dict[str, object]:
 
 def chosen() -> dict[str, object]:
     """Values set by hand, by name; ``p.NAME`` for a parameter of the world."""
+    _take()
     return _page()["chosen"]
 
 
@@ -40,8 +41,24 @@ def world_name() -> str:
 
 def keep(name: str) -> None:
     """Callback of the widget with key ``name``: its value is now set by hand."""
-    chosen()[name] = st.session_state[name]
+    st.session_state.setdefault("_heard", []).append((name, st.session_state[name]))
     _touch()
+
+
+def _take() -> None:
+    """Take over what widgets have reported, but for echoes.
+
+    A browser reports all its widgets with each event, as it has them. One that the server has changed or replaced
+    since (a remedy, Back, another world) comes back with what it showed before, and looks as if it was touched.
+    """
+    heard, shown = st.session_state.pop("_heard", ()), st.session_state.get("_shown", {})
+    values = _page()["chosen"]
+    for name, value in heard:
+        now, before = shown.get(name, (None, None))
+        untouched = value == now and name not in values
+        stale = len(heard) > 1 and value == before
+        if not (untouched or stale):
+            values[name] = value
 
 
 def choose(name: str, value: object) -> None:
@@ -129,7 +146,16 @@ def reset() -> None:
 
 def show(name: str, value: object) -> str:
     """Put into the widget ``name`` what holds now: the value set by hand, else ``value``. Returns the key."""
-    st.session_state[name] = chosen().get(name, value)
+    return put(name, chosen().get(name, value))
+
+
+def put(name: str, value: object) -> str:
+    """Put a value into the widget ``name``, and remember what it shows and showed before. Returns the key."""
+    st.session_state[name] = value
+    shown = st.session_state.setdefault("_shown", {})
+    now, _ = shown.get(name, (None, None))
+    if name not in shown or value != now:
+        shown[name] = value, now
     return name
 
 
@@ -142,6 +168,8 @@ def load_url(page: str, opening: Mapping[str, object], parse: Parse) -> None:
     arrived = st.session_state.get("_page") != page
     new = page not in st.session_state.get("_pages", {})
     st.session_state["_page"] = page
+    if arrived:
+        st.session_state.pop("_heard", None)  # widgets of the page that was left
     kept = _page()
     moved = not arrived and query != kept["written"] and not st.session_state.get("_touched", False)
     if new or moved or (arrived and query):

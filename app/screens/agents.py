@@ -29,7 +29,7 @@ def page() -> None:
         _card(loaded, scene)
         _observation(scene)
         action = action_of(scene, state.chosen())
-        st.session_state["action"] = scene.actions[action]
+        state.put("action", scene.actions[action])
         st.selectbox("Action", scene.actions, key="action", on_change=state.keep, args=("action",))
     _view(loaded, scene)
 
