@@ -51,14 +51,14 @@ def _take() -> None:
     A browser reports all its widgets with each event, as it has them. One that the server has changed or replaced
     since (a remedy, Back, another world) comes back with what it showed before, and looks as if it was touched.
     """
-    heard, shown = st.session_state.pop("_heard", ()), st.session_state.get("_shown", {})
+    heard, shown = st.session_state.pop("_heard", ()), st.session_state.setdefault("_shown", {})
     values = _page()["chosen"]
-    for name, value in heard:
-        now, before = shown.get(name, (None, None))
-        untouched = value == now and name not in values
-        stale = len(heard) > 1 and value == before
-        if not (untouched or stale):
-            values[name] = value
+    touched = [(name, value) for name, value in heard if name in values or value != shown.get(name, (None, None))[0]]
+    for name, value in touched:
+        if len(touched) > 1 and value == shown.get(name, (None, None))[1]:
+            continue  # what it showed before the server changed it
+        values[name] = value
+        shown[name] = value, None  # the change was the person's: going back to what was before is no echo
 
 
 def choose(name: str, value: object) -> None:

@@ -109,6 +109,7 @@ def test_the_command_prints_writes_and_plugs_parts_in(monkeypatch, capsys, tmp_p
     class OwnPrinting:
         main = staticmethod(lambda: {"open": [1.0, 2.0]})
 
+    monkeypatch.setattr(command, "PARTS", ("core", "browser"))
     monkeypatch.setattr(command, "import_module", {"bench.core": Part, "bench.browser": OwnPrinting}.__getitem__)
     monkeypatch.setattr(command, "find_spec", lambda name: name)
     target = tmp_path / "figures.json"

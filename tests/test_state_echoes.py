@@ -66,3 +66,14 @@ def test_parameters_of_a_world_that_was_left_stay_behind():
     state.choose_world()
     report(**{"p.early": 2})
     assert state.chosen() == {"world": "cliff_grid"}
+
+
+def test_going_back_and_forth_by_hand_is_never_an_echo():
+    state.show("normalise", "none")
+    state.put("horizon", 3.0)
+    report(normalise="survival")
+    state.show("normalise", "none")  # now survival
+    report(normalise="none", horizon=3.0)  # back by hand, beside an echo
+    assert state.chosen() == {"normalise": "none"}
+    report(normalise="survival", alpha=0.2)
+    assert state.chosen() == {"normalise": "survival", "alpha": 0.2}

@@ -6,12 +6,22 @@ import streamlit as st
 
 from app import controls, sources, state
 from app.parts import bring, learning
-from app.query import OPENING
+from app.query import OPENING, read_link
 from app.sources import View
 from laplace_core import InputError
 
 
-def groups() -> View | None:
+def begin() -> bool:
+    """The top of a page that shows a world: its state, notes and sidebar; whether there is a view to draw."""
+    state.load_url("worlds", OPENING, read_link)
+    state.settled()
+    for note in state.notes():
+        st.warning(note)
+    with st.sidebar:
+        return _groups() is not None
+
+
+def _groups() -> View | None:
     """All groups of controls; None if what is set by hand makes no view, which is said."""
     st.html('<div class="brand">Laplace code workbench</div>')
     controls.world_group()

@@ -7,18 +7,12 @@ import streamlit as st
 from app import compute, sources, state
 from app.lens import PRESETS, Released, checked, lens, presets_for, state_of, values_of
 from app.parts import learning, sidebar
-from app.query import OPENING, read_link
 from laplace_core import InputError
 
 
 def page() -> None:
-    state.load_url("worlds", OPENING, read_link)
-    state.settled()
-    for note in state.notes():
-        st.warning(note)
-    with st.sidebar:
-        if sidebar.groups() is None:
-            return
+    if not sidebar.begin():
+        return
     _view()
 
 

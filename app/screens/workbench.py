@@ -6,20 +6,14 @@ import streamlit as st
 
 from app import compute, controls, sources, state
 from app.parts import bring, compare, export, learning, panels, sidebar
-from app.query import OPENING, read_link
 from laplace_core import InputError
 
 LOOK_EVERY = 0.7  # seconds between two looks at a learner
 
 
 def page() -> None:
-    state.load_url("worlds", OPENING, read_link)
-    state.settled()
-    for note in state.notes():
-        st.warning(note)
-    with st.sidebar:
-        if sidebar.groups() is None:
-            return
+    if not sidebar.begin():
+        return
     running = learning.at_work()
     st.fragment(_view, run_every=LOOK_EVERY if running else None)(running)
 
