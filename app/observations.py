@@ -55,6 +55,11 @@ _SCENES = {
         ),
         ("torque -1", "no torque", "torque +1"),
     ),
+    "MountainCar-v0": Scene(
+        "MountainCar: swing up to the flag; reward -1 a step",
+        (Component("position", "", -1.2, 0.6, -0.5), Component("velocity", "", -0.07, 0.07)),
+        ("push left", "no push", "push right"),
+    ),
     "LunarLander-v3": Scene(
         "LunarLander: land between the flags; shaped rewards, +-100 at the end",
         (
@@ -72,8 +77,12 @@ _SCENES = {
 }
 
 
+_SCENES["CartPole-v0"] = _SCENES["CartPole-v1"]
+
+
 def scene_of(environment: str) -> Scene:
-    if environment in PRESETS:
-        world = load_world(environment)
-        return Scene(PRESETS[environment].title, (), world.actions, world.states)
-    return _SCENES[environment]
+    if environment in _SCENES:
+        return _SCENES[environment]
+    world = load_world(environment)
+    title = PRESETS[environment].title if environment in PRESETS else environment.replace("gym:", "gymnasium ")
+    return Scene(title, (), world.actions, world.states)

@@ -9,7 +9,7 @@ import sys
 import numpy as np
 import pytest
 
-from laplace_core.agents.settings import SETTINGS
+from laplace_core.agents.settings import ENVIRONMENTS, SETTINGS
 from laplace_core.cli import main
 from laplace_core.training.checkpoint import load_checkpoint
 from laplace_core.training.command import settings_of
@@ -54,9 +54,20 @@ def test_the_file_of_the_environment_is_used_and_what_is_given_comes_first():
     assert settings_of("laplace", "CartPole-v1", {"steps": "77"}).hidden == tuned.hidden
 
 
-@pytest.mark.parametrize("environment", ["CartPole-v1", "Acrobot-v1", "LunarLander-v3", "two_branch", "fig6_chain"])
-def test_every_settings_file_is_valid(environment):
+@pytest.mark.parametrize("environment", ENVIRONMENTS)
+def test_every_environment_has_valid_settings(environment):
     assert settings_of("laplace", environment, {}).environment == environment
+
+
+@pytest.mark.parametrize("environment", ["MountainCar-v0", "gym:Taxi-v4", "gym:FrozenLake-v1", "double_chain"])
+def test_other_environments_train_and_resume_as_well(environment, tmp_path, capsys):
+    folder = tmp_path / "run"
+    assert main(["train", "laplace", environment, *SMALL, "--run", str(folder)]) == 0
+    first = (folder / "metrics.jsonl").read_text().splitlines()
+    capsys.readouterr()
+    assert main(["train", "--resume", str(folder)]) == 0  # finished already: nothing is added
+    assert (folder / "metrics.jsonl").read_text().splitlines() == first
+    assert load_checkpoint(folder / "last.safetensors").environment == environment
 
 
 def test_every_setting_has_a_sentence_in_the_help():

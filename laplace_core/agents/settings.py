@@ -16,10 +16,11 @@ import numpy as np
 from laplace_core.encoding import GAMMA_SPACINGS, PAPER_GAMMAS, discount_grid, sensitivity_grid
 from laplace_core.errors import InputError
 from laplace_core.parameters import Parameter, parse_named
-from laplace_core.worlds import PRESETS
+from laplace_core.worlds import PRESETS, TOY_TEXT
 
-GYMNASIUM_ENVIRONMENTS = ("CartPole-v1", "Acrobot-v1", "LunarLander-v3")
-ENVIRONMENTS = (*GYMNASIUM_ENVIRONMENTS, *PRESETS)
+GYMNASIUM_ENVIRONMENTS = ("CartPole-v1", "Acrobot-v1", "LunarLander-v3", "MountainCar-v0", "CartPole-v0")
+"""What gymnasium brings along with discrete actions and numbers, not pixels, as observations."""
+ENVIRONMENTS = (*GYMNASIUM_ENVIRONMENTS, *PRESETS, *(f"gym:{name}" for name in TOY_TEXT))
 """Every environment that can be trained on and that a checkpoint may name: no others are ever built."""
 
 NETWORKS = ("trunk", "network", "multiplexer")

@@ -46,7 +46,7 @@ def report(algorithm: str, environment: str, seeds: int, aim: float, folder: Pat
 
 def _seed(algorithm: str, environment: str, seed: int, aim: float, folder: Path) -> dict[str, object]:
     settings = settings_of(algorithm, environment, {"seed": seed})
-    run = folder / f"{algorithm}_{environment}_{seed}"
+    run = folder / f"{algorithm}_{environment.replace(':', '-')}_{seed}"
     finished = (run / "last.safetensors").exists()
     there = (run / "config.json").exists()
     if there and read_config(run / "config.json") != settings:

@@ -8,10 +8,12 @@ import sys
 import time
 from pathlib import Path
 
-from laplace_core.agents.settings import ENVIRONMENTS, SETTINGS
+from laplace_core.agents.settings import ENVIRONMENTS, GYMNASIUM_ENVIRONMENTS, SETTINGS
 from laplace_core.errors import InputError
+from laplace_core.settings import Settings, resolve
 from laplace_core.training.events import Checkpoint, Episode, Evaluation, Resumed, Step
 from laplace_core.words import add_parameters, checked_number
+from laplace_core.worlds import load_world
 
 REPORT_EVERY = 0.5
 """Seconds between two lines of progress."""
@@ -49,7 +51,7 @@ def run_train(options: argparse.Namespace) -> None:
         events, folder, total = train(None, options.resume, resume=True), Path(options.resume), None
     else:
         settings = settings_of(options.algorithm, options.environment_name, given)
-        named = f"{settings.ALGORITHM}_{settings.environment}_{settings.seed}"
+        named = f"{settings.ALGORITHM}_{settings.environment.replace(':', '-')}_{settings.seed}"
         folder, total = Path(options.folder or Path("runs") / named), settings.steps
         events = train(settings, folder)
     progress = _Json() if options.json else _Line(folder, total)
@@ -71,7 +73,17 @@ def settings_of(algorithm: str | None, environment: str | None, given: dict[str,
     if environment not in ENVIRONMENTS:
         raise InputError(f"the environment must be one of {', '.join(ENVIRONMENTS)}, not {str(environment)[:40]!r}.")
     kind = SETTINGS[algorithm]
-    return kind.parse(tuned_settings(algorithm, environment) | given | {"environment": environment})
+    suits = tuned_settings(algorithm, environment) or _of_world(environment)
+    return kind.parse(suits | given | {"environment": environment})
+
+
+def _of_world(environment: str) -> dict[str, object]:
+    """For a tabular world without a file of its own: sensitivities that reach beyond its rewards, and beyond 0."""
+    if environment in GYMNASIUM_ENVIRONMENTS:
+        return {}
+    suited = resolve(Settings(world=environment), load_world(environment))
+    low, high = min(suited.theta_min, -0.5), max(suited.theta_max, 0.5)
+    return {"theta_min": low, "theta_max": high, "thetas": 41, "consistency": 0.0, "epsilon_final": 0.2}
 
 
 class _Json:

@@ -23,7 +23,8 @@ from laplace_core.worlds.env import TabularEnv
 WORLD_TIME_LIMIT = 200
 """Steps after which an episode in a preset world is truncated; a world itself has no limit."""
 
-_INNER = {"CartPole-v1": ("state", "steps_beyond_terminated"), "Acrobot-v1": ("state",)}
+_POLE = ("state", "steps_beyond_terminated")
+_INNER = {"CartPole-v1": _POLE, "CartPole-v0": _POLE, "Acrobot-v1": ("state",), "MountainCar-v0": ("state",)}
 """Attributes that are all of an environment's inner state besides its random numbers and its time."""
 
 
@@ -67,6 +68,8 @@ _SPECS = {
     "CartPole-v1": Spec(observation=4, actions=2, time_limit=500),
     "Acrobot-v1": Spec(observation=6, actions=3, time_limit=500),
     "LunarLander-v3": Spec(observation=8, actions=4, time_limit=1000),
+    "MountainCar-v0": Spec(observation=2, actions=3, time_limit=200),
+    "CartPole-v0": Spec(observation=4, actions=2, time_limit=200),
 }  # written down, so that a checkpoint can be opened where the physics is not installed
 
 
