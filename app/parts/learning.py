@@ -60,7 +60,8 @@ def source_group(world: World) -> None:
                 parameter = next(p for p in LEARN_SCHEMA if p.name == name)
                 with st.container() if parameter.type is bool else columns[i % 2]:
                     number(LEARN + name, parameter, getattr(wanted, name), title)
-    busy = bool(refused) or at_work()
+    going = None if refused else _runs().get(_key(world, wanted))
+    busy = bool(refused) or (going is not None and going.running)
     st.button("Learn", on_click=_begin, args=(world,), type="primary", width="stretch", disabled=busy)
 
 
