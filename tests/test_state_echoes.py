@@ -75,5 +75,7 @@ def test_going_back_and_forth_by_hand_is_never_an_echo():
     state.show("normalise", "none")  # now survival
     report(normalise="none", horizon=3.0)  # back by hand, beside an echo
     assert state.chosen() == {"normalise": "none"}
-    report(normalise="survival", alpha=0.2)
+    state.show("normalise", "none")
+    state.show("alpha", 0.1)
+    report(normalise="survival", alpha=0.2)  # both at once, one of them to what it showed before
     assert state.chosen() == {"normalise": "survival", "alpha": 0.2}
