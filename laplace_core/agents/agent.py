@@ -93,7 +93,7 @@ class Agent(ABC):
             observations: ``(B, O)``.
             head: one head, for ``(B, A)``; None is all of them, ``(B, heads, A)``.
         """
-        values = self._action_values(self.target, _batched(observations), head).double().numpy()
+        values = self._action_values(self.target, batched(observations), head).double().numpy()
         return values if head is None else values[:, 0]
 
     def greedy(self, observations: np.ndarray) -> np.ndarray:
@@ -103,7 +103,7 @@ class Agent(ABC):
     @torch.no_grad()
     def behave(self, observations: np.ndarray, heads: np.ndarray) -> np.ndarray:
         """Greedy actions of the learning network, int ``(B,)``, each row by its own head ``(B,)``."""
-        inputs = _batched(observations)
+        inputs = batched(observations)
         if np.all(heads == heads[0]):
             return self._action_values(self.network, inputs, int(heads[0]))[:, 0].argmax(-1).numpy()
         values = self._action_values(self.network, inputs, None)
@@ -132,5 +132,6 @@ class Agent(ABC):
         return float(loss.detach()), each.detach().numpy()
 
 
-def _batched(observations: np.ndarray) -> Tensor:
+def batched(observations: np.ndarray) -> Tensor:
+    """``(B, O)`` as networks take it, ``(B, 1, O)``, float32."""
     return torch.from_numpy(np.asarray(observations, dtype=np.float32)).unsqueeze(1)

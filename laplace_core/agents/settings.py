@@ -82,6 +82,20 @@ LAPLACE_SCHEMA = (
     Parameter("experience", "shared", 0, 0, "Whether the discounts share one buffer.", str, EXPERIENCES),
     Parameter("head_exploration", 0.2, 0, 1, "Fraction of episodes that a random discount's head behaves in."),
 )
+PEER_SCHEMA = (
+    *LOOP_SCHEMA,
+    Parameter("gamma", 0.99, 1e-6, 0.9999, "Discount of the return."),
+)
+C51_SCHEMA = (
+    *PEER_SCHEMA,
+    Parameter("atoms", 51, 2, 1000, "Number of returns that carry probability."),
+    Parameter("v_min", -100.0, -1e6, 1e6, "Smallest of them, in discounted reward."),
+    Parameter("v_max", 100.0, -1e6, 1e6, "Largest of them, in discounted reward."),
+)
+QRDQN_SCHEMA = (
+    *PEER_SCHEMA,
+    Parameter("quantiles", 51, 1, 1000, "Number of quantiles of the return."),
+)
 
 
 @dataclass(frozen=True)
@@ -211,5 +225,44 @@ class LaplaceSettings(LoopSettings):
         return self.n_discounts if self.experience == "per_discount" else self.envs
 
 
-SETTINGS: dict[str, type[LoopSettings]] = {kind.ALGORITHM: kind for kind in (LaplaceSettings,)}
+@dataclass(frozen=True)
+class DqnSettings(LoopSettings):
+    """Settings of DQN, and what all peers have; see ``PEER_SCHEMA``."""
+
+    gamma: float = 0.99
+
+    ALGORITHM: ClassVar[str] = "dqn"
+    SCHEMA: ClassVar[tuple[Parameter, ...]] = PEER_SCHEMA
+
+
+@dataclass(frozen=True)
+class C51Settings(DqnSettings):
+    """Settings of C51; see ``C51_SCHEMA``."""
+
+    atoms: int = 51
+    v_min: float = -100.0
+    v_max: float = 100.0
+
+    ALGORITHM: ClassVar[str] = "c51"
+    SCHEMA: ClassVar[tuple[Parameter, ...]] = C51_SCHEMA
+
+    def check(self) -> None:
+        super().check()
+        if self.v_min >= self.v_max:
+            raise InputError("v_min must be below v_max.")
+
+
+@dataclass(frozen=True)
+class QrdqnSettings(DqnSettings):
+    """Settings of QR-DQN; see ``QRDQN_SCHEMA``."""
+
+    quantiles: int = 51
+
+    ALGORITHM: ClassVar[str] = "qrdqn"
+    SCHEMA: ClassVar[tuple[Parameter, ...]] = QRDQN_SCHEMA
+
+
+SETTINGS: dict[str, type[LoopSettings]] = {
+    kind.ALGORITHM: kind for kind in (LaplaceSettings, C51Settings, QrdqnSettings, DqnSettings)
+}
 """The settings of every algorithm, by the name that commands, files and checkpoints give it."""
