@@ -51,6 +51,7 @@ class Agent(ABC):
 
     Attributes:
         heads: how many ways to act the network holds; ``acting_head`` is the one meant to be used.
+        random: random numbers for losses that need some; a run puts its own here, to be gone on with after a stop.
     """
 
     settings_class: ClassVar[type[LoopSettings]]
@@ -60,6 +61,7 @@ class Agent(ABC):
     def __init__(self, settings: LoopSettings, observation: int, actions: int, time_limit: int | None = None):
         self.settings, self.time_limit = settings, time_limit
         self.n_observations, self.n_actions = observation, actions
+        self.random = np.random.default_rng(settings.seed)
         with torch.random.fork_rng(devices=[]):  # the only use of torch's random numbers
             torch.manual_seed(settings.seed)
             self.network = self._build()

@@ -173,7 +173,12 @@ def add_evaluate(verbs) -> None:
     evaluate.add_argument("--horizon", metavar="T", help="act for an episode of T steps, by the time to go")
     evaluate.add_argument("--softness", default="0.2", metavar="W", help="width of the deadline over the time to go")
     evaluate.add_argument("--alpha", default="1", metavar="A", help="regularisation of the inverse (default: 1)")
-    evaluate.add_argument("--rule", metavar="NAME", help="greedy, readout or decoded (default: readout with a horizon)")
+    evaluate.add_argument(
+        "--rule",
+        metavar="NAME",
+        help="greedy, matched (the discount nearest to the time to go), readout, decoded (the same, slowly) or own "
+        "(of fixed_horizon); default: with a horizon readout or own where the agent can, else greedy",
+    )
     evaluate.add_argument("--json", action="store_true", help="print JSON, with every return")
     evaluate.set_defaults(run=run_evaluate)
 
@@ -185,11 +190,12 @@ def run_evaluate(options: argparse.Namespace) -> None:
     softness = checked_number("softness", options.softness, float, 0.0, 10.0)
     alpha = checked_number("alpha", options.alpha, float, 1e-9, 1e6)
     horizon = None if options.horizon is None else checked_number("horizon", options.horizon, int, 1, 10_000)
-    from laplace_core.training.checkpoint import load_checkpoint  # both load torch
+    from laplace_core.training.checkpoint import load_checkpoint  # all three load torch
     from laplace_core.training.evaluation import evaluate
+    from laplace_core.training.rules import suited
 
     loaded = load_checkpoint(options.checkpoint)
-    rule = options.rule or ("greedy" if horizon is None else "readout")
+    rule = options.rule or suited(loaded.agent, horizon)
     scores = evaluate(
         loaded.agent, loaded.environment, episodes, seed, horizon=horizon, softness=softness, rule=rule, alpha=alpha
     )
