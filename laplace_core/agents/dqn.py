@@ -1,4 +1,8 @@
-"""DQN: the mean return alone, by Huber's loss (Mnih et al. 2015), with the targets of double Q-learning by default."""
+"""DQN: the mean return alone (Mnih et al. 2015), by default with the targets of double Q-learning (van Hasselt 2016).
+
+The error is squared and not cut at 1, as Mnih et al. do: a cut error moves a value to a median of its targets, which on
+returns of +-2 may be anything from -1 to 1. Gradients are cut to a norm instead, as in all agents here.
+"""
 
 from __future__ import annotations
 
@@ -6,7 +10,6 @@ from typing import ClassVar
 
 import torch
 from torch import Tensor
-from torch.nn.functional import smooth_l1_loss
 
 from laplace_core.agents.peer import Peer
 from laplace_core.agents.settings import DqnSettings
@@ -32,5 +35,5 @@ class DqnAgent(Peer):
         return outputs, torch.ones_like(outputs)
 
     def loss(self, outputs: Tensor, locations: Tensor, masses: Tensor) -> Tensor:
-        """Huber's loss, delta 1 in units of reward: the gradient is the error, cut to +-1."""
-        return smooth_l1_loss(outputs, locations, reduction="none").sum(-1)
+        """Half the squared error: the gradient is the error."""
+        return 0.5 * (masses * (locations - outputs) ** 2).sum(-1)

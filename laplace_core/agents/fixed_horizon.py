@@ -12,7 +12,6 @@ from typing import ClassVar
 import numpy as np
 import torch
 from torch import Tensor, nn
-from torch.nn.functional import smooth_l1_loss
 
 from laplace_core.agents.agent import Agent, Batch, batched
 from laplace_core.agents.networks import Single
@@ -51,8 +50,12 @@ class FixedHorizonAgent(Agent):
         told = torch.stack([t / self.horizon, t.log() / np.log(self.horizon + 1)], dim=-1)
         outputs = network(torch.cat([observations.expand(-1, t.shape[1], -1), told], dim=-1), actions).squeeze(-1)
         # The network's own scale is reward a step, which is of one size for all T.
-        scale = (1.0 - self.settings.gamma**times) / (1.0 - self.settings.gamma)
+        scale = self._steps(times)
         return outputs * (scale if actions is not None else scale.unsqueeze(-1))
+
+    def _steps(self, times: Tensor) -> Tensor:
+        """1 + gamma + ... + gamma^(T - 1)."""
+        return (1.0 - self.settings.gamma**times) / (1.0 - self.settings.gamma)
 
     def _action_values(self, network: nn.Module, observations: Tensor, head: int | None) -> Tensor:
         times = torch.arange(1, self.heads + 1) if head is None else torch.tensor([head + 1])
@@ -79,4 +82,5 @@ class FixedHorizonAgent(Agent):
         shape = len(batch.observations), self.settings.times
         times = torch.from_numpy(self.random.integers(1, self.horizon + 1, size=shape))
         outputs = self.values(self.network, batch.observations, times, batch.actions.expand(shape))
-        return smooth_l1_loss(outputs, self.targets(batch, times), reduction="none")
+        # Over the discounted number of steps: half way between the scale of the values and that of the network.
+        return 0.5 * (outputs - self.targets(batch, times)) ** 2 / self._steps(times)
