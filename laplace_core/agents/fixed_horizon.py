@@ -17,6 +17,9 @@ from laplace_core.agents.agent import Agent, Batch, batched
 from laplace_core.agents.networks import Single
 from laplace_core.agents.settings import FixedHorizonSettings
 
+TOLD = 3
+"""Numbers of order one that T is told by: T itself, its logarithm and its inverse, so that short times differ, too."""
+
 
 class FixedHorizonAgent(Agent):
     """Fixed-horizon DQN: head h acts for h + 1 steps to go, and the last one where the end is farther or unknown.
@@ -33,11 +36,11 @@ class FixedHorizonAgent(Agent):
         super().__init__(settings, *sizes)
 
     def _build(self) -> nn.Module:
-        return Single(self.n_observations + 2, self.n_actions, torch.zeros(1), self.settings)
+        return Single(self.n_observations + TOLD, self.n_actions, torch.zeros(1), self.settings)
 
     @classmethod
     def network_numbers(cls, settings: FixedHorizonSettings, observation: int, actions: int) -> int:
-        return Single.count_numbers(observation + 2, actions, 1, settings)
+        return Single.count_numbers(observation + TOLD, actions, 1, settings)
 
     def values(self, network: nn.Module, observations: Tensor, times: Tensor, actions: Tensor | None = None) -> Tensor:
         """Q(s, a, T), ``(B, g, A)``, or ``(B, g)`` for ``actions`` ``(B, g)``, in units of reward.
@@ -47,7 +50,7 @@ class FixedHorizonAgent(Agent):
             times: T, ``(B, g)``; 0 is worth 0.
         """
         t = times.clamp(min=1).float()
-        told = torch.stack([t / self.horizon, t.log() / np.log(self.horizon + 1)], dim=-1)
+        told = torch.stack([t / self.horizon, t.log() / np.log(self.horizon + 1), 1.0 / t], dim=-1)
         outputs = network(torch.cat([observations.expand(-1, t.shape[1], -1), told], dim=-1), actions).squeeze(-1)
         # The network's own scale is reward a step, which is of one size for all T.
         scale = self._steps(times)
