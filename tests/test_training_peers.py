@@ -62,7 +62,7 @@ def test_a_fixed_horizon_agent_learns_every_horizon(tmp_path):
     agent = trained("fixed_horizon", "two_branch", tmp_path / "run", horizon=4, epsilon_final=0.5)
     world = load_world("two_branch")
     exact = finite_horizon_optimum(world, 4, 0.99, 0)  # (T, A)
-    np.testing.assert_allclose(agent.action_values(np.eye(world.n_states)[:1])[0], exact, atol=0.5)
+    np.testing.assert_allclose(agent.action_values(np.eye(world.n_states)[:1])[0], exact, atol=0.25)
     for horizon, paid in ((1, 5.0), (2, 5.0), (3, 10.0), (4, 10.0), (50, 10.0)):
         assert evaluate(agent, "two_branch", 1, horizon=horizon, rule="own").returns.tolist() == [paid]
     assert evaluate(agent, "two_branch", 1, horizon=2, rule="greedy").returns.tolist() == [0.0]

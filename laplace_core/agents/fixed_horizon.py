@@ -17,8 +17,11 @@ from laplace_core.agents.agent import Agent, Batch, batched
 from laplace_core.agents.networks import Single
 from laplace_core.agents.settings import FixedHorizonSettings
 
-TOLD = 3
-"""Numbers of order one that T is told by: T itself, its logarithm and its inverse, so that short times differ, too."""
+TOLD = 12
+"""Numbers that T is told by: its nearness to as many times from 1 to the longest, evenly spaced in log T.
+
+The two times around T share a weight of 1. Short times are told apart at once, and long ones vary smoothly.
+"""
 
 
 class FixedHorizonAgent(Agent):
@@ -49,9 +52,9 @@ class FixedHorizonAgent(Agent):
             observations: ``(B, 1, O)``.
             times: T, ``(B, g)``; 0 is worth 0.
         """
-        t = times.clamp(min=1).float()
-        told = torch.stack([t / self.horizon, t.log() / np.log(self.horizon + 1), 1.0 / t], dim=-1)
-        outputs = network(torch.cat([observations.expand(-1, t.shape[1], -1), told], dim=-1), actions).squeeze(-1)
+        place = times.clamp(min=1).log() * ((TOLD - 1) / np.log(max(2, self.horizon)))
+        told = (1.0 - (place.unsqueeze(-1) - torch.arange(TOLD)).abs()).clamp(min=0.0)
+        outputs = network(torch.cat([observations.expand(-1, times.shape[1], -1), told], dim=-1), actions).squeeze(-1)
         # The network's own scale is reward a step, which is of one size for all T.
         scale = self._steps(times)
         return outputs * (scale if actions is not None else scale.unsqueeze(-1))
