@@ -10,10 +10,9 @@ import torch
 from hypothesis import given
 from hypothesis import strategies as st
 
-from laplace_core.agents import SETTINGS
+from laplace_core.agents import SETTINGS, qrdqn
 from laplace_core.agents.agent import Agent, Batch
 from laplace_core.agents.c51 import project
-from laplace_core.agents.qrdqn import quantile_huber
 from laplace_core.agents.registry import AGENTS
 from laplace_core.errors import InputError
 from laplace_core.learning import peers as tables
@@ -54,22 +53,48 @@ def test_weights_are_counted_without_building(algorithm, dueling):
     assert agent.network_numbers(agent.settings, 3, 2) == built
 
 
+def test_dueling_shares_what_all_actions_have_in_common():
+    """V + A_a - mean A: adding the same to every advantage changes nothing, adding it to V changes all."""
+    agent, batch = peer("qrdqn", dueling=True), batch_of(9)
+    before = agent.network(batch.observations)
+    agent.network.head.bias.data += 3.0
+    torch.testing.assert_close(agent.network(batch.observations), before)
+    agent.network.state.bias.data += 3.0
+    torch.testing.assert_close(agent.network(batch.observations), before + 3.0)
+
+
 @pytest.mark.parametrize("dueling", [False, True])
-def test_outputs_of_chosen_actions_are_those_of_the_whole(dueling):
-    agent, batch = peer("qrdqn", dueling=dueling), batch_of(9)
-    whole, chosen = agent.network(batch.observations), agent.network(batch.observations, batch.actions)
-    expected = whole[torch.arange(9), 0, batch.actions[:, 0]]
-    torch.testing.assert_close(chosen[:, 0], expected, rtol=1e-4, atol=1e-5)
+def test_untrained_networks_are_near_their_initial_outputs(dueling):
+    agent = AGENTS["c51"](SETTINGS["c51"](dueling=dueling), 3, 2)
+    outputs = agent.network(torch.ones(1, 1, 3))
+    assert outputs.shape == (1, 1, 2, 51)
+    torch.testing.assert_close(outputs, agent.initial().expand_as(outputs), atol=0.5, rtol=0.0)
+
+
+def test_a_round_equals_updates_one_by_one_with_the_targets_of_its_start():
+    """Where the average stays and chooses the next action, targets do not depend on when they are computed."""
+    batch = batch_of(12)
+    one, other = (peer("qrdqn", double=False, averaging=1e-5) for _ in range(2))
+    losses, each = one.learn(batch, 3, 0.5)
+    slowly = [other.update(part, 0.5) for part in batch.split(4)]
+    np.testing.assert_allclose(losses, [loss for loss, _ in slowly], rtol=1e-4)
+    np.testing.assert_allclose(each, np.concatenate([found for _, found in slowly]), rtol=1e-4)
+    for mine, theirs in zip(one.network.parameters(), other.network.parameters(), strict=True):
+        torch.testing.assert_close(mine, theirs, atol=1e-5, rtol=1e-4)
 
 
 @pytest.mark.parametrize("algorithm", OTHERS)
 def test_one_batch_is_learned(algorithm):
     """Without targets that move the loss falls to a fraction."""
     agent, batch = peer(algorithm, learning_rate=1e-2, averaging=1e-5, double=False), batch_of(16)
-    losses = [agent.losses(batch).mean().item() for _ in range(20)]
+
+    def loss() -> float:
+        return float(np.mean([agent.losses(batch, *agent.prepare(batch)).mean().item() for _ in range(20)]))
+
+    before = loss()
     for _ in range(150):
         agent.update(batch, 0.0)
-    assert np.mean([agent.losses(batch).mean().item() for _ in range(20)]) < 0.4 * np.mean(losses)
+    assert loss() < 0.4 * before
 
 
 @pytest.mark.parametrize("algorithm", PEERS)
@@ -101,15 +126,14 @@ def test_distributions_are_those_with_the_means_that_decide(algorithm):
 @pytest.mark.parametrize("algorithm", PEERS)
 def test_targets_equal_a_loop_over_transitions(algorithm, double, n_step):
     agent, batch = peer(algorithm, double=double, dueling=True, gamma=0.8), batch_of(8, n_step=n_step)
-    locations, masses = agent.targets(batch)
+    locations, masses = agent.prepare(batch)
     for i in range(8):
-        z, p, discount = slow_target(agent, batch, i)
+        z, p = slow_target(agent, batch, i)
         np.testing.assert_allclose(locations[i], z, rtol=1e-4, atol=1e-5)
         np.testing.assert_allclose(masses[i], p, rtol=1e-4, atol=1e-6)
-        assert (np.ptp(z) == 0.0) == (discount == 0.0 or len(z) == 1)
 
 
-def slow_target(agent: Agent, batch: Batch, i: int) -> tuple[np.ndarray, np.ndarray, float]:
+def slow_target(agent: Agent, batch: Batch, i: int) -> tuple[np.ndarray, np.ndarray]:
     """One transition, reward by reward."""
     total, discount = 0.0, 1.0
     for k in range(int(batch.lengths[i, 0])):
@@ -120,7 +144,7 @@ def slow_target(agent: Agent, batch: Batch, i: int) -> tuple[np.ndarray, np.ndar
     best = agent.means(judge(following))[0, 0].argmax()
     later, masses = agent.distribution(agent.target(following)[:, 0, best])
     discount = 0.0 if batch.terminated[i, 0] else discount
-    return total + discount * later[0].detach().numpy(), masses[0].detach().numpy(), discount
+    return total + discount * later[0].detach().numpy(), masses[0].detach().numpy()
 
 
 # DQN
@@ -188,7 +212,7 @@ def test_a_quantile_loss_worked_by_hand():
     At 1: u = -1/2 costs 1/4 * 1/8, u = 2 costs 3/4 * 3/2: their mean is .578125; gradient (1/4 * 1/2 - 3/4) / 2.
     """
     quantiles = row(0.0, 1.0)
-    loss = quantile_huber(quantiles, torch.tensor([[0.5, 3.0]]), torch.tensor([0.25, 0.75]))
+    loss = qrdqn.quantile_huber(quantiles, torch.tensor([[0.5, 3.0]]), torch.tensor([0.25, 0.75]))
     loss.sum().backward()
     assert loss.item() == pytest.approx(0.328125 + 0.578125)
     np.testing.assert_allclose(quantiles.grad[0], [-0.1875, -0.3125])
@@ -232,11 +256,19 @@ ONE = torch.ones(1, 1)
     st.lists(st.floats(-4.0, 4.0, width=16), min_size=1, max_size=6),
 )
 def test_the_quantile_loss_and_its_gradient_equal_a_double_loop(quantiles, locations):
-    """Also where quantiles cross, coincide, or lie exactly 0 or 1 from a target."""
-    q = torch.tensor(quantiles, requires_grad=True)
-    y, levels = sorted(locations), (torch.arange(q.shape[1]) + 0.5) / q.shape[1]
-    loss = quantile_huber(q, torch.tensor([y, y]), levels)
-    loss.sum().backward()
+    """Both ways to sum; also where quantiles cross, coincide, or lie exactly 0 or 1 from a target."""
+    y = sorted(locations)
+    for most in (0, 10**6):
+        q = torch.tensor(quantiles, requires_grad=True)
+        levels = (torch.arange(q.shape[1]) + 0.5) / q.shape[1]
+        with pytest.MonkeyPatch.context() as patch:
+            patch.setattr(qrdqn, "MOST_PAIRS", most)
+            loss = qrdqn.quantile_huber(q, torch.tensor([y, y]), levels)
+        loss.sum().backward()
+        check_quantiles(quantiles, y, levels, loss, q.grad)
+
+
+def check_quantiles(quantiles, y, levels, loss, gradient):
     for b, one in enumerate(quantiles):
         cost, pull = 0.0, np.zeros(len(one))
         for i, qi in enumerate(one):
@@ -246,7 +278,7 @@ def test_the_quantile_loss_and_its_gradient_equal_a_double_loop(quantiles, locat
                 cost += weight * (0.5 * u * u if abs(u) <= 1 else abs(u) - 0.5) / len(y)
                 pull[i] -= weight * np.clip(u, -1.0, 1.0) / len(y)
         assert loss[b].item() == pytest.approx(cost, rel=1e-5, abs=1e-6)
-        np.testing.assert_allclose(q.grad[b], pull, rtol=1e-5, atol=1e-6)
+        np.testing.assert_allclose(gradient[b], pull, rtol=1e-5, atol=1e-6)
 
 
 # Fixed horizon
@@ -267,8 +299,8 @@ def test_fixed_horizon_targets_worked_by_hand():
         terminated=torch.tensor([[False]]),
     )  # fmt: skip
     left = torch.tensor([[1]])
-    best = agent.values(agent.network, batch.next_observations, left).argmax(-1)
-    later = agent.values(agent.target, batch.next_observations, left, best).item()
+    best = agent.values(agent.network, batch.next_observations, left).argmax().item()
+    later = agent.values(agent.target, batch.next_observations, left)[0, 0, best].item()
     assert later != 0.0
     found = agent.targets(batch, torch.tensor([[1, 2, 3]]))
     np.testing.assert_allclose(found[0], [1.0, 2.0, 2.0 + 0.25 * later], rtol=1e-5)
@@ -276,23 +308,10 @@ def test_fixed_horizon_targets_worked_by_hand():
 
 def test_a_fixed_horizon_loss_is_the_squared_error_over_the_steps():
     """Errors 3 at T = 2 and gamma 1/2, of 1 + 1/2 discounted steps: 9/2 / 1.5 = 3."""
-    agent, batch = peer("fixed_horizon", gamma=0.5, horizon=2, times=1), batch_of(1)
-    agent.random = Always(2)
-    times = torch.tensor([[2]])
-    value = agent.values(agent.network, batch.observations, times, batch.actions)
-    agent.targets = lambda *_: value.detach() + 3.0
-    assert agent.losses(batch).item() == pytest.approx(3.0, rel=1e-5)
-
-
-class Always:
-    """Random numbers that are all one."""
-
-    def __init__(self, value: int):
-        self.value = value
-
-    def integers(self, low: int, high: int, size: tuple[int, ...]) -> np.ndarray:
-        assert low <= self.value < high
-        return np.full(size, self.value)
+    agent, batch, times = peer("fixed_horizon", gamma=0.5), batch_of(1), torch.tensor([[2]])
+    value = agent.values(agent.network, batch.observations, times)[0, 0, batch.actions[0, 0]]
+    target = (value + 3.0).detach().view(1, 1)
+    assert agent.losses(batch, times, target).item() == pytest.approx(3.0, rel=1e-5)
 
 
 @pytest.mark.parametrize("double", [False, True])
@@ -315,11 +334,10 @@ def test_fixed_horizon_targets_equal_a_loop(n_step, double):
 
 
 def test_every_time_to_go_is_drawn():
-    agent, batch, seen = peer("fixed_horizon"), batch_of(200), []
-    targets = agent.targets
-    agent.targets = lambda batch, times: seen.append(times) or targets(batch, times)
-    agent.losses(batch)
-    assert seen[0].unique().tolist() == [1, 2, 3, 4, 5, 6]
+    agent, batch = peer("fixed_horizon"), batch_of(200)
+    times, targets = agent.prepare(batch)
+    assert times.unique().tolist() == [1, 2, 3, 4, 5, 6]
+    torch.testing.assert_close(targets, agent.targets(batch, times))
 
 
 def test_heads_of_a_fixed_horizon_are_its_times_to_go():
