@@ -38,3 +38,13 @@ def test_the_first_step_worked_by_hand():
     parameter.grad = torch.tensor([0.5, -1e-5])
     Adam([parameter]).step(0.1, 10.0)
     torch.testing.assert_close(parameter.data, torch.tensor([0.9, 1.05]), atol=1e-5, rtol=0.0)
+
+
+def test_what_has_no_gradient_stays():
+    used, unused = (torch.nn.Parameter(torch.ones(2)) for _ in range(2))
+    used.grad = torch.ones(2)
+    optimiser = Adam([unused, used])
+    optimiser.step(0.1, 10.0)
+    assert torch.equal(unused.data, torch.ones(2))
+    assert torch.all(used.data < 1.0)
+    assert [int(count) for count in optimiser.moments["step"]] == [0, 1]

@@ -11,15 +11,13 @@ from torch import Tensor, nn
 
 BETAS = (0.9, 0.999)
 EPSILON = 1e-5
-MOMENTS = ("step", "exp_avg", "exp_avg_sq")
-"""Names of what Adam remembers of every parameter: steps so far, running mean of its gradient and of the square."""
 
 
 class Adam:
     """The optimiser of one network.
 
     Attributes:
-        moments: name -> one tensor for every parameter, in order; see ``MOMENTS``.
+        moments: one tensor for every parameter, in order: steps so far, running means of its gradient and its square.
     """
 
     def __init__(self, parameters: list[nn.Parameter]):
@@ -38,14 +36,16 @@ class Adam:
             rate: step size.
             largest: norm of all gradients together that they are scaled down to where it is greater.
         """
-        gradients = [parameter.grad for parameter in self._parameters]
+        # A part of the network that has not been used has no gradient, and stays as it is.
+        rows = [row for row in zip(self._parameters, *self.moments.values(), strict=True) if row[0].grad is not None]
+        parameters, steps, averages, squares = map(list, zip(*rows, strict=True))
+        gradients = [parameter.grad for parameter in parameters]
         norm = torch.linalg.vector_norm(torch.stack(torch._foreach_norm(gradients)))
         torch._foreach_mul_(gradients, (largest / (norm + 1e-6)).clamp(max=1.0))
-        steps, averages, squares = (self.moments[name] for name in MOMENTS)
         torch._foreach_add_(steps, 1.0)
         torch._fused_adam_(
-            self._parameters, gradients, averages, squares, [], steps, lr=rate, beta1=BETAS[0], beta2=BETAS[1],
+            parameters, gradients, averages, squares, [], steps, lr=rate, beta1=BETAS[0], beta2=BETAS[1],
             weight_decay=0.0, eps=EPSILON, amsgrad=False, maximize=False, grad_scale=None, found_inf=None,
         )  # fmt: skip
-        for parameter in self._parameters:
+        for parameter in parameters:
             parameter.grad = None
