@@ -22,11 +22,20 @@ _AT_ONCE = 100  # episodes side by side
 
 @dataclass(frozen=True, eq=False)
 class Scores:
-    """Returns and lengths of the episodes, ``(N,)`` each, and whether each was still running at its end."""
+    """What came of N episodes.
+
+    Attributes:
+        returns, lengths: ``(N,)``.
+        running: ``(N,)``, whether each was still running at its end.
+        starts: ``(N, O)``, the first observations.
+        discounted: ``(N, G)``, returns at the discounts that were asked for.
+    """
 
     returns: np.ndarray
     lengths: np.ndarray
     running: np.ndarray
+    starts: np.ndarray
+    discounted: np.ndarray
 
     @property
     def mean(self) -> float:
@@ -40,6 +49,7 @@ class Scores:
 def evaluate(
     agent: Agent, environment: str, episodes: int = 100, seed: int = 0, horizon: int | None = None,
     softness: float = 0.2, rule: str = "greedy", alpha: float = 1.0, steps: int = 1000, first_seed: int = FIRST_SEED,
+    discounts: np.ndarray | None = None,
 ) -> Scores:  # fmt: skip
     """Act without exploration and add up rewards.
 
@@ -51,6 +61,7 @@ def evaluate(
         horizon: T; the episode is stopped after so many steps. None leaves it to the environment's own limit.
         softness: width of the deadline as a fraction of the time to go.
         alpha, steps: regularisation and length of the inverse, for the last two rules.
+        discounts: ``(G,)``, for the discounted returns.
 
     Raises:
         InputError: arguments that do not fit, or a rule that the agent has no discounts for.
@@ -67,15 +78,23 @@ def evaluate(
         raise InputError(f"the horizon is {horizon}; it must be from 1 to 10,000 steps.")
     choose = _chooser(agent, rule, length, softness, alpha, steps)
     starts = [first_seed + seed * 100_000 + i for i in range(episodes)]
-    parts = [_episodes(choose, environment, starts[i : i + _AT_ONCE], length) for i in range(0, episodes, _AT_ONCE)]
+    gammas = np.zeros(0) if discounts is None else np.asarray(discounts, dtype=float)
+    parts = [
+        _episodes(choose, environment, starts[i : i + _AT_ONCE], length, gammas) for i in range(0, episodes, _AT_ONCE)
+    ]
     return Scores(*(np.concatenate(column) for column in zip(*parts, strict=True)))
 
 
-def _episodes(choose, environment: str, starts: list[int], length: int | None):
-    """Returns, lengths and whether still running, of one episode from each start seed, all in step."""
+def _episodes(choose, environment: str, starts: list[int], length: int | None, gammas: np.ndarray):
+    """The columns of :class:`Scores`, of one episode from each start seed, all in step."""
     envs = [environments.make(environment) for _ in starts]
     observations = np.array([env.reset(seed=start)[0].ravel() for env, start in zip(envs, starts, strict=True)])
-    returns, lengths = np.zeros(len(envs)), np.zeros(len(envs), dtype=int)
+    first = observations.copy()
+    returns, lengths, discounted = (
+        np.zeros(len(envs)),
+        np.zeros(len(envs), dtype=int),
+        np.zeros((len(envs), gammas.size)),
+    )
     terminated, going = np.zeros(len(envs), bool), np.arange(len(envs))
     time = 0
     while going.size and (length is None or time < length):
@@ -84,13 +103,14 @@ def _episodes(choose, environment: str, starts: list[int], length: int | None):
             observation, reward, terminated[i], truncated, _ = envs[i].step(int(action))
             observations[i] = observation.ravel()
             returns[i] += reward
+            discounted[i] += gammas**time * reward
             lengths[i] += 1
             if not (terminated[i] or truncated):
                 still.append(i)
         going, time = np.array(still, dtype=int), time + 1
     for env in envs:
         env.close()
-    return returns, lengths, ~terminated
+    return returns, lengths, ~terminated, first, discounted
 
 
 def _chooser(agent: Agent, rule: str, length: int | None, softness: float, alpha: float, steps: int):

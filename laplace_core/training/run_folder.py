@@ -1,4 +1,5 @@
-"""The folder of a run: ``config.json``, ``metrics.jsonl``, ``resume.safetensors``, ``best`` and ``last.safetensors``.
+"""The folder of a run: ``config.json``, ``metrics.jsonl``, ``resume.safetensors``, ``best`` and ``last.safetensors``;
+while it is trained, ``process.json`` says by which process.
 
 The metrics are appended to as events happen; a resume point remembers how long they were, and they are cut back to
 that when a run goes on from it.
@@ -16,6 +17,8 @@ import numpy as np
 from laplace_core.agents.settings import SETTINGS, LoopSettings
 from laplace_core.errors import InputError
 from laplace_core.training.events import Event
+from laplace_core.training.process import FILE as PROCESS
+from laplace_core.training.process import Process, read_process, write_process
 from laplace_core.training.tensor_file import parse_json, read_tensors, write_tensors, write_whole
 
 MAX_RESUME_BYTES = 4_000_000_000
@@ -28,7 +31,8 @@ class RunFolder:
         settings: of a new run; None to go on with the one that is there.
 
     Raises:
-        InputError: a new run where there is one already, none where one should be, or files that are not a run's.
+        InputError: a new run where there is one already, none where one should be, files that are not a run's, or a
+            run that another process trains at this moment.
     """
 
     def __init__(self, path: str | Path, settings: LoopSettings | None, resume: bool):
@@ -56,6 +60,10 @@ class RunFolder:
             about = {"algorithm": settings.ALGORITHM, "settings": settings.as_dict()}
             write_whole(config, (json.dumps(about, indent=1) + "\n").encode())
         self._file = None
+        other, self._process = read_process(self.path), Process.of(os.getpid())
+        if other is not None and other != self._process and other.alive:
+            raise InputError(f"{self.path.name} is being trained by the process {other.pid}: end that one first.")
+        write_process(self.path, self._process)
 
     def load(self) -> tuple[dict[str, np.ndarray], dict[str, object]] | None:
         """The resume point; None if the run was stopped before there was one."""
@@ -85,6 +93,8 @@ class RunFolder:
     def close(self) -> None:
         if self._file is not None:
             self._file.close()
+        if read_process(self.path) == self._process:
+            (self.path / PROCESS).unlink(missing_ok=True)
 
 
 def read_config(path: Path) -> LoopSettings:
