@@ -8,12 +8,13 @@ import signal
 import subprocess
 import time
 from dataclasses import asdict, dataclass
+from functools import cache
 from pathlib import Path
 
 from laplace_core.errors import InputError
 from laplace_core.training.tensor_file import parse_json, write_whole
 
-PATIENCE = 1.2
+PATIENCE = 1.5
 """Seconds that a process is given to end after SIGTERM, before it is killed."""
 FILE = "process.json"
 _MOST_BYTES = 10_000
@@ -90,13 +91,17 @@ def read_small(path: Path, most: int) -> str | None:
 def _started(pid: int) -> str | None:
     """When a process began, as a word; None if there is none, or if it is over and only its number is kept."""
     try:
-        fields = Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()
-        boot = Path("/proc/sys/kernel/random/boot_id").read_text().strip()
-        return None if fields[0] in "ZX" else f"{boot} {fields[19]}"
+        fields = Path(f"/proc/{pid}/stat").read_text(errors="replace").rpartition(")")[2].split()
+        return None if fields[0] in "ZX" else f"{_boot()} {fields[19]}"
     except (FileNotFoundError, ProcessLookupError):
         if Path("/proc/self").exists():
             return None
     return _started_by_ps(pid)
+
+
+@cache
+def _boot() -> str:
+    return Path("/proc/sys/kernel/random/boot_id").read_text().strip()
 
 
 def _started_by_ps(pid: int) -> str | None:

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 from dataclasses import asdict
 from pathlib import Path
 
@@ -22,6 +23,8 @@ from laplace_core.training.process import Process, read_process, write_process
 from laplace_core.training.tensor_file import parse_json, read_tensors, write_tensors, write_whole
 
 MAX_RESUME_BYTES = 4_000_000_000
+RUN_NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]{0,120}")
+"""What a run may be called where it is asked for by name."""
 
 
 class RunFolder:
@@ -52,13 +55,7 @@ class RunFolder:
             if config.exists():
                 raise InputError(f"{self.path.name} holds a run already: resume it, or choose another folder.")
             self.settings = settings
-            try:
-                self.path.mkdir(parents=True, exist_ok=True)
-            except OSError as error:
-                reason = (error.strerror or "unknown error").lower()
-                raise InputError(f"the folder {self.path.name} cannot be made: {reason}.") from None
-            about = {"algorithm": settings.ALGORITHM, "settings": settings.as_dict()}
-            write_whole(config, (json.dumps(about, indent=1) + "\n").encode())
+            new_run(self.path, settings)
         self._file = None
         other, self._process = read_process(self.path), Process.of(os.getpid())
         if other is not None and other != self._process and other.alive:
@@ -95,6 +92,21 @@ class RunFolder:
             self._file.close()
         if read_process(self.path) == self._process:
             (self.path / PROCESS).unlink(missing_ok=True)
+
+
+def new_run(path: Path, settings: LoopSettings) -> None:
+    """A folder that holds no more than settings: to resume it is to begin it.
+
+    Raises:
+        InputError: the folder cannot be made.
+    """
+    try:
+        path.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        reason = (error.strerror or "unknown error").lower()
+        raise InputError(f"the folder {path.name} cannot be made: {reason}.") from None
+    about = {"algorithm": settings.ALGORITHM, "settings": settings.as_dict()}
+    write_whole(path / "config.json", (json.dumps(about, indent=1) + "\n").encode())
 
 
 def read_config(path: Path) -> LoopSettings:
