@@ -9,6 +9,7 @@ import json
 import math
 import os
 import stat
+import threading
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -21,6 +22,7 @@ _AT_ONCE = 4_000_000  # bytes in one look
 _LONGEST_LINE = 200_000
 _MARK = 64  # bytes before the place read to, by which a file that was cut back and grew anew is told
 _SMOOTHING = 0.02  # of all episodes, on either side
+_LEAST_SMOOTHING = 5
 
 
 @dataclass(frozen=True, eq=False)
@@ -52,7 +54,7 @@ class Reader:
     """Follows the metrics of one run."""
 
     def __init__(self, path: str | Path):
-        self.path = Path(path)
+        self.path, self._lock = Path(path), threading.Lock()  # several pages may look at a time
         self._restart()
 
     def _restart(self) -> None:
@@ -65,18 +67,20 @@ class Reader:
 
     def look(self) -> Curves:
         """The curves so far; the same object while nothing is new. ``behind`` says whether more was there to read."""
-        data = self._new()
-        for line in data.splitlines():
-            self._take(line)
-        if data or self._curves is None:
-            self._curves = self._drawn()
-        return self._curves
+        with self._lock:
+            data = self._new()
+            for line in data.splitlines():
+                self._take(line)
+            if data or self._curves is None:
+                self._curves = self._drawn()
+            return self._curves
 
     def _new(self) -> bytes:
         """Whole lines that were not read yet, at most ``_AT_ONCE`` bytes of them."""
         try:
             handle = os.open(self.path, os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK)
-        except OSError:
+        except OSError:  # not there yet, or removed
+            self._restart()
             return b""
         with os.fdopen(handle, "rb") as file:
             found = os.fstat(handle)
@@ -132,7 +136,7 @@ class Reader:
     def _drawn(self) -> Curves:
         bins = np.array(self._bins, dtype=float).reshape(-1, 3)
         steps, sums, counts = bins.T
-        width = max(1, round(_SMOOTHING * len(bins)))
+        width = max(_LEAST_SMOOTHING, round(_SMOOTHING * len(bins)))
         smooth, around = _sum_around(sums, width), _sum_around(counts, width)
         told = self._evaluations
         heads = len(told[-1][3]) if told else 0
