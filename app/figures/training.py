@@ -45,12 +45,14 @@ def learning_curves(title: str, lines: Sequence[Line], steps: int) -> Figure:
     return build(
         title,
         traces,
-        margin={"l": 56, "t": 58},
+        margin={"l": 56},
         height=TALL,
+        legend={"orientation": "v", "x": 1.0, "xanchor": "right", "y": 0.0, "yanchor": "bottom", "font": {"size": 10},
+                "tracegroupgap": 0, "bgcolor": "rgba(128,128,128,0.12)"},
         xaxis=axis("step", range=[0, 1.02 * steps]),
         yaxis=axis("return"),
         annotations=_note("no episode has ended yet") if not any(len(line.curves.returns) for line in lines) else [],
-    )
+    )  # fmt: skip
 
 
 def discount_errors(curves: Curves, gammas: np.ndarray, steps: int, first: int) -> Figure:
@@ -61,7 +63,7 @@ def discount_errors(curves: Curves, gammas: np.ndarray, steps: int, first: int) 
         steps: of the whole run.
         first: step of the first evaluation, for as long as there is none.
     """
-    told = curves.values.shape[1] == len(gammas)
+    told = curves.values.shape == (len(curves.steps), len(gammas)) and len(curves.steps) > 0
     traces = []
     for index, gamma in enumerate(gammas if told else ()):
         error = (curves.values[:, index] - curves.discounted[:, index]) * (1.0 - gamma)

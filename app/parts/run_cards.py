@@ -56,16 +56,13 @@ def _card(runs: Sequence[Run], run: Run, looked: bool) -> None:
     st.html(f'<div class="run-note">{escape(_numbers(curves))}<br>{escape(_different(run))}</div>')
     if run.error:
         st.html(f'<div class="run-error">{escape(_sentence(run.error))}</div>')
-    act, show, use, more = st.columns([1, 0.8, 1.7, 0.9], gap="small")
-    with act:
+    with st.container(horizontal=True, gap="small"):
         if run.going:
-            st.button("Cancel", key=f"cancel {run.name}", on_click=_do, args=("stop", run.name), width="stretch")
+            st.button("Cancel", key=f"cancel {run.name}", on_click=_do, args=("stop", run.name))
         elif run.state in (STOPPED, FAILED):
-            st.button("Resume", key=f"resume {run.name}", on_click=_do, args=("resume", run.name), width="stretch")
-    show.button("Show", key=f"show {run.name}", on_click=_show, args=(run.name,), width="stretch", disabled=looked)
-    with use:
+            st.button("Resume", key=f"resume {run.name}", on_click=_do, args=("resume", run.name))
+        st.button("Show", key=f"show {run.name}", on_click=_show, args=(run.name,), disabled=looked)
         _open(run)
-    with more:
         _more(run, curves)
 
 
@@ -143,23 +140,24 @@ def _open(run: Run) -> None:
     why = None if training_runs.best(run) else "After the first evaluation."
     if not training_runs.has_discounts(run):
         why = "That page shows the values of many discounts, which this algorithm has not."
-    pressed = st.button("Open in Trained agents", key=f"open {run.name}", width="stretch", disabled=why is not None,
-                        help=why)  # fmt: skip
+    pressed = st.button("Open in Trained agents", key=f"open {run.name}", disabled=why is not None, help=why)
     if pressed:
         st.switch_page("screens/agents.py", query_params={"checkpoint": f"run:{run.name}"})
 
 
 def _more(run: Run, curves: Curves | None) -> None:
-    box = st.popover("More", width="stretch", on_change="rerun", key=f"more_{run.name}")
+    box = st.popover("More", on_change="rerun", key=f"more_{run.name}")
     if not box.open:
         return
     with box:
         if curves is not None:
-            _file("Best checkpoint", run.folder / "best.safetensors", f"{run.name}.safetensors")
-            metrics = run.folder / "metrics.jsonl"
-            _file("Metrics, JSON lines", metrics, f"{run.name}.jsonl")
-            _file("Metrics, CSV", metrics, f"{run.name}.csv", metrics_csv)
-            _file("Settings, JSON", run.folder / "config.json", f"{run.name}.json")
+            metrics, (left, right) = run.folder / "metrics.jsonl", st.columns(2, gap="small")
+            with left:
+                _file("Best checkpoint", run.folder / "best.safetensors", f"{run.name}.safetensors")
+                _file("Settings (JSON)", run.folder / "config.json", f"{run.name}.json")
+            with right:
+                _file("Metrics (JSONL)", metrics, f"{run.name}.jsonl")
+                _file("Metrics (CSV)", metrics, f"{run.name}.csv", metrics_csv)
             words = command_of(run.settings, f"runs/{run.name}_again")
             copy_button("Copy the command", shlex.join(["python", "-m", "laplace_core", *words]), f"command {run.name}")
         st.caption(f"In {run.folder}")

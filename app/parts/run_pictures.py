@@ -46,7 +46,8 @@ def pictures(runs: Sequence[Run], run: Run) -> None:
     same = family(runs, run)
     drawn = _beside(same, run)
     discounts = getattr(run.settings, "discounts", None)
-    places = st.columns([1.35, 1, 1] if discounts else 1, gap="small")
+    row = st.container(key="run_pictures")  # its height is kept free while a browser still loads what draws
+    places = row.columns([1.35, 1, 1] if discounts else 1, gap="small")
     lines = [Line(label(one), colour_of(runs, one), training_runs.curves(one)) for one in drawn]
     with places[0]:
         steps = max(one.settings.steps for one in drawn)

@@ -53,10 +53,11 @@ def _seed() -> Parameter:
 
 
 def _in_columns(parameters: list[Parameter], shown) -> None:
-    for i, parameter in enumerate(parameters):
-        columns = columns if i % 2 else st.columns(2, vertical_alignment="bottom")  # a row each: titles may wrap
-        with columns[i % 2]:
-            number(TRAIN + parameter.name, parameter, getattr(shown, parameter.name), _title(parameter.name))
+    for first in range(0, len(parameters), 2):  # a row each: titles may wrap
+        row = st.columns(2, vertical_alignment="bottom")
+        for column, parameter in zip(row, parameters[first : first + 2], strict=False):
+            with column:
+                number(TRAIN + parameter.name, parameter, getattr(shown, parameter.name), _title(parameter.name))
 
 
 def _title(name: str) -> str:

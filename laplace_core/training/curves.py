@@ -82,10 +82,11 @@ class Reader:
         except OSError:  # not there yet, or removed
             self._restart()
             return b""
+        found = os.fstat(handle)
+        if not stat.S_ISREG(found.st_mode):
+            os.close(handle)
+            return b""
         with os.fdopen(handle, "rb") as file:
-            found = os.fstat(handle)
-            if not stat.S_ISREG(found.st_mode):
-                return b""
             if self._offset:
                 file.seek(self._offset - len(self._mark))
                 if file.read(len(self._mark)) != self._mark:  # cut back at a resume point

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 import signal
+import stat
 import subprocess
 import time
 from dataclasses import asdict, dataclass
@@ -81,9 +82,11 @@ def read_small(path: Path, most: int) -> str | None:
     """The text of a plain file of at most ``most`` bytes; None for anything else, a link or a pipe among it."""
     try:
         handle = os.open(path, os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK)
-        with os.fdopen(handle, "rb") as file:
-            data = file.read(most + 1) or b""
-        return data.decode() if len(data) <= most else None
+        try:
+            data = os.read(handle, most + 1) if stat.S_ISREG(os.fstat(handle).st_mode) else None
+        finally:
+            os.close(handle)
+        return None if data is None or len(data) > most else data.decode()
     except (OSError, ValueError):
         return None
 

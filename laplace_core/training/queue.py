@@ -260,7 +260,7 @@ class Queue:
         (run.folder / "errors.txt").unlink(missing_ok=True)
         with open(run.folder / "errors.txt", "xb") as errors:
             child = subprocess.Popen(
-                [sys.executable, "-m", "laplace_core", "train", "--resume", str(run.folder.resolve())],
+                _command(run.folder.resolve()),
                 stdin=subprocess.DEVNULL,
                 stdout=subprocess.DEVNULL,
                 stderr=errors,
@@ -270,6 +270,11 @@ class Queue:
             )
         self._children[run.name] = child
         write_process(run.folder, Process.of(child.pid))
+
+
+def _command(folder: Path) -> list[str]:
+    """To resume a run that has not begun is to begin it."""
+    return [sys.executable, "-m", "laplace_core", "train", "--resume", str(folder)]
 
 
 def check_trainable(settings: LoopSettings) -> None:
@@ -343,6 +348,8 @@ def _error_in(path: Path) -> str | None:
     last = " ".join(lines[-1].split())[:300]
     if last.startswith("laplace: "):
         return last.removeprefix("laplace: ")
-    if re.match(r"[A-Za-z_][\w.]*(Error|Exception)\b", last):
-        return f"training broke off: {last.rstrip('.')}."
-    return None
+    fault = re.match(r"[A-Za-z_][\w.]*(Error|Exception)\b(: )?", last)
+    if not fault:
+        return None
+    words = last[fault.end() :].rstrip(".") or "a fault of the program"
+    return f"training broke off: {words}; errors.txt in the run's folder says more."
