@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import lru_cache
 
 from laplace_core import InputError
 from laplace_core.agents.settings import ENVIRONMENTS, LOOP_SCHEMA, SETTINGS, LoopSettings
@@ -55,7 +56,12 @@ def fields(algorithm: str) -> tuple[list[Parameter], list[Parameter]]:
 
 def suited(values: Mapping[str, object]) -> LoopSettings:
     """What the settings are where nothing is set by hand."""
-    return settings_of(_word("algorithm", values), _word("environment", values), {})
+    return _usual(_word("algorithm", values), _word("environment", values))
+
+
+@lru_cache(maxsize=256)
+def _usual(algorithm: str, environment: str) -> LoopSettings:
+    return settings_of(algorithm, environment, {})
 
 
 def wanted(values: Mapping[str, object]) -> LoopSettings:
@@ -69,7 +75,7 @@ def wanted(values: Mapping[str, object]) -> LoopSettings:
     if "evaluate_every" not in given:
         steps = int(given.get("steps", usual.steps))
         given["evaluate_every"] = min(usual.evaluate_every, max(1, steps // LOOKS))
-    return settings_of(usual.ALGORITHM, usual.environment, given)
+    return usual.parse(usual.as_dict() | given)
 
 
 def _word(name: str, values: Mapping[str, object]) -> str:
@@ -108,7 +114,7 @@ def names_in(word: object) -> list[str]:
 
 def changed(settings: LoopSettings) -> list[str]:
     """What a run's settings have that the suited ones have not, in words."""
-    usual = settings_of(settings.ALGORITHM, settings.environment, {})
+    usual = _usual(settings.ALGORITHM, settings.environment)
     names = [p.name for p in settings.SCHEMA if p.name not in ("seed", "evaluate_every")]
     return [
         f"{name} {getattr(settings, name):g}" if isinstance(getattr(settings, name), float)
