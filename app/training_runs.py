@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import stat
 import tempfile
+import threading
 from functools import cache, lru_cache
 from pathlib import Path
 
@@ -14,6 +15,7 @@ from laplace_core.training.queue import Queue, Run
 
 VARIABLE = "LAPLACE_RUNS"
 """Names another folder for the runs than ``runs`` beside the application."""
+_one = threading.Lock()  # two sessions that open at once make one queue
 _ROOT = Path(__file__).resolve().parent.parent
 
 
@@ -45,7 +47,8 @@ def queue() -> Queue:
     Raises:
         InputError: no folder for runs can be made.
     """
-    return _queue(folder())
+    with _one:
+        return _queue(folder())
 
 
 @lru_cache(maxsize=1)
@@ -64,7 +67,7 @@ def wake() -> None:
 @lru_cache(maxsize=1)
 def _wake(path: Path) -> None:
     if path.is_dir():
-        _queue(path).wake()
+        queue().wake()
 
 
 @lru_cache(maxsize=64)

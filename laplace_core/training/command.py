@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import json
+import os
 import signal
 import sys
 import threading
@@ -69,8 +70,9 @@ def run_train(options: argparse.Namespace) -> None:
         file.at(step, last=True)
     progress.end()
     if stop.asked and step < settings.steps:
-        print(f"stopped; laplace train --resume {folder} goes on from there", file=sys.stderr)
-        raise SystemExit(128 + stop.asked)
+        print(f"stopped; laplace train --resume {folder} goes on from there", file=sys.stderr, flush=True)
+        sys.stdout.flush()
+        os._exit(128 + stop.asked)  # everything is written; to take torch apart would need seconds
 
 
 class Stop:
