@@ -52,6 +52,7 @@ It goes to 0 as a discount is learned; small discounts come first. Episodes that
 have come after it, so large discounts may stay above 0 there. Where each discount follows a policy of its own, their
 values are of those policies, and the returns of the acting one.
 
-**Value at the start** is the last of these evaluations, not scaled: a gap at large $1/(1-\gamma)$ alone says that the
-far future is not learned yet.
+**Value at the start** is the last of these evaluations, not scaled, with the standard error of what came: where
+rewards are random, a few episodes say little. A gap at large $1/(1-\gamma)$ alone says that the far future is not
+learned yet.
 """

@@ -221,7 +221,7 @@ def test_curves_of_runs_of_one_environment_stand_side_by_side(runs):
     page = opened(run="one")
     drawn = pictures(page)["training"]["data"]
     assert len(drawn) == 6  # three traces of two runs
-    assert numbers(drawn[2]["y"]).tolist() == [4, 9, 9]
+    assert numbers(drawn[4]["y"]).tolist() == [4, 9, 9]
     page.button(key="show pole").click()
     assert len(pictures(run(page))["training"]["data"]) == 3
     assert link(page)["run"] == "pole"
@@ -241,7 +241,7 @@ def test_runs_beside_it_are_picked_and_in_the_link(runs):
 
 def test_values_of_every_discount_stand_against_what_came(runs):
     told = json.loads(STORY.splitlines()[2])
-    told |= {"values": [1.0, 2.0, 3.0, 4.0], "discounted": [1.0, 2.5, 3.0, 8.0]}
+    told |= {"values": [1.0, 2.0, 3.0, 4.0], "discounted": [1.0, 2.5, 3.0, 8.0], "discounted_errors": [0.0] * 4}
     made(runs, "one", story=STORY.splitlines()[0] + "\n" + json.dumps(told) + "\n")
     drawn = pictures(opened())
     assert len(drawn["discounts"]["data"]) == 5  # four discounts and their colours

@@ -22,8 +22,7 @@ def curves(evaluations: int = 4, episodes: int = 50, heads: int = 3) -> Curves:
     return Curves(
         np.arange(1.0, episodes + 1), random.normal(size=episodes), random.normal(size=episodes),
         100 * np.arange(1, evaluations + 1), random.normal(size=evaluations), random.random(evaluations),
-        random.normal(size=(evaluations, heads)), random.normal(size=(evaluations, heads)), episodes,
-        evaluations - 1 if evaluations else None,
+        *random.normal(size=(3, evaluations, heads)), episodes, evaluations - 1 if evaluations else None,
     )  # fmt: skip
 
 
@@ -46,11 +45,11 @@ def test_plotly_accepts_every_figure(evaluations, episodes, heads):
 def test_each_run_has_its_returns_their_average_and_its_scores():
     one, two = curves(), curves(2, 7)
     traces = drawn(learning_curves("title", [Line("one", "#0072B2", one), Line("two", "#E69F00", two)], 4000))["data"]
-    wanted = [one.returns, one.smooth, one.scores, two.returns, two.smooth, two.scores]
+    wanted = [one.returns, two.returns, one.smooth, two.smooth, one.scores, two.scores]
     for trace, values in zip(traces, wanted, strict=True):
         np.testing.assert_allclose(numbers(trace["y"]), values, rtol=1e-6)
     assert [trace["name"] for trace in traces if trace["showlegend"]] == ["one", "two"]
-    np.testing.assert_allclose(traces[2]["error_y"]["array"], one.errors)
+    np.testing.assert_allclose(traces[4]["error_y"]["array"], one.errors)
 
 
 def test_each_discount_has_a_line_of_its_error_in_reward_a_step():
@@ -76,6 +75,7 @@ def test_the_last_evaluation_is_drawn_over_the_discounts():
     np.testing.assert_allclose(came["y"], found.discounted[-1])
     np.testing.assert_allclose(expected["y"], found.values[-1])
     np.testing.assert_allclose(came["x"], [2, 10, 100])
+    np.testing.assert_allclose(came["error_y"]["array"], found.discounted_errors[-1])
 
 
 def test_before_the_first_evaluation_the_picture_says_when_it_comes():

@@ -293,6 +293,8 @@ def test_an_evaluation_tells_what_was_expected_at_every_discount(whole):
     lengths = evaluate(agent, "CartPole-v1", TINY.evaluate_episodes, TINY.seed, first_seed=10**12).lengths
     wanted = [(1 - agent.gammas**length) / (1 - agent.gammas) for length in lengths]  # reward 1 a step
     np.testing.assert_allclose(told_last["discounted"], np.mean(wanted, axis=0), rtol=1e-9)
+    wanted = np.std(wanted, axis=0, ddof=1) / np.sqrt(len(wanted))
+    np.testing.assert_allclose(told_last["discounted_errors"], wanted, rtol=1e-6, atol=1e-12)
 
 
 def test_progress_and_process_are_noted_while_a_run_is_trained(tmp_path):

@@ -26,8 +26,8 @@ def episode(number: int, total: float) -> str:
     return line(Episode(10 * number, number, 0, total, 10, False, 0.1, None, 1.0))
 
 
-def evaluation(step: int, score: float, values=(1.0, 2.0), discounted=(1.5, 2.5)) -> str:
-    return line(Evaluation(step, score, 0.5, 20, False, 1.0, values, discounted))
+def evaluation(step: int, score: float, *by_discount) -> str:
+    return line(Evaluation(step, score, 0.5, 20, False, 1.0, *(by_discount or ((1.0, 2.0), (1.5, 2.5), (0.1, 0.2)))))
 
 
 @pytest.fixture
@@ -66,6 +66,7 @@ def test_what_is_drawn_is_what_was_told(file):
     assert found.errors.tolist() == [0.5] * 3
     assert found.values.tolist() == [[1, 2]] * 3
     assert found.discounted.tolist() == [[1.5, 2.5]] * 3
+    assert found.discounted_errors.tolist() == [[0.1, 0.2]] * 3
     assert found.episodes == 4
     assert found.best == 2  # the later of two that are equally good, as the checkpoint
 
@@ -128,8 +129,8 @@ def test_a_file_that_was_cut_back_and_went_on_otherwise_is_read_anew(file):
 
 def test_metrics_of_an_earlier_version_and_of_one_discount_are_read(file):
     old = json.loads(evaluation(25, 4.0))
-    del old["values"], old["discounted"]
-    file.write_text(json.dumps(old) + "\n" + evaluation(50, 5.0, None, None))
+    del old["values"], old["discounted"], old["discounted_errors"]
+    file.write_text(json.dumps(old) + "\n" + evaluation(50, 5.0, None, None, None))
     found = looked(file)
     assert found.scores.tolist() == [4, 5]
     assert found.values.shape == (2, 0)

@@ -11,6 +11,7 @@ from app.figures.theme import NEUTRAL, Figure, axis, build, translucent
 from laplace_core.training.curves import Curves
 
 TALL = 330
+_MANY = 200  # episodes, which would hide what lies behind them
 _BARE = {"showticklabels": False, "showgrid": False}
 _SHADES = ("#4f6bdc", "#2a9d8f", "#e0a030", "#d1495b")
 """From the smallest discount to the largest: of middling lightness, to be read on light and on dark."""
@@ -27,24 +28,24 @@ class Line:
 
 def learning_curves(title: str, lines: Sequence[Line], steps: int) -> Figure:
     """Returns of episodes while training, faint and smoothed, and evaluation scores with their standard errors."""
-    traces = []
+    raw, smooth, scores = [], [], []
     for line in lines:
         c, common = line.curves, {"type": "scatter", "legendgroup": line.name, "name": line.name}
         hover = f"{line.name}<br>step %{{x:,.0f}}<br>"
-        traces += [
-            {**common, "x": c.episode_steps, "y": c.returns, "mode": "lines", "showlegend": False, "hoverinfo": "skip",
-             "line": {"color": translucent(line.colour, 0.25), "width": 1}},
-            {**common, "x": c.episode_steps, "y": c.smooth, "mode": "lines", "showlegend": False,
-             "line": {"color": line.colour, "width": 1.4, "dash": "dot"},
-             "hovertemplate": f"{hover}return while training %{{y:.4g}}<extra></extra>"},
-            {**common, "x": c.steps, "y": c.scores, "mode": "lines+markers", "showlegend": True,
-             "error_y": {"type": "data", "array": c.errors, "thickness": 1.2, "width": 2},
-             "line": {"color": line.colour, "width": 2.2}, "marker": {"size": 5},
-             "hovertemplate": f"{hover}evaluation %{{y:.4g}} +- %{{error_y.array:.2g}}<extra></extra>"},
-        ]  # fmt: skip
+        faint = 0.25 if len(c.returns) < _MANY else 0.1
+        raw.append({**common, "x": c.episode_steps, "y": c.returns, "mode": "lines", "showlegend": False,
+                    "hoverinfo": "skip", "line": {"color": translucent(line.colour, faint), "width": 1}})  # fmt: skip
+        smooth.append({**common, "x": c.episode_steps, "y": c.smooth, "mode": "lines", "showlegend": False,
+                       "line": {"color": line.colour, "width": 1.4, "dash": "dot"},
+                       "hovertemplate": f"{hover}return while training %{{y:.4g}}<extra></extra>"})  # fmt: skip
+        evaluated = hover + "evaluation %{y:.4g} +- %{error_y.array:.2g}<extra></extra>"
+        scores.append({**common, "x": c.steps, "y": c.scores, "mode": "lines+markers", "showlegend": True,
+                       "error_y": {"type": "data", "array": c.errors, "thickness": 1.2, "width": 2},
+                       "line": {"color": line.colour, "width": 2.2}, "marker": {"size": 5},
+                       "hovertemplate": evaluated})  # fmt: skip
     return build(
         title,
-        traces,
+        [*raw, *smooth, *scores],  # what matters lies on top
         margin={"l": 56},
         height=TALL,
         legend={"orientation": "v", "x": 1.0, "xanchor": "right", "y": 0.0, "yanchor": "bottom", "font": {"size": 10},
@@ -97,7 +98,9 @@ def values_by_discount(curves: Curves, gammas: np.ndarray, colour: str, first: i
         common = {"type": "scatter", "x": reach, "customdata": gammas}
         traces = [
             {**common, "y": curves.discounted[-1], "mode": "lines", "name": "what came",
-             "line": {"color": NEUTRAL, "width": 5}, "hovertemplate": f"{hover}what came</extra>"},
+             "error_y": {"type": "data", "array": curves.discounted_errors[-1], "thickness": 1, "width": 3},
+             "line": {"color": NEUTRAL, "width": 5},
+             "hovertemplate": "gamma %{customdata:.3g}<br>%{y:.4g} +- %{error_y.array:.2g}<extra>what came</extra>"},
             {**common, "y": curves.values[-1], "mode": "lines+markers", "name": "what was expected",
              "line": {"color": colour, "width": 1.5}, "marker": {"size": 6},
              "hovertemplate": f"{hover}what was expected</extra>"},

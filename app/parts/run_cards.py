@@ -113,7 +113,7 @@ def _numbers(curves: Curves) -> str:
 def _different(run: Run) -> str:
     words = changed(run.settings)
     listed = ", ".join(words[:6]) + (", ..." if len(words) > 6 else "")
-    return f"differs from what suits it in {listed}" if words else "settings that suit it"
+    return f"set by hand: {listed}" if words else "settings that suit it"
 
 
 def _sentence(error: str | None) -> str:

@@ -13,6 +13,7 @@ from laplace_core.parameters import Parameter
 
 _REFUSED = "_training_refused"
 _NAMES = {"gammas": "Discounts", "thetas": "Sensitivities", "spacing": "Spacing"}
+_SHORT = 13  # letters of a title that has room beside another
 _GREEK = ("gamma", "theta")
 
 
@@ -53,11 +54,22 @@ def _seed() -> Parameter:
 
 
 def _in_columns(parameters: list[Parameter], shown) -> None:
-    for first in range(0, len(parameters), 2):  # a row each: titles may wrap
-        row = st.columns(2, vertical_alignment="bottom")
-        for column, parameter in zip(row, parameters[first : first + 2], strict=False):
+    for row in _rows(parameters):
+        for column, parameter in zip(st.columns(len(row)), row, strict=True):
             with column:
                 number(TRAIN + parameter.name, parameter, getattr(shown, parameter.name), _title(parameter.name))
+
+
+def _rows(parameters: list[Parameter]) -> list[list[Parameter]]:
+    """Two in a row, but for long titles."""
+    rows: list[list[Parameter]] = []
+    for parameter in parameters:
+        short = len(_title(parameter.name)) <= _SHORT
+        if short and rows and len(rows[-1]) == 1 and len(_title(rows[-1][0].name)) <= _SHORT:
+            rows[-1].append(parameter)
+        else:
+            rows.append([parameter])
+    return rows
 
 
 def _title(name: str) -> str:

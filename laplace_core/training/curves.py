@@ -21,6 +21,7 @@ MOST_EVALUATIONS = 512
 _AT_ONCE = 4_000_000  # bytes in one look
 _LONGEST_LINE = 200_000
 _MARK = 64  # bytes before the place read to, by which a file that was cut back and grew anew is told
+_BY_DISCOUNT = ("values", "discounted", "discounted_errors")
 _SMOOTHING = 0.02  # of all episodes, on either side
 _LEAST_SMOOTHING = 5
 
@@ -33,7 +34,8 @@ class Curves:
         episode_steps, returns: ``(E,)``; thinned, each return a mean over neighbouring episodes.
         smooth: ``(E,)``, their moving average.
         steps, scores, errors: ``(N,)`` of the evaluations; the errors are standard errors.
-        values, discounted: ``(N, G)``, expected and real discounted returns of the evaluations; G = 0 without any.
+        values, discounted, discounted_errors: ``(N, G)``, expected and real discounted returns of the evaluations and
+            the standard errors of the latter; G = 0 without any.
         episodes: how many have ended.
         best: index of the best evaluation; None before the first.
     """
@@ -46,6 +48,7 @@ class Curves:
     errors: np.ndarray
     values: np.ndarray
     discounted: np.ndarray
+    discounted_errors: np.ndarray
     episodes: int
     best: int | None
 
@@ -61,7 +64,7 @@ class Reader:
         self._offset, self._mark, self._skipping = 0, b"", False
         self._bins: list[tuple[float, float, int]] = []  # last step, sum of returns, episodes
         self._per_bin = 1
-        self._evaluations: list[tuple[int, float, float, tuple, tuple]] = []
+        self._evaluations: list[tuple[int, float, float, tuple, tuple, tuple]] = []
         self._curves: Curves | None = None
         self.behind = False
 
@@ -113,9 +116,9 @@ class Reader:
             if kind == "Episode":
                 self._add_episode(step, _number(about["episode_return"]))
             elif kind == "Evaluation":
-                pair = tuple(tuple(map(_number, about.get(name) or ())) for name in ("values", "discounted"))
-                pair = pair if len(pair[0]) == len(pair[1]) <= 1000 else ((), ())
-                self._evaluations.append((step, _number(about["score"]), _number(about["standard_error"]), *pair))
+                lists = tuple(tuple(map(_number, about.get(name) or ())) for name in _BY_DISCOUNT)
+                lists = lists if len(set(map(len, lists))) == 1 and len(lists[0]) <= 1000 else ((), (), ())
+                self._evaluations.append((step, _number(about["score"]), _number(about["standard_error"]), *lists))
                 if len(self._evaluations) > MOST_EVALUATIONS:
                     best = max(self._evaluations, key=lambda one: one[1])
                     last = len(self._evaluations) - 1
@@ -141,11 +144,11 @@ class Reader:
         smooth, around = _sum_around(sums, width), _sum_around(counts, width)
         told = self._evaluations
         heads = len(told[-1][3]) if told else 0
-        pairs = [[e[k] if len(e[k]) == heads else (math.nan,) * heads for e in told] for k in (3, 4)]
+        lists = [[e[k] if len(e[k]) == heads else (math.nan,) * heads for e in told] for k in (3, 4, 5)]
         scores = np.array([e[1] for e in told])
         return Curves(
             steps, sums / np.maximum(counts, 1), smooth / np.maximum(around, 1), np.array([e[0] for e in told]), scores,
-            np.array([e[2] for e in told]), *(np.array(part, dtype=float).reshape(len(told), heads) for part in pairs),
+            np.array([e[2] for e in told]), *(np.array(part, dtype=float).reshape(len(told), heads) for part in lists),
             int(counts.sum()), len(scores) - 1 - int(scores[::-1].argmax()) if told else None,
         )  # fmt: skip
 

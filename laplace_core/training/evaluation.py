@@ -43,7 +43,18 @@ class Scores:
 
     @property
     def standard_error(self) -> float:
-        return float(self.returns.std(ddof=1) / np.sqrt(self.returns.size)) if self.returns.size > 1 else 0.0
+        return float(_standard_error(self.returns))
+
+    @property
+    def discounted_errors(self) -> np.ndarray:
+        """Standard error of the mean at every discount, ``(G,)``."""
+        return _standard_error(self.discounted)
+
+
+def _standard_error(values: np.ndarray) -> np.ndarray:
+    """Of the mean over the first axis; 0 for one value, of which nothing is known."""
+    count = len(values)
+    return values.std(axis=0, ddof=1) / np.sqrt(count) if count > 1 else np.zeros(values.shape[1:])
 
 
 def evaluate(

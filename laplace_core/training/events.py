@@ -41,6 +41,7 @@ class Evaluation:
     Attributes:
         values: of the actions taken at the starts, a mean at every discount, ``(G,)``; None for an agent without many.
         discounted: the discounted returns that really came, likewise; rewards beyond the time limit are not in them.
+        discounted_errors: standard errors of these means.
     """
 
     step: int
@@ -51,6 +52,7 @@ class Evaluation:
     seconds: float
     values: tuple[float, ...] | None = None
     discounted: tuple[float, ...] | None = None
+    discounted_errors: tuple[float, ...] | None = None
 
 
 @dataclass(frozen=True)

@@ -179,21 +179,22 @@ class _Run:
             save_checkpoint(self.folder.best, self.agent, self.step, scores.mean, s.evaluate_episodes)
         if last:
             save_checkpoint(self.folder.last, self.agent, self.step, scores.mean, s.evaluate_episodes)
-        values, discounted = (None, None) if gammas is None else self._start_values(scores)
+        expected = () if gammas is None else self._expected(scores)
         yield self._told(
             Evaluation(
                 self.step, scores.mean, scores.standard_error, s.evaluate_episodes, best, self._seconds(),
-                values, discounted,
+                *expected,
             )
         )  # fmt: skip
         if best:
             yield self._told(Checkpoint(self.step, self.folder.best.name, self._seconds()))
 
-    def _start_values(self, scores: Scores) -> tuple[tuple[float, ...], tuple[float, ...]]:
-        """Values of the actions taken at the starts, and what came of them: means at every discount, ``(G,)``."""
+    def _expected(self, scores: Scores) -> Iterator[tuple[float, ...]]:
+        """Values of the actions taken at the starts, what came of them and its standard error, ``(G,)`` each."""
         values, actions = self.agent.action_values(scores.starts), self.agent.greedy(scores.starts)
         taken = values[np.arange(len(actions)), :, actions]
-        return tuple(taken.mean(axis=0).tolist()), tuple(scores.discounted.mean(axis=0).tolist())
+        for means in (taken.mean(axis=0), scores.discounted.mean(axis=0), scores.discounted_errors):
+            yield tuple(means.tolist())
 
     def _save(self) -> Iterator[Event]:
         # The event is written first: the metrics of a resume point are complete.

@@ -37,7 +37,7 @@ def later(page, step: int) -> int:
 
 def scores(plot) -> int:
     """Evaluations that the picture really draws."""
-    return plot.evaluate("(p) => p._fullData[2].x.length")
+    return plot.evaluate("(p) => p._fullData.at(-1).x.length")
 
 
 def test_a_run_moves_is_found_again_stops_goes_on_and_is_opened(page, chromium, address):
