@@ -84,3 +84,5 @@ def test_before_the_first_evaluation_the_picture_says_when_it_comes():
         values_by_discount(curves(0), GAMMAS, "#0072B2", 100),
     ):
         assert "step 100" in drawn(figure)["layout"]["annotations"][0]["text"]
+    old = drawn(discount_errors(curves(heads=0), GAMMAS, 4000, 100))  # of an earlier version
+    assert "no values" in old["layout"]["annotations"][0]["text"]

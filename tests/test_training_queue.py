@@ -171,7 +171,9 @@ def test_a_process_that_was_asked_to_end_from_outside_goes_on_after_a_restart_on
     assert again.get(A).state == TRAINING
 
 
-def test_queues_and_threads_side_by_side_never_start_a_third(runs):
+def test_queues_and_threads_side_by_side_never_start_a_third(runs, monkeypatch):
+    start = Queue._start
+    monkeypatch.setattr(Queue, "_start", lambda self, run: time.sleep(0.2) or start(self, run))
     for seed in range(6):
         runs.add(replace(SMALL, seed=seed))
     others = [Queue(runs.folder) for _ in range(4)]

@@ -84,7 +84,7 @@ def discount_errors(curves: Curves, gammas: np.ndarray, steps: int, first: int) 
         height=TALL,
         xaxis=axis("step", range=[0, 1.02 * steps], **({} if traces else _BARE)),
         yaxis=axis("(value - return) (1 - gamma)", zeroline=bool(traces), **({} if traces else _BARE)),
-        annotations=[] if traces else _note(_coming(first)),
+        annotations=[] if traces else _note(_coming(curves, first)),
     )
 
 
@@ -112,11 +112,13 @@ def values_by_discount(curves: Curves, gammas: np.ndarray, colour: str, first: i
         height=TALL,
         xaxis=axis("1 / (1 - gamma), steps", type="log", dtick=1, **({} if told else _BARE)),
         yaxis=axis("discounted return", **({} if told else _BARE)),
-        annotations=[] if told else _note(_coming(first)),
+        annotations=[] if told else _note(_coming(curves, first)),
     )
 
 
-def _coming(first: int) -> str:
+def _coming(curves: Curves, first: int) -> str:
+    if len(curves.steps):
+        return "the evaluations of this run tell no values"
     return f"after the first evaluation, at step {first:,}"
 
 
