@@ -172,8 +172,14 @@ def test_a_process_that_was_asked_to_end_from_outside_goes_on_after_a_restart_on
 
 
 def test_queues_and_threads_side_by_side_never_start_a_third(runs, monkeypatch):
-    start = Queue._start
-    monkeypatch.setattr(Queue, "_start", lambda self, run: time.sleep(0.2) or start(self, run))
+    start, started = Queue._start, []
+
+    def slowly(self, run):
+        started.append(run.name)
+        time.sleep(0.2)
+        start(self, run)
+
+    monkeypatch.setattr(Queue, "_start", slowly)
     for seed in range(6):
         runs.add(replace(SMALL, seed=seed))
     others = [Queue(runs.folder) for _ in range(4)]
@@ -182,6 +188,7 @@ def test_queues_and_threads_side_by_side_never_start_a_third(runs, monkeypatch):
         thread.start()
     for thread in threads:
         thread.join()
+    assert started == [A, B]
     assert sorted(states(runs).values()) == [TRAINING] * 2 + [WAITING] * 4
     for run in runs.runs():
         runs.stop(run.name)
