@@ -14,7 +14,6 @@ st.html(Path(__file__).with_name("style.css"))
 chart.preload()
 PAGES = [
     st.Page("screens/workbench.py", title="Worlds", default=True),
-    st.Page("screens/lens.py", title="Lens", url_path="lens"),
     st.Page("screens/agents.py", title="Trained agents", url_path="agents"),
 ]
 st.navigation(PAGES, position="top").run()

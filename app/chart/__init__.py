@@ -6,6 +6,7 @@ component keeps its div and hands every new figure to ``Plotly.react``.
 
 from __future__ import annotations
 
+import re
 import shutil
 from collections.abc import Callable
 from functools import cache
@@ -51,18 +52,25 @@ def _ignore() -> None:
 
 @cache
 def _component() -> Callable:
-    return st.components.v2.component("laplace_chart", js=_script("load.js", "chart.js"), isolate_styles=False)
+    return st.components.v2.component("laplace_chart", js=script("load", "plot", "chart"), isolate_styles=False)
 
 
 def preload() -> None:
     """Let the browser fetch plotly.js while the server still computes the first figure; call it early."""
     publish_plotly_js()
-    st.html(f"<script>{_script('load.js')}</script>", unsafe_allow_javascript=True)
+    st.html(f"<script>{script('load')}</script>", unsafe_allow_javascript=True)
 
 
 @cache
-def _script(*names: str) -> str:
-    return "\n".join((_HERE / name).read_text(encoding="utf-8") for name in names)
+def script(*names: str) -> str:
+    """Modules of this folder as one, the default export last: their imports from each other fall away."""
+    return joined("\n".join((_HERE / f"{name}.js").read_text(encoding="utf-8") for name in names))
+
+
+def joined(lines: str) -> str:
+    """Modules written one after the other, as one."""
+    lines = re.sub(r"^import .*? from '[./a-z]*';\n", "", lines, flags=re.MULTILINE)
+    return re.sub(r"^export (?!default)", "", lines, flags=re.MULTILINE)
 
 
 def publish_plotly_js() -> None:

@@ -237,7 +237,7 @@ def _which(learned: Learned) -> None:
 
 
 def pictures(view: View) -> None:
-    """The third row: the learning curve, what the learners agree on, the codes of the return."""
+    """Under the lens: the learning curve, what the learners agree on, the codes of the return."""
     if view.learned is None:
         return
     name = view.world.actions[view.action]
@@ -259,6 +259,19 @@ def pictures(view: View) -> None:
         else:
             alt = f"Cumulated distribution of the return after {name}: four codes and the true one."
             chart(compute.learning_figure("returns", view), "returns", alt, HEIGHT, view.settings.world)
+    if len(view.learned.basis) > 1:
+        _over_seeds(view, name)
+
+
+def _over_seeds(view: View, name: str) -> None:
+    """What the learners agree on beside the probabilities: values and choices, rewards and survival."""
+    left, right = st.columns([1.4, 1], gap="small")
+    with left:
+        alt = "Value of each action over the horizon: the range over all seeds, and which share of them chooses each."
+        chart(compute.learning_figure("values", view), "values", alt, HEIGHT, view.settings.world)
+    with right:
+        alt = f"Expected reward and survival of {name} over future steps: the range over all seeds."
+        chart(compute.learning_figure("rewards", view), "rewards", alt, HEIGHT, view.settings.world)
 
 
 def _with_peers(world: World) -> None:
