@@ -87,13 +87,13 @@ def comparison(view: View) -> None:
     except InputError as error:
         st.warning(f"A cannot be shown any more: {error}")
         return
-    title, choice, unpin = st.columns([3.2, 1, 0.7], vertical_alignment="center")
+    title, choice, away = st.columns([3.2, 1, 0.7], vertical_alignment="center")
     title.html(f'<div class="panel-title">A, pinned, against B, what you see above</div>{_differs(values)}')
     with choice:
         key = state.show("compare", "tau-space")
         st.segmented_control("Space", ("tau-space", "gamma-space"), key=key, on_change=state.keep, args=(key,),
                              label_visibility="collapsed", required=True)  # fmt: skip
-    with unpin:
+    with away:
         st.button("Unpin", on_click=unpin, width="stretch")
     what = state.chosen().get("compare", "tau-space").replace("-", "_")
     sentence, figures = compute.comparison(pinned, view, what)
