@@ -22,6 +22,7 @@ from app.lens.payload import payload, structure
 from app.lens.presets import PRESETS, Preset, presets_for
 from app.lens.seen import seen
 from app.lens.state import LIVE, checked, opening_state, state_of, values_of
+from app.served import served
 
 _HERE = Path(__file__).resolve().parent
 _MODULES = ("maths", "drawing", "surface", "controls", "world", "panels", "hand", "verdict", "export", "lens")
@@ -160,10 +161,17 @@ def _digest(data: bytes) -> str:
 
 @cache
 def _component() -> Callable:
-    template = f"globalThis.laplaceLensTemplate = {json.dumps(_template())};\n"
-    code = chart.script("load") + template + script("entry")
+    # Streamlit sends a component's script with every answer; so this is a stub, and the lens a file of its own.
+    stub = chart.loading() + _text("stub.js").replace("__ADDRESS__", lens_js())
     # Not isolated: plotly.js puts its style into the document.
-    return st.components.v2.component("laplace_lens", js=code, css=_text("style.css"), isolate_styles=False)
+    return st.components.v2.component("laplace_lens", js=stub, css=_text("style.css"), isolate_styles=False)
+
+
+@cache
+def lens_js() -> str:
+    """The address of the lens as one module."""
+    template = f"globalThis.laplaceLensTemplate = {json.dumps(_template())};\n"
+    return served("lens.js", (template + script("entry")).encode())
 
 
 @cache
@@ -211,6 +219,7 @@ __all__ = [
     "Said",
     "checked",
     "lens",
+    "lens_js",
     "opening_state",
     "payload",
     "presets_for",

@@ -229,7 +229,7 @@ export function mount(root, model, told, report) {
   scene.world?.show(told.world);
   draw();
 
-  return {
+  return host.lens = {
     host,
     // Python has news: another model of the same shape, another state, or words about the present one.
     show(next, news, moved) {
