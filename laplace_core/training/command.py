@@ -176,9 +176,10 @@ def add_evaluate(verbs) -> None:
     evaluate.add_argument(
         "--rule",
         metavar="NAME",
-        help="greedy, matched (the discount nearest to the time to go), readout, decoded (the same, slowly) or own "
-        "(of fixed_horizon); default: with a horizon readout or own where the agent can, else greedy",
+        help="greedy, matched (the discount nearest to the time to go), fading, readout, decoded (the same, slowly) or "
+        "own (of fixed_horizon); default: with a horizon fading or own where the agent can, else greedy",
     )
+    evaluate.add_argument("--stretch", default="2", metavar="C", help="of fading: its time constant / the time to go")
     evaluate.add_argument("--json", action="store_true", help="print JSON, with every return")
     evaluate.set_defaults(run=run_evaluate)
 
@@ -189,6 +190,7 @@ def run_evaluate(options: argparse.Namespace) -> None:
     seed = checked_number("seed", options.seed, int, 0, 10**6)
     softness = checked_number("softness", options.softness, float, 0.0, 10.0)
     alpha = checked_number("alpha", options.alpha, float, 1e-9, 1e6)
+    stretch = checked_number("stretch", options.stretch, float, 1e-2, 100.0)
     horizon = None if options.horizon is None else checked_number("horizon", options.horizon, int, 1, 10_000)
     from laplace_core.training.checkpoint import load_checkpoint  # all three load torch
     from laplace_core.training.evaluation import evaluate
@@ -197,7 +199,15 @@ def run_evaluate(options: argparse.Namespace) -> None:
     loaded = load_checkpoint(options.checkpoint)
     rule = options.rule or suited(loaded.agent, horizon)
     scores = evaluate(
-        loaded.agent, loaded.environment, episodes, seed, horizon=horizon, softness=softness, rule=rule, alpha=alpha
+        loaded.agent,
+        loaded.environment,
+        episodes,
+        seed,
+        horizon=horizon,
+        softness=softness,
+        rule=rule,
+        alpha=alpha,
+        stretch=stretch,
     )
     told = {
         "checkpoint": options.checkpoint, "algorithm": loaded.algorithm, "environment": loaded.environment,

@@ -35,7 +35,8 @@ class Scores:
 
 def evaluate(
     agent: Agent, environment: str, episodes: int = 100, seed: int = 0, horizon: int | None = None,
-    softness: float = 0.2, rule: str = "greedy", alpha: float = 1.0, steps: int = 1000, first_seed: int = FIRST_SEED,
+    softness: float = 0.2, rule: str = "greedy", alpha: float = 1.0, steps: int = 1000, stretch: float = 2.0,
+    first_seed: int = FIRST_SEED,
 ) -> Scores:  # fmt: skip
     """Act without exploration and add up rewards.
 
@@ -56,7 +57,7 @@ def evaluate(
     length = horizon or spec.time_limit
     if horizon is not None and not 1 <= horizon <= 10_000:
         raise InputError(f"the horizon is {horizon}; it must be from 1 to 10,000 steps.")
-    choose = RULES[rule](agent, length, Options(softness, alpha, steps))
+    choose = RULES[rule](agent, length, Options(softness, alpha, steps, stretch))
     starts = [first_seed + seed * 100_000 + i for i in range(episodes)]
     parts = [_episodes(choose, environment, starts[i : i + _AT_ONCE], length) for i in range(0, episodes, _AT_ONCE)]
     return Scores(*(np.concatenate(column) for column in zip(*parts, strict=True)))
