@@ -76,7 +76,7 @@ def test_what_was_not_set_by_hand_follows_the_world():
 
 
 def test_reset_returns_to_the_world_s_own_settings():
-    page = press(opened(alpha="5", normalise="paper"), "Reset to the world's own settings")
+    page = press(opened(alpha="5", normalise="paper"), "Reset world and settings")
     assert handed(page)[0]["state"]["alpha"] == 0.2
     assert dict(page.query_params) == {"world": "two_branch"}
 

@@ -28,7 +28,7 @@ const near1 = { count: 120, at: (i) => +(1 - 10 ** (-0.3 - (i * 2.7) / 120)).toP
 
 // Name, label, unit, help, scale; a scale that depends on the world is a function of the model and the opening state.
 export const SLIDERS = [
-  ['alpha', 'α', '', 'Regularisation of the inverse. What of the singular values comes back: s²/(s²+α²).', logarithmic(1e-6, 10)],
+  ['alpha', 'α', '', 'Regularisation of the inverse. What of the singular values comes back: s²/(s²+α²).', logarithmic(1e-9, 10)],
   ['slope', 'slope', '/ reward', 'Steepness of the reward activation.',
     (model, base) => model.sloped && logarithmic(base.slope / 30, base.slope * 30, 60)],
   ['horizon', 'horizon T', '', 'Deadline of the episode, in steps of the world.',
@@ -58,6 +58,7 @@ export function sliders(model, base, wish) {
         title: 'Another seed', onclick: () => wish('seed', true) }, '⚄')] : [];
     box.append(element('div', { class: 'slider' }, element('span', { class: 'name' }, label), ...extra, output, input));
     shown[name] = (state) => {
+      if (name === 'noise') extra[0].disabled = !state.noise;
       const at = scale.of(state[name]), words = `${short(state[name], 4)}${unit ? ` ${unit}` : ''}`;
       if (+input.value !== at) input.value = at;
       if (output.value !== words) { output.value = words; input.setAttribute('aria-valuetext', words); }
@@ -74,7 +75,7 @@ export function switchboard(model, wish) {
   box.append(element('div', { class: 'pair' }, together('As the paper', all(true)), together('All repaired', all(false))));
   for (const [name, each] of Object.entries(SWITCHES)) {
     const there = names.includes(name), size = element('span', { class: 'size' }, there ? ' ' : 'not in this space');
-    const button = element('button', { type: 'button', role: 'switch', class: 'switch', name, disabled: !there },
+    const button = element('button', { type: 'button', role: 'switch', class: 'switch', name, title: each.help, disabled: !there },
       element('i', {}), element('b', {}, each.label), size);
     box.append(button);
     shown[name] = { size, show: (state) => {
@@ -84,12 +85,11 @@ export function switchboard(model, wish) {
   }
   return { box, sync: (state) => Object.values(shown).forEach(({ show }) => show(state)), sizes(effects) {
     for (const [name, found] of Object.entries(effects)) {
-      const lost = found.on === undefined ? '' : Math.abs(found.on - found.off) > 1e-6
-        ? ` · regret ${short(found.off)} → ${short(found.on)}` : ' · same choice';
-      const words = name === 'constant' ? lost.slice(3)
-        : `${found.size < 5e-4 ? 'moves nothing here' : `moves ${short(found.size, 2)} of a row`}${lost}`;
-      shown[name].size.textContent = words;
-      shown[name].size.classList.toggle('large', name === 'constant' ? found.on - found.off > 1e-6 : found.size >= 0.05);
+      const moves = name === 'constant' ? '' : found.size < 5e-4 ? 'moves nothing here' : `moves ${short(found.size, 2)} probability`;
+      const more = found.on - found.off, told = found.on === undefined || model.A === 1 ? '' : Math.abs(more) > 1e-6
+        ? `regret ${short(found.off)} → ${short(found.on)}` : 'same choice';
+      shown[name].size.textContent = [moves, told].filter(Boolean).join(' · ');
+      shown[name].size.classList.toggle('large', more > 1e-6 || (found.size >= 0.05 && !(more < -1e-6)));
     }
   } };
 }
@@ -103,9 +103,9 @@ export function toolbar(model, wish, told) {
   const rows = element('select', { 'aria-label': 'rows of tau-space', onchange: () => wish({ normalise: rows.value }, true) },
     ...[['none', 'rows as decoded'], ['survival', 'rows given survival'], ['paper', 'rows rescaled to 1']].map(([value, words]) =>
       element('option', { value }, words)));
-  const does = (words, name, label) => button('tool', words, () => wish(name, true), { 'aria-label': label, title: label });
-  const undo = does('↶', 'undo', 'undo'), redo = does('↷', 'redo', 'redo'), reset = does('reset', 'reset', 'reset');
-  const pin = does('pin as A', 'pin', 'pin as A: keep this view and compare what you change with it');
+  const does = (words, name, title = name) => button('tool', words, () => wish(name, true), { 'aria-label': name, title });
+  const undo = does('↶', 'undo'), redo = does('↷', 'redo'), reset = does('reset', 'reset', 'back to the world’s own settings');
+  const pin = button('tool', 'pin as A', () => wish('pin', true), { title: 'keep this view as A and compare what you change with it' });
   const link = button('tool', 'copy link', async () => {
     await navigator.clipboard.writeText(location.href).then(() => { link.textContent = 'copied'; },
       () => { link.textContent = 'copy the address bar'; });

@@ -35,9 +35,11 @@ export default function ({ data, parentElement, setTriggerValue }) {
   let box = parentElement.querySelector('.laplace-lens-box');
   if (!box) parentElement.append(box = element('div', { class: 'laplace-lens-box' }));
   const last = released.get(name), state = last?.id === id && last.revision === revision ? last.state : message.state;
-  const fresh = { id, revision, shape, report: setTriggerValue };
+  const fresh = { id, revision, shape, world: model.header.world, report: setTriggerValue };
   mounted.set(parentElement, fresh);
-  fresh.lens = mount(box, model, { ...told, state }, (heard) => {
+  // The same world in another shape, learned after exact, keeps what the hand did to the pictures.
+  const before = kept?.world === model.header.world ? kept.lens.kept : undefined;
+  fresh.lens = mount(box, model, { ...told, state, kept: before }, (heard) => {
     released.set(name, { id: fresh.id, revision: fresh.revision, state: heard.state });
     fresh.report('released', { ...heard, id: fresh.id });
   });

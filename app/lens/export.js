@@ -1,7 +1,7 @@
 // Taking the lens along, without a server: pictures of all panels, a table, and the lens itself as one file.
-import { canvasPen, escaped, svgPen } from './drawing.js';
+import { canvasPen, escaped, short, svgPen } from './drawing.js';
 
-const SIZE = { w: 440, h: 260, gap: 16, head: 46, columns: 3 };
+const SIZE = { w: 440, h: 260, gap: 16, head: 66, columns: 3 };
 const WIDE = SIZE.columns * (SIZE.w + SIZE.gap) + SIZE.gap;
 const place = (i) => [SIZE.gap + (i % SIZE.columns) * (SIZE.w + SIZE.gap),
   SIZE.head + Math.floor(i / SIZE.columns) * (SIZE.h + SIZE.gap)];
@@ -17,6 +17,19 @@ export function save(content, name, type) {
 
 const nameOf = ({ scene: { model } }) => `lens_${model.header.world.replace(/[^A-Za-z0-9_-]+/g, '_').slice(0, 40)}`;
 
+// The verdict, on as many lines as it needs, and under it what is seen.
+function heading(pen, { verdict, scene: { model, state, colours } }) {
+  const lines = [''];
+  for (const word of verdict.split(' ')) {
+    const longer = `${lines[lines.length - 1]} ${word}`.trim();
+    if (pen.width(longer, 14) > WIDE - 2 * SIZE.gap) lines.push(word); else lines[lines.length - 1] = longer;
+  }
+  lines.slice(0, 2).forEach((line, i) => pen.text(line, SIZE.gap, 20 + 17 * i, { size: 14, colour: colours.text }));
+  const { header } = model, rows = { none: 'as decoded', survival: 'given survival', paper: 'rescaled to 1' }[state.normalise];
+  pen.text([header.world, header.state, header.actions[state.action], `α ${short(state.alpha)}`, `T ${short(state.horizon)}`, `rows ${rows}`]
+    .filter(Boolean).join(' · '), SIZE.gap, 56, { size: 12, colour: colours.soft });
+}
+
 // The world's graph as a picture, if there is one: it stands first.
 const worldOf = async (lens, format) => (lens.world ? [await lens.world.picture(format)] : []);
 
@@ -28,7 +41,7 @@ export async function savePng(lens) {
   context.scale(dense, dense);
   context.fillStyle = colours.paper;
   context.fillRect(0, 0, WIDE, high);
-  pen.text(lens.verdict, SIZE.gap, 28, { size: 15, colour: colours.text });
+  heading(pen, lens);
   for (const address of worlds) {
     const image = Object.assign(new Image(), { src: address });
     await image.decode();
@@ -46,7 +59,7 @@ export async function savePng(lens) {
 export async function svgOf(lens) {
   const { colours } = lens.scene, measure = canvasPen(document.createElement('canvas').getContext('2d'), colours.font).width;
   const worlds = await worldOf(lens, 'svg'), pen = svgPen(colours.font, measure), high = heightOf(worlds.length + lens.panels.length);
-  pen.text(lens.verdict, SIZE.gap, 28, { size: 15, colour: colours.text });
+  heading(pen, lens);
   for (const address of worlds) {
     const [x, y] = place(0);
     pen.parts.push(`<image href="${escaped(address)}" x="${x}" y="${y}" width="${SIZE.w}" height="${SIZE.h}"/>`);
@@ -71,7 +84,7 @@ export function csvOf({ scene: { model, seen, state } }) {
     ...(seen.truth ? [seen.truth.rewards[a][k], seen.truth.survival[a][k]] : []),
     model.horizons[k], ...seen.values.map((line) => line[k]), ...(seen.truth ? [quoted(names[seen.bestAt(k)])] : []),
     ...(k < seen.n ? seen.tau.slice(k * seen.H, (k + 1) * seen.H) : Array(seen.H).fill(''))]);
-  return [`# ${JSON.stringify({ world: model.header.world, state: model.header.state, action: names[a], ...state, action_index: a })}`, head.map(quoted).join(','), ...rows.map((row) => row.map((x) => x ?? '').join(','))].join('\n');
+  return [`# ${JSON.stringify({ world: model.header.world, from_state: model.header.state, ...state, action: names[a], gammas: Array.from(seen.grid.gammas) })}`, head.map(quoted).join(','), ...rows.map((row) => row.map((x) => x ?? '').join(','))].join('\n');
 }
 
 export const saveCsv = (lens) => save(csvOf(lens), `${nameOf(lens)}.csv`, 'text/csv');

@@ -3,7 +3,7 @@ import { element, footer, sliders, switchboard, toolbar } from './controls.js';
 import { canvasPen } from './drawing.js';
 import { saveCsv, saveHtml, savePng, saveSvg } from './export.js';
 import { isSpace, listen } from './hand.js';
-import { SWITCHES, gammaSpace, kernel, resolution, see } from './maths.js';
+import { gammaSpace, kernel, resolution, see } from './maths.js';
 import { limitOfTau, panelsOf, trueRow } from './panels.js';
 import { drawSurface } from './surface.js';
 import { WORDS, beyondLibrary, blamed, effects, judged } from './verdict.js';
@@ -33,9 +33,9 @@ export const shapeOf = ({ header, grids, arrays, sloped }) => JSON.stringify([he
 // `told` is { state, base, presets, said, world, pin, live, template }; `report` hears { state, ... } on release.
 export function mount(root, model, told, report) {
   const host = element('div', { class: 'laplace-lens' });
-  const scene = { model, state: told.state, hover: {}, images: {}, zoom: {}, camera: { turn: -0.6, tilt: 0.75 } };
+  const scene = { model, state: told.state, hover: {}, images: {}, zoom: {}, camera: { turn: -0.6, tilt: 0.75 }, ...told.kept };
   const history = { states: [told.state], at: 0 };
-  let { state } = told, seen, waiting, resting, later, playing, dragging = false, lastState, lastMost, found = {};
+  let { state } = told, seen, waiting, resting, later, playing, dragging = false, lastState, lastMost;
   root.replaceChildren(host);
 
   const saved = { scene, drawOne, panels: [], get verdict() { return sentence.textContent; }, get told() { return told; } };
@@ -198,10 +198,10 @@ export function mount(root, model, told, report) {
     const library = told.live && !beyondLibrary(model, state), heard = library && told.said && same(told.said.state, state);
     let { tone, sentence: words } = heard ? told.said : judged(model, state, seen), buttons = [];
     if (heard) buttons = told.said.remedies.map((label, i) => [label, () => report({ state, remedy: i })]);
-    else if (!library && resting && tone === 'bad') {
-      const name = blamed(state, found), cause = name && SWITCHES[name];
-      if (cause) buttons = [[`Turn off ${cause.label}`, () => wish(cause.off, true)]];
-      words += cause ? ` Cause: ${cause.label}.` : ' No switch alone explains it.';
+    else if (!library && resting && (tone === 'bad' || tone === 'warn')) {
+      const cause = blamed(model, state, tone);
+      if (cause) buttons = [[cause.words, () => wish(cause.off, true)]];
+      words += cause ? ` Cause: ${cause.label}.` : ' No single switch explains it.';
     } else if (!library && judge.of === state) return; // as found when the hand came to rest
     judge.of = resting || heard ? state : judge.of;
     const whole = `${WORDS[tone]}. ${words}`;
@@ -216,7 +216,7 @@ export function mount(root, model, told, report) {
     if (!host.isConnected || playing) return;
     dragging = false;
     if (!seen.whole && lastMost < AT_REST) paint();
-    if (rest.of !== state || rest.model !== model) board.sizes(found = effects(model, state));
+    if (rest.of !== state || rest.model !== model) board.sizes(effects(model, state));
     Object.assign(rest, { of: state, model });
     judge(true);
     for (const { panel, canvas } of panels) canvas.setAttribute('aria-label', panel.words(scene));
@@ -240,5 +240,6 @@ export function mount(root, model, told, report) {
       draw();
     },
     get state() { return state; }, get seen() { return seen; }, get hover() { return scene.hover; },
+    get kept() { return { zoom: scene.zoom, camera: scene.camera }; },
   };
 }

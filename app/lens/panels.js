@@ -172,7 +172,7 @@ export const tauPanel = {
       const low = Y(resolution.low / dt - 0.5), high = Y(resolution.high / dt + 0.5);
       pen.path([[ruler.x + 3, low], [ruler.x, low], [ruler.x, high], [ruler.x + 3, high]], { stroke: colours.text, width: 1.4 });
     });
-    pen.text(`±${short(resolution.half, 2)}`, ruler.x, box.y + box.h + 13, { size: 10.5, colour: colours.text });
+    pen.text(`window ±${short(resolution.half, 2)}`, box.x + box.w + 2, box.y + box.h + 27, { size: 10.5, colour: colours.text });
     colourBar(pen, images.bar ??= document.createElement('canvas'), { x: w - 32, y: box.y, w: 7, h: box.h }, limit, colours);
     marked(pen, scale, { x: hover.theta, y: hover.tau }, colours);
     return scale;
@@ -186,7 +186,13 @@ export const tauPanel = {
   },
 };
 
+// Below this a value is nothing beside the rewards of the world, and an axis should not blow it up.
+const leastSpan = ({ arrays }) => (arrays.rewards ? 0.05 * Math.max(1e-9, ...arrays.rewards.map(Math.abs)) : 1e-3);
+
 // ---- values over the horizon
+
+const leader = (model, { chosenAt, values }, k) => (Number.isFinite(values[0][k])
+  ? `T ${short(model.horizons[k])}: ${model.header.actions[chosenAt(k)]} ${short(values[chosenAt(k)][k])}` : '');
 
 export const valuesPanel = {
   name: 'values',
@@ -199,17 +205,19 @@ export const valuesPanel = {
     const x = [horizons[0] - dt / 2, horizons[K - 1] + dt / 2];
     titled(pen, w, 'value of each action over T',
       hover.tau !== undefined
-      ? `T ${short(horizons[hover.tau])}: ${seen.values.slice(0, 4).map((v) => short(v[hover.tau])).join(' · ')}` : seen.truth
-      ? 'dotted: true' : '', scene);
+      ? leader(model, seen, hover.tau) : [seen.truth && 'dotted: true', scene.pinned && 'dashed: A'].filter(Boolean).join(', '), scene);
     let at = box.x;
-    names.forEach((name, a) => {
-      const words = name.length > 16 ? `${name.slice(0, 15)}…` : name, wide = pen.width(words, 11) + 24;
-      if (at + wide > w) return;
+    const first = [seen.chosen, seen.best, state.action].filter((a) => a !== undefined), order = new Set([...first, ...names.keys()]);
+    const room = names.length > 2 ? w - 26 : w, left_ = [];
+    [...order].forEach((a) => {
+      const name = names[a], words = name.length > 16 ? `${name.slice(0, 15)}…` : name, wide = pen.width(words, 11) + 24;
+      if (at + wide > room) { left_.push(a); return; }
       pen.path([[at, 30], [at + 14, 30]], { stroke: actionColour(a), width: a === state.action ? 4 : 2 });
       pen.text(words, at + 18, 34, { size: 11, colour: colours.text });
       at += wide;
     });
-    const scale = axes(pen, box, { x, y: rounded(low, high, 1e-3), xTicks: [], yTitle: 'value', colours }), { X, Y } = scale;
+    if (left_.length) pen.text(`+${left_.length}`, w - 4, 34, { size: 11, align: 'right', colour: colours.soft });
+    const scale = axes(pen, box, { x, y: rounded(low, high, leastSpan(model)), xTicks: [], yTitle: 'value', colours }), { X, Y } = scale;
     const xs = Array.from(horizons, X);
     pen.clip(box.x, box.y - 3, box.w, box.h + 6, () => {
       scene.pinned?.values.forEach((values, a) => line(pen, xs, values.map(Y), { ...GHOST, stroke: actionColour(a) }));
@@ -243,7 +251,10 @@ export const valuesPanel = {
     strip(under, (k) => chosen[k]);
     pen.text('chosen', box.x - 5, under + 9, { size: 10.5, align: 'right', colour: colours.soft });
     if (seen.truth) {
-      const best = Array.from({ length: K }, (_, k) => seen.bestAt(k));
+      const best = Array.from({ length: K }, (_, k) => { // an action as good as the best is the best
+        const optimum = seen.optimumAt(k), top_ = Math.max(...optimum), least = top_ - 1e-9 * Math.max(1, Math.abs(top_));
+        return chosen[k] >= 0 && optimum[chosen[k]] >= least ? chosen[k] : seen.bestAt(k);
+      });
       strip(under + 12, (k) => best[k]);
       pen.text('best', box.x - 5, under + 21, { size: 10.5, align: 'right', colour: colours.soft });
     }
@@ -288,22 +299,22 @@ export const spectrumPanel = {
     const factors = s.map((value) => value ** 2 / (value ** 2 + state.alpha ** 2)), passing = factors.filter((f) => f > 0.5).length;
     titled(pen, w, 'what alpha lets through', `${passing} of ${r} pass`,
       scene);
-    const low = Math.floor(Math.log10(s[r - 1] / s[0])) - 0.3,
-      scale = axes(pen, box, { x: [0.4, r + 0.6], y: [low, 0.6], xTitle: 'component', yTitle: 's / largest', colours,
+    const low = Math.floor(Math.log10(s[r - 1])) - 0.3, high = Math.max(0.6, Math.log10(s[0]) + 0.4),
+      scale = axes(pen, box, { x: [0.4, r + 0.6], y: [low, high], xTitle: 'component; bars: share let through', yTitle: 'singular value', colours,
       xTicks: r <= 8 ? Array.from({ length: r }, (_, i) => i + 1) : undefined,
-        yTicks: ticks(low, 0.6, 6).filter((tick) => Number.isInteger(tick)).map((tick) => [tick, tick ? `1e${tick}` : '1']) });
+        yTicks: ticks(low, high, 6).filter((tick) => Number.isInteger(tick)).map((tick) => [tick, tick ? `1e${tick}` : '1']) });
     const { X, Y } = scale, half = 0.36 * (X(2) - X(1)), floor = box.y + box.h;
     factors.forEach((factor, i) => {
       const x = X(i + 1), top = floor - factor * box.h;
       pen.path([[x - half, floor], [x - half, top], [x + half, top], [x + half, floor]], { fill: colours.wash, close: true });
-      pen.path(disc(x, Y(Math.log10(s[i] / s[0])), 3.2), { fill: factor > 0.5 ? colours.primary : NEUTRAL, close: true });
+      pen.path(disc(x, Y(Math.log10(s[i])), 3.2), { fill: factor > 0.5 ? colours.primary : NEUTRAL, close: true });
     });
     const weights = hover.gamma !== undefined ? factors.map((_, i) => Math.abs(U[hover.gamma * r + i])) : hover.tau !== undefined
       ? factors.map((_, i) => Math.abs(V[hover.tau * r + i])) : null;
     if (weights) line(pen, Array.from(weights, (_, i) => X(i + 1)), weights.map((value) => floor - value * box.h),
       { stroke: colours.mark, width: 1.4 });
-    const level = Math.log10(state.alpha / s[0]);
-    if (level > low && level < 0.6) {
+    const level = Math.log10(state.alpha);
+    if (level > low && level < high) {
       pen.path([[box.x, Y(level)], [box.x + box.w, Y(level)]], { stroke: '#ff9f1c', width: 1.6, dash: [6, 4] });
       pen.text('α', box.x + box.w - 3, Y(level) - 4, { size: 12, weight: 700, align: 'right', colour: '#ff9f1c' });
     }
@@ -353,7 +364,7 @@ export const rewardsPanel = {
     const ghost = scene.pinned && Array.from(scene.pinned.rewards[a], (value) => value / dt), all = [0, ...rewards, ...(true_ ?? []), ...(ghost ?? [])];
     const low = Math.min(...all), high = Math.max(...all), x = [-0.5 * dt, (K - 0.5) * dt];
     titled(pen, w, 'expected reward and survival',
-      hover.tau < seen.n ? `τ ${short(hover.tau * dt)}: ${short(rewards[hover.tau])}, alive ${short(seen.survival[a][hover.tau] / dt)}` : `of ${model.header.actions[a]}${seen.truth ? '; grey: true' : ''}`, scene);
+      hover.tau < seen.n ? `τ ${short(hover.tau * dt)}: ${short(rewards[hover.tau])}, alive ${short(seen.survival[a][hover.tau] / dt)}` : Math.max(...seen.survival[a]) / dt > 1.05 ? 'alive above 1: impossible' : seen.truth ? 'grey: true' : '', scene);
     const span = 1e-3 * (seen.thetas[seen.H] - seen.thetas[0]),
       scale = axes(pen, upper, { x, y: rounded(low, high, span), xTicks: [], yTitle: 'E[r]', colours });
     const few = K <= 8 ? Array.from({ length: K }, (_, k) => k * dt) : undefined;

@@ -1,7 +1,7 @@
 // The sentence over the pictures: what the values choose, whether that is right, and what is to blame. The library says
 // the same on release, and knows more causes (laplace_core.verdict); this is what holds while a hand moves.
 import { short } from './drawing.js';
-import { SWITCHES, available, effect } from './maths.js';
+import { SWITCHES, available, effect, see } from './maths.js';
 
 const VALUE_TOLERANCE = 0.1, TIE = 1e-9; // as in the library
 export const WORDS = { bad: 'Wrong', warn: 'Right, for the wrong reason', ok: 'Right', unknown: 'No truth to compare with' };
@@ -47,6 +47,20 @@ export const beyondLibrary = ({ header }, state) => state.fold || state.paper_gr
 export const effects = (model, state) => Object.fromEntries(
   Object.keys(SWITCHES).filter((name) => available(model, name)).map((name) => [name, effect(model, state, name)]));
 
-// The switch whose turning off alone takes the loss away, or nothing.
-export const blamed = (state, found) => Object.keys(found).find((name) =>
-  SWITCHES[name].isOn(state) && found[name].on > 1e-9 && found[name].off <= 1e-9);
+// What else is held against the best action, which is that of the acting discount under a hard deadline.
+const others = ({ header }, state) => [
+  [`γ = ${short(state.value_gamma)} in the value`, { value_gamma: header.acting_gamma }, `Set γ to ${short(header.acting_gamma)}`],
+  ['the softness of the deadline', { softness: 0 }, 'Make the deadline hard'],
+].filter(([, off]) => Object.entries(off).some(([name, value]) => Math.abs(state[name] - value) > 1e-12));
+
+// What alone, when it is taken back, puts the choice right, or the values if the choice is right:
+// { label, off, words }, or nothing.
+export function blamed(model, state, tone) {
+  const on = Object.entries(SWITCHES).filter(([name, each]) => available(model, name) && each.isOn(state))
+    .map(([, { label, off }]) => [label, off, `Turn off ${label}`]);
+  for (const [label, off, words] of [...on, ...others(model, state)]) {
+    const next = { ...state, ...off }, cured = judged(model, next, see(model, next, 0)).tone;
+    if (cured === 'ok' || (tone === 'bad' && cured === 'warn')) return { label, off, words };
+  }
+  return undefined;
+}

@@ -219,12 +219,18 @@ def _told(view: View, watched: runs.Watched | None) -> None:
     words = [f"{told['episodes'] // seeds:,} of {told['of'] // seeds:,} episodes{each}"]
     words.append(f"{told['steps_per_second']:,} steps/s")
     if told["error"] is not None:
-        words.append(f"error {100 * told['error']:.2g}% of the range")
+        words.append(f"error {_percent(told['error'])} of the range")
     if watched.running and told["eta"] is not None:
         words.append(f"{told['eta']:.0f} s left")
     elif not told["finished"]:
         words.insert(0, "cancelled at")
     st.progress(min(1.0, share), " · ".join(words))
+
+
+def _percent(share: float) -> str:
+    if share < 1e-6:
+        return "below 0.0001%"
+    return f"{100 * share:.0f}%" if share >= 0.0995 else f"{100 * share:.2g}%"
 
 
 def _which(learned: Learned) -> None:

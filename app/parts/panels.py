@@ -14,6 +14,8 @@ from app.sources import View
 from laplace_core.artifacts import Artefact
 
 TONES = {"right": "ok", "lucky": "warn", "wrong": "bad", "unknown": "unknown"}
+_LENS_ONLY = {"fold": "only T rows", "paper_grid": "the paper's grid", "clip": "edge clipping",
+              "shift": "the shifted index", "used": "steps used"}  # fmt: skip
 _ACROSS = 3  # artefacts side by side
 
 
@@ -33,7 +35,9 @@ def pictures(view: View, base: View, presets: Sequence[Preset] = ()) -> None:
 
     def heard(released: Released) -> None:
         if released.preset is not None:
-            state.go_to(**PRESETS[released.preset])
+            look = {"look": state.chosen()["look"]} if "look" in state.chosen() else {}
+            state.replace_all({**PRESETS[released.preset], **look})
+            state.apply_changes({})
             return
         changes = values_of(checked(released.state, found), shown, found.action_names)
         for name, value in changes.items():
@@ -71,8 +75,20 @@ def _graph(view: View) -> Graph | None:
     return Graph(compute.world_figure(view), alt, f"{s.world} {view.world.n_states}")
 
 
+def lens_only(view: View) -> str:
+    """In words, what only the lens knows of the present state: lists and files of the library are without it."""
+    shown = shown_state(view)
+    on = [words for name, words in _LENS_ONLY.items() if shown[name]]
+    if abs(shown["value_gamma"] - view.settings.acting_gamma) > 1e-12:
+        on.append(f"gamma {shown['value_gamma']:g} in the value")
+    return ", ".join(on)
+
+
 def artefacts(view: View) -> None:
     """What in the tau-space of the shown action is not in the world: name, size, a sentence, remedies."""
+    beyond = lens_only(view)
+    if beyond:
+        st.caption(f"From here on everything is without what only the lens can do: {beyond}.")
     name = compute.study_for(view).action_names[view.action]
     found, others = compute.artefacts_for(view), compute.artefacts_elsewhere(view)
     st.html(f'<div class="panel-title">artefacts in the tau-space of {escape(name)}</div>')

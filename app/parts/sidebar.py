@@ -48,7 +48,7 @@ def _groups() -> View | None:
     if grids.open:
         with grids:
             controls.grid_group(view.settings, decided="agent" in state.chosen())
-    st.button("Reset to the world's own settings", on_click=state.reset, width="stretch")
+    st.button("Reset world and settings", on_click=state.reset, width="stretch")
     return view
 
 

@@ -110,6 +110,7 @@ def test_a_timeline_is_drawn_by_hand(page, address):
             break
         page.wait_for_timeout(100)
     assert rows[0] == ["now", 0, 7, 1]
+    page.wait_for_timeout(2_000)  # the link is written first, the file at the end of the same run
     with page.expect_download() as waiting:
         page.get_by_role("button", name="Download world").click()
     world = parse_world(waiting.value.path().read_text())
