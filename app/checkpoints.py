@@ -14,6 +14,7 @@ import streamlit as st
 from app import training_runs
 from app.sources import Observed
 from laplace_core import InputError
+from laplace_core.agents.laplace import LaplaceAgent
 from laplace_core.training.checkpoint import Loaded, load_checkpoint
 
 SHIPPED = Path(__file__).resolve().parent.parent / "checkpoints"
@@ -61,6 +62,8 @@ def open_checkpoint(name: str, data: bytes) -> str:
         path = Path(folder) / (Path(name).name[-80:] or "upload.safetensors")
         path.write_bytes(data)
         loaded = load_checkpoint(path)
+    if not isinstance(loaded.agent, LaplaceAgent):
+        raise InputError(f"{loaded.algorithm} has no gamma-space to look at: open a checkpoint of laplace.")
     digest = hashlib.sha256(data).hexdigest()[:12]
     st.session_state["_opened_checkpoints"] = {digest: loaded}
     return digest

@@ -15,7 +15,6 @@ chart.preload()
 training_runs.wake()
 PAGES = [
     st.Page("screens/workbench.py", title="Worlds", default=True),
-    st.Page("screens/lens.py", title="Lens", url_path="lens"),
     st.Page("screens/agents.py", title="Trained agents", url_path="agents"),
     st.Page("screens/train.py", title="Train", url_path="train"),
 ]

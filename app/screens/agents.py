@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import streamlit as st
 
-from app import checkpoints, compute, controls, state
+from app import checkpoints, compute, state
+from app.lens import LIVE
 from app.observations import Scene, scene_of
 from app.parts import export, panels
-from app.trained import OBSERVED, action_of, opening, parse_query, view_of
+from app.trained import OBSERVED, opening, parse_query, view_of
 from laplace_core import InputError
 from laplace_core.training.checkpoint import Loaded
 
@@ -32,9 +33,6 @@ def page() -> None:
         scene = scene_of(loaded.environment)
         _card(loaded, scene)
         _observation(scene)
-        action = action_of(scene, state.chosen())
-        state.put("action", scene.actions[action])
-        st.selectbox("Action", scene.actions, key="action", on_change=state.keep, args=("action",))
     _view(loaded, scene)
 
 
@@ -96,15 +94,13 @@ def _view(loaded: Loaded, scene: Scene) -> None:
     state.write_url()
     try:
         view = view_of(loaded, scene, state.chosen())
-        found = compute.study_for(view)
+        base = view_of(loaded, scene, state.without(*LIVE))
+        compute.study_for(view)
     except InputError as error:
         st.error(str(error))
         return
-    above = st.container()
-    panels.panels(view)
-    with above:
-        panels.verdict(view)
-    controls.live_group(found, float(found.horizons[compute.row_of(view)]))
+    panels.pictures(view, base)
+    panels.artefacts(view)
     export.agent_footer(view)
 
 

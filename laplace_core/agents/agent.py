@@ -51,6 +51,7 @@ class Agent(ABC):
 
     Attributes:
         heads: how many ways to act the network holds; ``acting_head`` is the one meant to be used.
+        random: random numbers for losses that need some; a run puts its own here, to be gone on with after a stop.
     """
 
     settings_class: ClassVar[type[LoopSettings]]
@@ -60,6 +61,7 @@ class Agent(ABC):
     def __init__(self, settings: LoopSettings, observation: int, actions: int, time_limit: int | None = None):
         self.settings, self.time_limit = settings, time_limit
         self.n_observations, self.n_actions = observation, actions
+        self.random = np.random.default_rng(settings.seed)
         with torch.random.fork_rng(devices=[]):  # the only use of torch's random numbers
             torch.manual_seed(settings.seed)
             self.network = self._build()
@@ -93,7 +95,7 @@ class Agent(ABC):
             observations: ``(B, O)``.
             head: one head, for ``(B, A)``; None is all of them, ``(B, heads, A)``.
         """
-        values = self._action_values(self.target, _batched(observations), head).double().numpy()
+        values = self._action_values(self.target, batched(observations), head).double().numpy()
         return values if head is None else values[:, 0]
 
     def greedy(self, observations: np.ndarray) -> np.ndarray:
@@ -103,7 +105,7 @@ class Agent(ABC):
     @torch.no_grad()
     def behave(self, observations: np.ndarray, heads: np.ndarray) -> np.ndarray:
         """Greedy actions of the learning network, int ``(B,)``, each row by its own head ``(B,)``."""
-        inputs = _batched(observations)
+        inputs = batched(observations)
         if np.all(heads == heads[0]):
             return self._action_values(self.network, inputs, int(heads[0]))[:, 0].argmax(-1).numpy()
         values = self._action_values(self.network, inputs, None)
@@ -132,5 +134,6 @@ class Agent(ABC):
         return float(loss.detach()), each.detach().numpy()
 
 
-def _batched(observations: np.ndarray) -> Tensor:
+def batched(observations: np.ndarray) -> Tensor:
+    """``(B, O)`` as networks take it, ``(B, 1, O)``, float32."""
     return torch.from_numpy(np.asarray(observations, dtype=np.float32)).unsqueeze(1)

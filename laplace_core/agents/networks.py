@@ -8,7 +8,8 @@ discounts, or ``(B, G, O)``, each discount's own; the answer is
     network(observations, only=g)             (B, 1, A, C): one discount, without computing the others
 
 The trunk is trained for the discounts of its grid. The other two take the discount as an input and may be evaluated
-at discounts never trained, by :meth:`DiscountInput.at`.
+at discounts never trained, by :meth:`DiscountInput.at`. The peers, which have no discounts to share weights between,
+use :class:`Single` in the same way.
 """
 
 from __future__ import annotations
@@ -17,7 +18,7 @@ import numpy as np
 import torch
 from torch import Tensor, nn
 
-from laplace_core.agents.settings import LaplaceSettings
+from laplace_core.agents.settings import LaplaceSettings, LoopSettings
 
 MULTIPLEXER_BOUNDS = (0.5, 0.75)
 """The paper's low, medium and high discounts (section 3.2): up to .5, up to .75, and above."""
@@ -139,6 +140,26 @@ class DiscountInput(nn.Module):
                 chosen = None if actions is None else actions[:, first:last]
                 parts.append(tower(own, values[first:last], chosen))
         return torch.cat(parts, dim=1)
+
+
+class Single(nn.Module):
+    """Two hidden layers and the head, for agents without a grid of discounts: ``(B, g, O)`` to ``(B, g, A, C)``."""
+
+    def __init__(self, observation: int, actions: int, initial: Tensor, settings: LoopSettings):
+        super().__init__()
+        hidden, width = settings.hidden, settings.hidden * (2 if settings.dueling else 1)
+        self.trunk = nn.Sequential(nn.Linear(observation, hidden), nn.ReLU(), nn.Linear(hidden, width), nn.ReLU())
+        self.head = Head(width, actions, initial, settings.dueling)
+
+    def forward(self, observations: Tensor, actions: Tensor | None = None) -> Tensor:
+        return self.head(self.trunk(observations), actions)
+
+    @staticmethod
+    def count_numbers(observation: int, actions: int, channels: int, settings: LoopSettings) -> int:
+        """Weights in such a network, without building it."""
+        hidden, width = settings.hidden, settings.hidden * (2 if settings.dueling else 1)
+        head = actions * channels * (hidden + 1) + settings.dueling * hidden * channels
+        return (observation + 1) * hidden + (hidden + 1) * width + head
 
 
 def _feature_width(settings: LaplaceSettings) -> int:

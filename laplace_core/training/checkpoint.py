@@ -55,7 +55,9 @@ def new_agent(settings: LoopSettings) -> Agent:
     spec, kind = environments.spec(settings.environment), AGENTS[settings.ALGORITHM]
     numbers = kind.network_numbers(settings, spec.observation, spec.actions)
     if 4 * numbers > MAX_BYTES - 1_000_000:
-        raise InputError(f"these settings make a network of {numbers:,} weights: lower hidden, features or gammas.")
+        raise InputError(
+            f"these settings make a network of {numbers:,} weights: lower hidden or the number of outputs."
+        )
     return kind(settings, spec.observation, spec.actions, spec.time_limit)
 
 

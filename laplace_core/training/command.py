@@ -11,9 +11,13 @@ import threading
 import time
 from pathlib import Path
 
+import numpy as np
+
 from laplace_core.agents.settings import ENVIRONMENTS, GYMNASIUM_ENVIRONMENTS, SETTINGS, LoopSettings
 from laplace_core.errors import InputError
+from laplace_core.learned.returns import return_bounds
 from laplace_core.parameters import as_text
+from laplace_core.pipeline import policies_of
 from laplace_core.settings import Settings, flag, resolve
 from laplace_core.training.events import Checkpoint, Episode, Evaluation, Resumed, Step
 from laplace_core.training.progress import ProgressFile
@@ -130,17 +134,25 @@ def settings_of(algorithm: str | None, environment: str | None, given: dict[str,
     if environment not in ENVIRONMENTS:
         raise InputError(f"the environment must be one of {', '.join(ENVIRONMENTS)}, not {str(environment)[:40]!r}.")
     kind = SETTINGS[algorithm]
-    suits = tuned_settings(algorithm, environment) or _of_world(environment)
+    suits = tuned_settings(algorithm, environment) or _of_world(kind, environment)
     return kind.parse(suits | given | {"environment": environment})
 
 
-def _of_world(environment: str) -> dict[str, object]:
-    """For a tabular world without a file of its own: sensitivities that reach beyond its rewards, and beyond 0."""
+def _of_world(kind: type[LoopSettings], environment: str) -> dict[str, object]:
+    """For a tabular world without a file of its own: what reaches beyond its rewards, or beyond its best returns."""
     if environment in GYMNASIUM_ENVIRONMENTS:
         return {}
-    suited = resolve(Settings(world=environment), load_world(environment))
-    low, high = min(suited.theta_min, -0.5), max(suited.theta_max, 0.5)
-    return {"theta_min": low, "theta_max": high, "thetas": 41, "consistency": 0.0, "epsilon_final": 0.2}
+    names, found = {parameter.name for parameter in kind.SCHEMA}, {"epsilon_final": 0.2}
+    world = load_world(environment)
+    if "thetas" in names:
+        suited = resolve(Settings(world=environment), world)
+        low, high = min(suited.theta_min, -0.5), max(suited.theta_max, 0.5)
+        found |= {"theta_min": low, "theta_max": high, "thetas": 41, "consistency": 0.0}
+    if "v_min" in names:
+        gamma = kind().gamma
+        (policy,) = policies_of(world, np.array([gamma]), "shared", gamma)
+        found["v_min"], found["v_max"] = return_bounds(world, policy, gamma)
+    return found
 
 
 class _Json:
@@ -212,7 +224,13 @@ def add_evaluate(verbs) -> None:
     evaluate.add_argument("--horizon", metavar="T", help="act for an episode of T steps, by the time to go")
     evaluate.add_argument("--softness", default="0.2", metavar="W", help="width of the deadline over the time to go")
     evaluate.add_argument("--alpha", default="1", metavar="A", help="regularisation of the inverse (default: 1)")
-    evaluate.add_argument("--rule", metavar="NAME", help="greedy, readout or decoded (default: readout with a horizon)")
+    evaluate.add_argument(
+        "--rule",
+        metavar="NAME",
+        help="greedy, matched (the discount nearest to the time to go), fading, readout, decoded (the same, slowly) or "
+        "own (of fixed_horizon); default: with a horizon fading or own where the agent can, else greedy",
+    )
+    evaluate.add_argument("--stretch", default="2", metavar="C", help="of fading: its time constant / the time to go")
     evaluate.add_argument("--json", action="store_true", help="print JSON, with every return")
     evaluate.set_defaults(run=run_evaluate)
 
@@ -223,14 +241,24 @@ def run_evaluate(options: argparse.Namespace) -> None:
     seed = checked_number("seed", options.seed, int, 0, 10**6)
     softness = checked_number("softness", options.softness, float, 0.0, 10.0)
     alpha = checked_number("alpha", options.alpha, float, 1e-9, 1e6)
+    stretch = checked_number("stretch", options.stretch, float, 1e-2, 100.0)
     horizon = None if options.horizon is None else checked_number("horizon", options.horizon, int, 1, 10_000)
-    from laplace_core.training.checkpoint import load_checkpoint  # both load torch
+    from laplace_core.training.checkpoint import load_checkpoint  # all three load torch
     from laplace_core.training.evaluation import evaluate
+    from laplace_core.training.rules import suited
 
     loaded = load_checkpoint(options.checkpoint)
-    rule = options.rule or ("greedy" if horizon is None else "readout")
+    rule = options.rule or suited(loaded.agent, horizon)
     scores = evaluate(
-        loaded.agent, loaded.environment, episodes, seed, horizon=horizon, softness=softness, rule=rule, alpha=alpha
+        loaded.agent,
+        loaded.environment,
+        episodes,
+        seed,
+        horizon=horizon,
+        softness=softness,
+        rule=rule,
+        alpha=alpha,
+        stretch=stretch,
     )
     told = {
         "checkpoint": options.checkpoint, "algorithm": loaded.algorithm, "environment": loaded.environment,

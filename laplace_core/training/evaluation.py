@@ -8,13 +8,9 @@ import numpy as np
 
 from laplace_core.agents.agent import Agent
 from laplace_core.errors import InputError
-from laplace_core.horizon import readout_weights, target_discounts
-from laplace_core.pipeline import GammaSpace, decode_and_read
-from laplace_core.settings import Settings
-from laplace_core.ties import greedy_action
 from laplace_core.training import environments
+from laplace_core.training.rules import RULES, Options
 
-RULES = ("greedy", "readout", "decoded")
 FIRST_SEED = 2 * 10**12
 """Start seeds of :func:`evaluate`; training starts below 10^9, and evaluations while training at half of this."""
 _AT_ONCE = 100  # episodes side by side
@@ -59,23 +55,18 @@ def _standard_error(values: np.ndarray) -> np.ndarray:
 
 def evaluate(
     agent: Agent, environment: str, episodes: int = 100, seed: int = 0, horizon: int | None = None,
-    softness: float = 0.2, rule: str = "greedy", alpha: float = 1.0, steps: int = 1000, first_seed: int = FIRST_SEED,
-    discounts: np.ndarray | None = None,
+    softness: float = 0.2, rule: str = "greedy", alpha: float = 1.0, steps: int = 1000, stretch: float = 2.0,
+    first_seed: int = FIRST_SEED, discounts: np.ndarray | None = None,
 ) -> Scores:  # fmt: skip
     """Act without exploration and add up rewards.
 
-    ``greedy`` takes the best action at the acting discount. ``readout`` weighs the values of all discounts for the
-    time to go, T - t at step t, by :func:`laplace_core.horizon.readout_weights`; ``decoded`` reaches the same through
-    the tau-space, slowly.
-
     Args:
         horizon: T; the episode is stopped after so many steps. None leaves it to the environment's own limit.
-        softness: width of the deadline as a fraction of the time to go.
-        alpha, steps: regularisation and length of the inverse, for the last two rules.
+        rule: a name in :data:`laplace_core.training.rules.RULES`; the others are its options.
         discounts: ``(G,)``, for the discounted returns.
 
     Raises:
-        InputError: arguments that do not fit, or a rule that the agent has no discounts for.
+        InputError: arguments that do not fit, or a rule that the agent has not learned enough for.
     """
     spec = environments.spec(environment)
     if spec.observation != agent.n_observations or spec.actions != agent.n_actions:
@@ -87,7 +78,7 @@ def evaluate(
     length = horizon or spec.time_limit
     if horizon is not None and not 1 <= horizon <= 10_000:
         raise InputError(f"the horizon is {horizon}; it must be from 1 to 10,000 steps.")
-    choose = _chooser(agent, rule, length, softness, alpha, steps)
+    choose = RULES[rule](agent, length, Options(softness, alpha, steps, stretch))
     starts = [first_seed + seed * 100_000 + i for i in range(episodes)]
     gammas = np.zeros(0) if discounts is None else np.asarray(discounts, dtype=float)
     parts = [
@@ -122,34 +113,3 @@ def _episodes(choose, environment: str, starts: list[int], length: int | None, g
     for env in envs:
         env.close()
     return returns, lengths, ~terminated, first, discounted
-
-
-def _chooser(agent: Agent, rule: str, length: int | None, softness: float, alpha: float, steps: int):
-    """A function from observations ``(B, O)`` and the step t to actions ``(B,)``."""
-    if rule == "greedy":
-        return lambda observations, time: agent.greedy(observations)
-    if not hasattr(agent, "gammas"):
-        raise InputError(f"rule {rule!r} needs an agent with many discounts.")
-    if length is None:
-        raise InputError(f"rule {rule!r} needs a horizon here: the environment has no time limit.")
-    gammas, acting = agent.gammas, float(agent.gammas[agent.acting_head])
-    if rule == "readout":
-        # Row T - 1 of the table is for T steps to go.
-        wanted = [target_discounts(T, max(steps, length), acting, softness) for T in range(1, length + 1)]
-        weights = readout_weights(gammas, np.array(wanted), alpha)
-        return lambda observations, time: greedy_action(
-            np.einsum("bga,g->ba", agent.action_values(observations), weights[length - time - 1])
-        )
-    settings = Settings(
-        alpha=alpha, steps=max(steps, length), time_step=1.0, normalise="none", acting_gamma=acting, softness=softness
-    )
-
-    def decoded(observations: np.ndarray, time: int) -> np.ndarray:
-        found = zip(*agent.gamma_spaces(observations), strict=True)
-        values = [
-            decode_and_read(GammaSpace(*one, gammas, agent.thetas), settings).horizon_values[:, length - time - 1]
-            for one in found
-        ]
-        return greedy_action(np.array(values))
-
-    return decoded

@@ -59,7 +59,7 @@ class _Run:
         own = getattr(s, "experience", "shared") == "per_discount"
         self.own_heads = np.arange(s.rings) if own else None
         seeds = np.random.SeedSequence(s.seed).generate_state(s.rings + 1)
-        self.random = np.random.default_rng(int(seeds[-1]))
+        self.random = self.agent.random = np.random.default_rng(int(seeds[-1]))
         self.envs = Environments([partial(make, s.environment)] * s.rings, (seeds[:-1] % _LARGEST_START).tolist())
         self.replay = Replay(
             s.buffer, s.rings, self.agent.n_observations, s.n_step, own, s.priority_exponent if s.prioritised else None

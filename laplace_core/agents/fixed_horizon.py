@@ -1,0 +1,86 @@
+"""Fixed-horizon DQN: the return of the next T steps for every T up to a maximum, by one network that is told T.
+
+Q(s, a, T) = E[r + gamma max_a' Q(s', a', T - 1)] and Q(s, a, 0) = 0 (De Asis et al. 2020, there with one table a
+horizon), learned off-policy for random T from the same transitions. Backward induction on a world it cannot know, it is
+what any rule that adapts to a horizon is measured against.
+"""
+
+from __future__ import annotations
+
+from typing import ClassVar
+
+import numpy as np
+import torch
+from torch import Tensor, nn
+
+from laplace_core.agents.agent import Agent, Batch, batched
+from laplace_core.agents.networks import Single
+from laplace_core.agents.settings import FixedHorizonSettings
+
+
+class FixedHorizonAgent(Agent):
+    """Fixed-horizon DQN: head h acts for h + 1 steps to go, and the last one where the end is farther or unknown.
+
+    Attributes:
+        horizon: the longest time to go.
+    """
+
+    settings_class: ClassVar[type[FixedHorizonSettings]] = FixedHorizonSettings
+
+    def __init__(self, settings: FixedHorizonSettings, *sizes):
+        self.horizon = self.heads = settings.horizon
+        self.acting_head = self.heads - 1
+        super().__init__(settings, *sizes)
+
+    def _build(self) -> nn.Module:
+        return Single(self.n_observations + 2, self.n_actions, torch.zeros(1), self.settings)
+
+    @classmethod
+    def network_numbers(cls, settings: FixedHorizonSettings, observation: int, actions: int) -> int:
+        return Single.count_numbers(observation + 2, actions, 1, settings)
+
+    def values(self, network: nn.Module, observations: Tensor, times: Tensor, actions: Tensor | None = None) -> Tensor:
+        """Q(s, a, T), ``(B, g, A)``, or ``(B, g)`` for ``actions`` ``(B, g)``, in units of reward.
+
+        Args:
+            observations: ``(B, 1, O)``.
+            times: T, ``(B, g)``; 0 is worth 0.
+        """
+        t = times.clamp(min=1).float()
+        told = torch.stack([t / self.horizon, t.log() / np.log(self.horizon + 1)], dim=-1)
+        outputs = network(torch.cat([observations.expand(-1, t.shape[1], -1), told], dim=-1), actions).squeeze(-1)
+        # The network's own scale is reward a step, which is of one size for all T.
+        scale = self._steps(times)
+        return outputs * (scale if actions is not None else scale.unsqueeze(-1))
+
+    def _steps(self, times: Tensor) -> Tensor:
+        """1 + gamma + ... + gamma^(T - 1)."""
+        return (1.0 - self.settings.gamma**times) / (1.0 - self.settings.gamma)
+
+    def _action_values(self, network: nn.Module, observations: Tensor, head: int | None) -> Tensor:
+        times = torch.arange(1, self.heads + 1) if head is None else torch.tensor([head + 1])
+        return self.values(network, observations, times.expand(len(observations), -1))
+
+    @torch.no_grad()
+    def behave(self, observations: np.ndarray, heads: np.ndarray) -> np.ndarray:
+        values = self.values(self.network, batched(observations), torch.from_numpy(heads + 1).unsqueeze(1))
+        return values[:, 0].argmax(-1).numpy()
+
+    @torch.no_grad()
+    def targets(self, batch: Batch, times: Tensor) -> Tensor:
+        """r_0 + ... + gamma^m max_a Q(s_m, a, T - m), cut after T rewards: ``(B, g)``, as ``times``, which hold T."""
+        judge, gamma = self.network if self.settings.double else self.target, self.settings.gamma
+        left = (times - batch.lengths).clamp(min=0)
+        actions = self.values(judge, batch.next_observations, left).argmax(-1)
+        later = self.values(self.target, batch.next_observations, left, actions)
+        step = torch.arange(batch.rewards.shape[-1])
+        counts = (step < torch.minimum(batch.lengths, times).unsqueeze(-1)) * gamma**step
+        discounts = torch.where(batch.terminated, 0.0, gamma**batch.lengths)
+        return (batch.rewards * counts).sum(-1) + discounts * later
+
+    def losses(self, batch: Batch) -> Tensor:
+        shape = len(batch.observations), self.settings.times
+        times = torch.from_numpy(self.random.integers(1, self.horizon + 1, size=shape))
+        outputs = self.values(self.network, batch.observations, times, batch.actions.expand(shape))
+        # Over the discounted number of steps: half way between the scale of the values and that of the network.
+        return 0.5 * (outputs - self.targets(batch, times)) ** 2 / self._steps(times)

@@ -1,0 +1,144 @@
+"""Rules of control: how an agent that knows values for many discounts acts when an episode ends after T steps.
+
+A rule is a function of the agent, of the length of the episode and of :class:`Options`, and returns what is asked at
+every step: a function from observations ``(B, O)`` and the step t, from 0, to actions ``(B,)``. T - t steps are to go.
+Another rule is one more such function and its name in ``RULES``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from laplace_core.agents.agent import Agent
+from laplace_core.errors import InputError
+from laplace_core.horizon import readout_weights, target_discounts
+from laplace_core.pipeline import GammaSpace, decode_and_read
+from laplace_core.settings import Settings
+from laplace_core.ties import greedy_action
+
+FADING_ALPHA = 1e-2
+"""Interpolation between neighbouring discounts is well conditioned: this only keeps rounding out."""
+
+Choose = Callable[[np.ndarray, int], np.ndarray]
+
+
+@dataclass(frozen=True)
+class Options:
+    """What a rule may be told besides.
+
+    Attributes:
+        softness: width of the deadline as a fraction of the time to go.
+        alpha, steps: regularisation and length of the inverse; it is never shorter than the episode.
+        stretch: time constant of a fading deadline over the time to go.
+    """
+
+    softness: float = 0.2
+    alpha: float = 1.0
+    steps: int = 1000
+    stretch: float = 2.0
+
+
+def greedy(agent: Agent, length: int | None, options: Options) -> Choose:
+    """The best action at the acting discount, whatever the time to go."""
+    return lambda observations, time: agent.greedy(observations)
+
+
+def matched(agent: Agent, length: int | None, options: Options) -> Choose:
+    """The best action at one trained discount: that whose time constant -1 / log gamma is nearest to the time to go.
+
+    Nearest in the logarithm; of two as near, the shorter.
+    """
+    gammas, length = _discounts(agent, length, "matched")
+    left = np.arange(1, length + 1)
+    heads = np.abs(np.log(left[:, None]) + np.log(-np.log(gammas))).argmin(axis=1)  # row T - 1 is for T steps to go
+    return lambda observations, time: greedy_action(agent.action_values(observations, int(heads[length - time - 1])))
+
+
+def readout(agent: Agent, length: int | None, options: Options) -> Choose:
+    """The values of all discounts, weighed for the time to go by :func:`laplace_core.horizon.readout_weights`."""
+    gammas, length = _discounts(agent, length, "readout")
+    acting, steps = float(gammas[agent.acting_head]), max(options.steps, length)
+    wanted = [target_discounts(left, steps, acting, options.softness) for left in range(1, length + 1)]
+    return _by_weights(agent, readout_weights(gammas, np.array(wanted), options.alpha), length)
+
+
+def fading(agent: Agent, length: int | None, options: Options) -> Choose:
+    """A deadline that fades: a reward at tau counts exp(-tau / (stretch * time to go)), no more than gamma^tau allows.
+
+    The edge of a deadline is what a gamma-space knows least about, and its weights multiply the noise of the values
+    by their norm, |w|. An exponential lies between the discounts that were learned, so |w| stays at 1 or below. Where
+    stretch * time to go exceeds the time constant of the acting discount, this is ``greedy``.
+    """
+    gammas, length = _discounts(agent, length, "fading")
+    acting, left = agent.acting_head, np.arange(1, length + 1)
+    constants = np.minimum(options.stretch * left, -1.0 / np.log(gammas[acting]))
+    wanted = np.exp(-np.arange(max(options.steps, length)) / constants[:, None])
+    weights = readout_weights(gammas, wanted, FADING_ALPHA)
+    weights[options.stretch * left >= -1.0 / np.log(gammas[acting])] = np.eye(len(gammas))[acting]
+    return _by_weights(agent, weights, length)
+
+
+def _by_weights(agent: Agent, weights: np.ndarray, length: int) -> Choose:
+    """Greedy on sum_g w_g Q_g, where row T - 1 of the weights ``(length, G)`` is for T steps to go."""
+    return lambda observations, time: greedy_action(
+        np.einsum("bga,g->ba", agent.action_values(observations), weights[length - time - 1])
+    )
+
+
+def decoded(agent: Agent, length: int | None, options: Options) -> Choose:
+    """The same as ``readout`` through the tau-space, slowly."""
+    gammas, length = _discounts(agent, length, "decoded")
+    settings = Settings(
+        alpha=options.alpha, steps=max(options.steps, length), time_step=1.0, normalise="none",
+        acting_gamma=float(gammas[agent.acting_head]), softness=options.softness,
+    )  # fmt: skip
+
+    def choose(observations: np.ndarray, time: int) -> np.ndarray:
+        found = zip(*agent.gamma_spaces(observations), strict=True)
+        values = [
+            decode_and_read(GammaSpace(*one, gammas, agent.thetas), settings).horizon_values[:, length - time - 1]
+            for one in found
+        ]
+        return greedy_action(np.array(values))
+
+    return choose
+
+
+def own(agent: Agent, length: int | None, options: Options) -> Choose:
+    """The best action for the time to go, of an agent that has learned it; beyond its longest one, for that."""
+    if not hasattr(agent, "horizon"):
+        raise InputError("rule 'own' needs an agent that takes the time to go as an input: train fixed_horizon.")
+    longest = agent.horizon
+    return lambda observations, time: greedy_action(
+        agent.action_values(observations, min(longest, longest if length is None else length - time) - 1)
+    )
+
+
+RULES: dict[str, Callable[[Agent, int | None, Options], Choose]] = {
+    "greedy": greedy, "matched": matched, "fading": fading, "readout": readout, "decoded": decoded, "own": own,
+}  # fmt: skip
+
+
+def suited(agent: Agent, horizon: int | None) -> str:
+    """The rule by which an agent acts for a horizon if none is named."""
+    if horizon is None:
+        return "greedy"
+    if hasattr(agent, "horizon"):
+        return "own"
+    return "fading" if hasattr(agent, "gammas") else "greedy"
+
+
+def _discounts(agent: Agent, length: int | None, rule: str) -> tuple[np.ndarray, int]:
+    """Discounts of the agent, and the length of an episode.
+
+    Raises:
+        InputError: it has one discount only, or the episode has no end to go to.
+    """
+    if not hasattr(agent, "gammas"):
+        raise InputError(f"rule {rule!r} needs an agent with many discounts.")
+    if length is None:
+        raise InputError(f"rule {rule!r} needs a horizon here: the environment has no time limit.")
+    return agent.gammas, length
