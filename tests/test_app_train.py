@@ -19,7 +19,7 @@ from laplace_core.training.command import settings_of
 from laplace_core.training.queue import Queue
 from laplace_core.training.run_folder import new_run, read_config
 from tests.hostile import assert_one_sentence
-from tests.pages import MAIN, copied, downloads, labels, link, numbers, pictures, press, run, wait
+from tests.pages import MAIN, charts, copied, downloads, labels, link, numbers, press, run, wait
 from tests.quick_runs import SMALL, stand_in, states, tell
 from tests.test_training_curves import STORY
 
@@ -219,11 +219,11 @@ def test_curves_of_runs_of_one_environment_stand_side_by_side(runs):
     for name, settings in (("one", SMALL), ("two", replace(SMALL, seed=1)), ("pole", other)):
         made(runs, name, settings)
     page = opened(run="one")
-    drawn = pictures(page)["training"]["data"]
+    drawn = charts(page)["training"]["data"]
     assert len(drawn) == 6  # three traces of two runs
     assert numbers(drawn[4]["y"]).tolist() == [4, 9, 9]
     page.button(key="show pole").click()
-    assert len(pictures(run(page))["training"]["data"]) == 3
+    assert len(charts(run(page))["training"]["data"]) == 3
     assert link(page)["run"] == "pole"
 
 
@@ -231,19 +231,19 @@ def test_runs_beside_it_are_picked_and_in_the_link(runs):
     for seed in range(3):
         made(runs, f"run_{seed}", replace(SMALL, seed=seed))
     page = opened(run="run_0", beside="run_2")
-    assert len(pictures(page)["training"]["data"]) == 6
+    assert len(charts(page)["training"]["data"]) == 6
     page.get("button_group")[0].set_value([])
     run(page)
     assert link(page)["beside"] == training_form.NOTHING
-    assert len(pictures(page)["training"]["data"]) == 3
-    assert len(pictures(opened(**link(page)))["training"]["data"]) == 3
+    assert len(charts(page)["training"]["data"]) == 3
+    assert len(charts(opened(**link(page)))["training"]["data"]) == 3
 
 
 def test_values_of_every_discount_stand_against_what_came(runs):
     told = json.loads(STORY.splitlines()[2])
     told |= {"values": [1.0, 2.0, 3.0, 4.0], "discounted": [1.0, 2.5, 3.0, 8.0], "discounted_errors": [0.0] * 4}
     made(runs, "one", story=STORY.splitlines()[0] + "\n" + json.dumps(told) + "\n")
-    drawn = pictures(opened())
+    drawn = charts(opened())
     assert len(drawn["discounts"]["data"]) == 5  # four discounts and their colours
     assert [trace["y"] for trace in drawn["value at the start"]["data"]] == [told["discounted"], told["values"]]
 
@@ -257,7 +257,7 @@ def test_an_algorithm_without_many_discounts_has_one_picture_and_does_not_open(r
     made(runs, "one", PlainSettings())
     (runs.folder / "one" / "best.safetensors").write_bytes(b"")
     page = opened()
-    assert set(pictures(page)) == {"training"}
+    assert set(charts(page)) == {"training"}
     assert page.button(key="open one").disabled
     assert "many discounts" in page.button(key="open one").help
     assert checkpoints.trained() == ()
