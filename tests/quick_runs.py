@@ -9,6 +9,7 @@ from pathlib import Path
 
 from laplace_core.agents import LaplaceSettings
 from laplace_core.training import queue
+from laplace_core.training.process import read_process
 from laplace_core.training.queue import Queue
 
 SMALL = LaplaceSettings(
@@ -57,7 +58,7 @@ def tell(runs: Queue, name: str, word: str) -> None:
     """Let the stand-in of a run end in one of its ways, and wait until it has."""
     folder: Path = runs.folder / name
     until(lambda: (folder / "began").exists())
-    process = queue.read_process(folder)
+    process = read_process(folder)
     (folder / "end.part").write_text(word)
     (folder / "end.part").rename(folder / "end")
     until(lambda: not process.alive)

@@ -9,9 +9,7 @@ from __future__ import annotations
 
 import contextlib
 import fcntl
-import json
 import os
-import re
 import shutil
 import signal
 import subprocess
@@ -20,23 +18,20 @@ import threading
 import time
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from functools import lru_cache
 from pathlib import Path
 
 import laplace_core
 from laplace_core.agents.settings import LoopSettings
 from laplace_core.errors import InputError
 from laplace_core.training.command import name_of
-from laplace_core.training.process import PATIENCE, Process, read_process, read_small, write_process
-from laplace_core.training.run_folder import RUN_NAME, new_run, settings_from_json
-from laplace_core.training.tensor_file import parse_json, write_whole
+from laplace_core.training.job import Job, born_at, error_in, is_run, read_job, run_folders, settings_in, write_job
+from laplace_core.training.process import PATIENCE, Process, read_process, write_process
+from laplace_core.training.run_folder import RUN_NAME, new_run
 
 MOST_TRAINING = 2
 MOST_WAITING = 20
 EVERY = 0.4
 """Seconds between two looks at the runs, while one trains or waits."""
-_MOST_CONFIG = 100_000  # bytes
-_MOST_ERRORS = 1_000_000
 _MOST_BUFFER = 2_000_000_000
 _ASKED_TO_END = (-signal.SIGTERM, -signal.SIGINT, 128 + signal.SIGTERM, 128 + signal.SIGINT)
 _ONE_THREAD = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"), "1")
@@ -66,23 +61,6 @@ class Run:
     @property
     def going(self) -> bool:
         return self.state in (WAITING, TRAINING)
-
-
-@dataclass(frozen=True)
-class _Job:
-    """What the queue notes of a run.
-
-    Attributes:
-        wanted: "run", "stop", "fail" once it has failed, or "later": its process was asked to end from outside, as when
-            a machine is shut down, and the next queue lets it go on.
-        ticket: decides who is next.
-        begun: whether a process was started for it.
-    """
-
-    wanted: str
-    ticket: int
-    begun: bool = False
-    error: str | None = None
 
 
 class Queue:
@@ -118,7 +96,7 @@ class Queue:
 
     def runs(self) -> list[Run]:
         """Every run, the newest first."""
-        found = [self._look(path) for path in _folders(self.folder)]
+        found = [self._look(path) for path in run_folders(self.folder)]
         line = sorted((job.ticket, run.name) for run, job in found if run.state == WAITING)
         places = {name: place for place, (_, name) in enumerate(line, 1)}
         runs = [replace(run, place=places.get(run.name, 0)) for run, _ in found]
@@ -130,14 +108,14 @@ class Queue:
         Raises:
             InputError: there is none of that name.
         """
-        if RUN_NAME.fullmatch(name) and _is_run(self.folder / name):
+        if RUN_NAME.fullmatch(name) and is_run(self.folder / name):
             return next((run for run in self.runs() if run.name == name), None) or self._look(self.folder / name)[0]
         raise InputError(f"there is no run {name[:60]!r} here.")
 
-    def _look(self, path: Path) -> tuple[Run, _Job]:
-        job, process = _read_job(path), read_process(path)
-        born, error = _born(path), job.error
-        settings, refused = _settings_in(path / "config.json", born)
+    def _look(self, path: Path) -> tuple[Run, Job]:
+        job, process = read_job(path), read_process(path)
+        born, error = born_at(path), job.error
+        settings, refused = settings_in(path / "config.json", born)
         if settings is None:
             return Run(path.name, path, None, FAILED, 0, f"its settings cannot be read: {refused}", born), job
         if process is not None and process.alive:
@@ -166,7 +144,7 @@ class Queue:
                 taken += 1
                 path = self.folder / f"{name_of(settings)}_{taken}"
             new_run(path, settings)
-            _write_job(path, _Job("run", time.time_ns()))
+            write_job(path, Job("run", time.time_ns()))
         self.wake()
         return path.name
 
@@ -176,7 +154,7 @@ class Queue:
             run = self.get(name)
             if run.state in (STOPPED, FAILED) and run.settings is not None:
                 _check_line(self.runs())
-                _write_job(run.folder, _Job("run", time.time_ns()))
+                write_job(run.folder, Job("run", time.time_ns()))
         self.wake()
 
     def stop(self, name: str) -> None:
@@ -184,7 +162,7 @@ class Queue:
         with self._locked():
             run = self.get(name)
             if run.going:
-                _write_job(run.folder, _Job("stop", 0))
+                write_job(run.folder, Job("stop", 0))
             process = read_process(run.folder)
         if process is not None:
             process.end()
@@ -225,7 +203,7 @@ class Queue:
     def tick(self) -> bool:
         """Note who has ended, and start who is next; whether anything is left to attend to."""
         with self._locked():
-            for path in _folders(self.folder):
+            for path in run_folders(self.folder):
                 self._settle(path)
             self._new = False
             runs = self.runs()
@@ -242,21 +220,21 @@ class Queue:
             del self._children[path.name]
         run, job = self._look(path)
         if job.wanted == "later" and self._new:
-            _write_job(path, _Job("run", job.ticket))
+            write_job(path, Job("run", job.ticket))
         if run.state != WAITING or not job.begun:
             return
         if status in _ASKED_TO_END:
-            _write_job(path, _Job("later", job.ticket))
+            write_job(path, Job("later", job.ticket))
             return
-        error = _error_in(path)
+        error = error_in(path)
         if child is not None:
             if error is None and status < 0:
                 error = f"its process was killed (signal {-status}); resume it, smaller if memory was short."
             error = error or f"its process ended too early, with status {status}; resume it."
-        _write_job(path, _Job("run", job.ticket) if error is None else _Job("fail", 0, error=error))
+        write_job(path, Job("run", job.ticket) if error is None else Job("fail", 0, error=error))
 
     def _start(self, run: Run) -> None:
-        _write_job(run.folder, _Job("run", _read_job(run.folder).ticket, begun=True))
+        write_job(run.folder, Job("run", read_job(run.folder).ticket, begun=True))
         (run.folder / "errors.txt").unlink(missing_ok=True)
         with open(run.folder / "errors.txt", "xb") as errors:
             child = subprocess.Popen(
@@ -296,60 +274,3 @@ def check_trainable(settings: LoopSettings) -> None:
 def _check_line(runs: list[Run]) -> None:
     if sum(run.state == WAITING for run in runs) >= MOST_WAITING:
         raise InputError(f"{MOST_WAITING} runs wait already: cancel some, or come back when they have begun.")
-
-
-def _folders(folder: Path) -> list[Path]:
-    try:
-        return [path for path in folder.iterdir() if RUN_NAME.fullmatch(path.name) and _is_run(path)]
-    except OSError:
-        return []
-
-
-def _is_run(path: Path) -> bool:
-    config = path / "config.json"
-    return path.is_dir() and not path.is_symlink() and config.is_file() and not config.is_symlink()
-
-
-@lru_cache(maxsize=512)
-def _settings_in(config: Path, born: float) -> tuple[LoopSettings | None, str]:
-    """Settings, or why there are none; read once for a time of writing."""
-    try:
-        return settings_from_json(read_small(config, _MOST_CONFIG) or "", config.name), ""
-    except InputError as refused:
-        return None, str(refused)
-
-
-def _born(path: Path) -> float:
-    try:
-        return (path / "config.json").stat().st_mtime
-    except OSError:
-        return 0.0
-
-
-def _read_job(path: Path) -> _Job:
-    """The queue's note; a run from elsewhere has none, and is not to be trained."""
-    try:
-        job = _Job(**parse_json(read_small(path / "job.json", 10_000) or "", "job.json"))
-    except (InputError, TypeError):
-        return _Job("stop", 0)
-    sane = job.wanted in ("run", "stop", "fail", "later") and type(job.ticket) is int and isinstance(job.begun, bool)
-    return job if sane and (job.error is None or isinstance(job.error, str)) else _Job("stop", 0)
-
-
-def _write_job(path: Path, job: _Job) -> None:
-    write_whole(path / "job.json", json.dumps(vars(job)).encode())
-
-
-def _error_in(path: Path) -> str | None:
-    """The last line of what the process complained about, as one sentence; None if it did not end by an error."""
-    lines = (read_small(path / "errors.txt", _MOST_ERRORS) or "").strip().splitlines()
-    if not lines:
-        return None
-    last = " ".join(lines[-1].split())[:300]
-    if last.startswith("laplace: "):
-        return last.removeprefix("laplace: ")
-    fault = re.match(r"[A-Za-z_][\w.]*(Error|Exception)\b(: )?", last)
-    if not fault:
-        return None
-    words = last[fault.end() :].rstrip(".") or "a fault of the program"
-    return f"training broke off: {words}; errors.txt in the run's folder says more."
