@@ -28,11 +28,11 @@ class Agent:
 
 
 def test_it_waits_while_there_is_time_and_takes_what_is_there_when_there_is_not():
-    # With T to go the later reward counts 1.5 exp(-10 / (2 T)), above 1 while T > 5 / log 1.5 = 12.3.
+    # With T to go the later reward counts 1.5 exp(-10 / (1.5 T)), above 1 while T > 10 / (1.5 log 1.5) = 16.4.
     choose = RULES["fading"](Agent(), 60, Options())
     chosen = np.array([choose(np.zeros((1, 1)), 60 - left)[0] for left in range(1, 61)])
-    assert chosen[:12].tolist() == [0] * 12
-    assert chosen[12:].tolist() == [1] * 48
+    assert chosen[:16].tolist() == [0] * 16
+    assert chosen[16:].tolist() == [1] * 44
 
 
 def test_far_from_the_deadline_it_is_greedy_to_the_last_digit():
@@ -40,7 +40,7 @@ def test_far_from_the_deadline_it_is_greedy_to_the_last_digit():
     agent, weights = Agent(), []
     agent.action_values = lambda observations, head=None: np.eye(15)[None].repeat(len(observations), axis=0)
     choose = RULES["fading"](agent, 100, Options())
-    for left in (50, 75, 100):  # 2 x 50 steps is the time constant of the acting discount
+    for left in (67, 75, 100):  # 1.5 x 67 steps exceed the time constant of the acting discount, 99.5
         weights.append(choose(np.zeros((1, 1)), 100 - left)[0])
     assert weights == [14, 14, 14]
 

@@ -30,6 +30,14 @@ def add_report(verbs: argparse._SubParsersAction) -> None:
     training.add_argument("--json", action="store_true", help="print JSON")
     training.set_defaults(run=_training)
 
+    ship = kinds.add_parser("ship", help="evaluate finished runs, keep the median seed's checkpoint and its manifest")
+    ship.add_argument("algorithm", metavar="ALGORITHM", help="as in train")
+    ship.add_argument("environment", metavar="ENVIRONMENT", help="as in train")
+    ship.add_argument("--seeds", default="5", metavar="N", help="how many, from seed 0 (default: 5)")
+    ship.add_argument("--runs", default="runs", metavar="FOLDER", help="where the runs are (default: runs)")
+    ship.add_argument("--out", default="checkpoints", metavar="FOLDER", help="where it goes (default: checkpoints)")
+    ship.set_defaults(run=_ship)
+
     horizon = kinds.add_parser("horizon", help="acting for other horizons, against greedy and the matched discount")
     horizon.add_argument("checkpoints", nargs="+", metavar="CHECKPOINT", help="agents of one environment")
     horizon.add_argument("--horizons", default="50,100,200,full", metavar="T,T,...", help="default: 50,100,200,full")
@@ -79,3 +87,12 @@ def _horizon(options: argparse.Namespace) -> None:
     paths = [Path(path) for path in options.checkpoints]
     numbers, text = horizon.report(paths, options.rule, horizons, episodes, seed, given)
     print(json.dumps(numbers, indent=1) if options.json else text)
+
+
+def _ship(options: argparse.Namespace) -> None:
+    seeds = checked_number("seeds", options.seeds, int, 1, 100)
+    settings_of(options.algorithm, options.environment, {})
+    from laplace_core.experiments import shipping  # loads torch
+
+    entry = shipping.ship(options.algorithm, options.environment, seeds, Path(options.runs), Path(options.out))
+    print(json.dumps(entry, indent=1))

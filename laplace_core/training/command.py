@@ -230,7 +230,7 @@ def add_evaluate(verbs) -> None:
         help="greedy, matched (the discount nearest to the time to go), fading, readout, decoded (the same, slowly) or "
         "own (of fixed_horizon); default: with a horizon fading or own where the agent can, else greedy",
     )
-    evaluate.add_argument("--stretch", default="2", metavar="C", help="of fading: its time constant / the time to go")
+    evaluate.add_argument("--stretch", default="1.5", metavar="C", help="of fading: its time constant / the time to go")
     evaluate.add_argument("--json", action="store_true", help="print JSON, with every return")
     evaluate.set_defaults(run=run_evaluate)
 

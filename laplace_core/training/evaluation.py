@@ -55,7 +55,7 @@ def _standard_error(values: np.ndarray) -> np.ndarray:
 
 def evaluate(
     agent: Agent, environment: str, episodes: int = 100, seed: int = 0, horizon: int | None = None,
-    softness: float = 0.2, rule: str = "greedy", alpha: float = 1.0, steps: int = 1000, stretch: float = 2.0,
+    softness: float = 0.2, rule: str = "greedy", alpha: float = 1.0, steps: int = 1000, stretch: float = 1.5,
     first_seed: int = FIRST_SEED, discounts: np.ndarray | None = None,
 ) -> Scores:  # fmt: skip
     """Act without exploration and add up rewards.

@@ -38,7 +38,7 @@ class Options:
     softness: float = 0.2
     alpha: float = 1.0
     steps: int = 1000
-    stretch: float = 2.0
+    stretch: float = 1.5
 
 
 def greedy(agent: Agent, length: int | None, options: Options) -> Choose:
