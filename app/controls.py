@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import streamlit as st
 
 from app import sources, state
@@ -36,7 +38,7 @@ def world_group() -> None:
     key = state.show("world", state.world_name())
     here = state.world_name()
     brought = [name for name in sources.BROUGHT if name != sources.DATA or here == sources.DATA]
-    st.selectbox("World", (*sources.WORLDS, *brought), key=key, on_change=state.choose_world, format_func=_world_title)
+    st.selectbox("World", (*sources.WORLDS, *brought), key=key, on_change=state.choose_world, format_func=world_title)
     if here in PRESETS:
         st.caption(PRESETS[here].summary)
     parameters = parameters_of(here)
@@ -47,7 +49,7 @@ def world_group() -> None:
             number(f"p.{parameter.name}", parameter, parameter.default, parameter.name)
 
 
-def _world_title(name: str) -> str:
+def world_title(name: str) -> str:
     if name in sources.TITLES:
         return sources.TITLES[name]
     return PRESETS[name].title if name in PRESETS else name.replace("gym:", "gymnasium ")
@@ -138,4 +140,6 @@ def number(key: str, parameter: Parameter, value: object, label: str) -> None:
         st.number_input(label, int(parameter.low), int(parameter.high), step=1, **kept)
     else:
         step = 0.01 if parameter.high <= 1 else 0.5
+        if parameter.default:  # a small number moves by its last digit
+            step = min(step, 10.0 ** math.floor(math.log10(abs(parameter.default))))
         st.number_input(label, float(parameter.low), float(parameter.high), step=step, format="%g", **kept)

@@ -8,11 +8,13 @@ the link, which the server writes.
 from __future__ import annotations
 
 import contextlib
+import os
 import shutil
 import socket
 import statistics
 import subprocess
 import sys
+import tempfile
 import time
 import urllib.request
 from pathlib import Path
@@ -63,7 +65,11 @@ def served(script: Path, log: IO[str] | None = None):
         port = probe.getsockname()[1]
     command = [sys.executable, "-m", "streamlit", "run", str(script), "--server.port", str(port)]
     command += ["--server.address", "127.0.0.1", "--server.headless", "true", "--server.fileWatcherType", "none"]
-    process = subprocess.Popen(command, cwd=ROOT, stdout=log or subprocess.DEVNULL, stderr=log or subprocess.DEVNULL)
+    runs = tempfile.TemporaryDirectory(prefix="laplace_runs_", ignore_cleanup_errors=True)  # never somebody's own
+    process = subprocess.Popen(
+        command, cwd=ROOT, stdout=log or subprocess.DEVNULL, stderr=log or subprocess.DEVNULL,
+        env=os.environ | {"LAPLACE_RUNS": runs.name},
+    )  # fmt: skip
     try:
         for _ in range(300):
             with (
@@ -79,6 +85,7 @@ def served(script: Path, log: IO[str] | None = None):
     finally:
         process.terminate()
         process.wait()
+        runs.cleanup()
 
 
 def find_chromium() -> str | None:

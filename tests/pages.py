@@ -83,9 +83,14 @@ def pin(page: AppTest) -> AppTest:
 
 def pictures(page: AppTest) -> dict[str, dict]:
     """Every plotly figure on the page, by the key of its chart, and as ``lens`` what the lens is told."""
-    sent = [json.loads(block.proto.json) for block in page.get("bidi_component") if "chart " in block.proto.id]
     told = {name: value for name, value in handed(page)[0].items() if name != "revision"}
-    return {"lens": told, **{data["name"]: json.loads(data["figure"]) for data in sent}}
+    return {"lens": told, **charts(page)}
+
+
+def charts(page: AppTest) -> dict[str, dict]:
+    """Every plotly figure on the page, by the key of its chart."""
+    sent = [json.loads(block.proto.json) for block in page.get("bidi_component") if "chart " in block.proto.id]
+    return {data["name"]: json.loads(data["figure"]) for data in sent}
 
 
 def copied(page: AppTest, name: str) -> str:

@@ -25,7 +25,11 @@ def page() -> None:
         if name is None:
             st.info("No trained agent is here yet: open a checkpoint, or train one with `laplace train`.")
             return
-        loaded = checkpoints.checkpoint(str(name))
+        try:
+            loaded = checkpoints.checkpoint(str(name))
+        except InputError as error:  # a run that was removed meanwhile
+            st.error(str(error))
+            return
         scene = scene_of(loaded.environment)
         _card(loaded, scene)
         _observation(scene)
@@ -33,7 +37,7 @@ def page() -> None:
 
 
 def _choose() -> None:
-    names = (*checkpoints.shipped(), *checkpoints.opened())
+    names = (*checkpoints.shipped(), *checkpoints.trained(), *checkpoints.opened())
     if names:
         key = state.show("checkpoint", names[0])
         st.selectbox("Agent", names, key=key, on_change=_chosen, format_func=_title)
@@ -43,7 +47,7 @@ def _choose() -> None:
 
 
 def _title(name: str) -> str:
-    return "opened file" if name in checkpoints.opened() else name.replace("_", " ")
+    return "opened file" if name in checkpoints.opened() else name.replace(checkpoints.RUN, "run: ").replace("_", " ")
 
 
 def _chosen() -> None:
