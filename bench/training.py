@@ -1,4 +1,4 @@
-"""The trainer: one update against a well-known QR-DQN, growth with the grids, and reading what was learned."""
+"""The trainer: updates and whole runs against a well-known QR-DQN, growth with the grids, reading what was learned."""
 
 from __future__ import annotations
 
@@ -16,8 +16,9 @@ import torch
 from bench import runs
 from bench.report import Figure, Goal
 from bench.timing import interleaved, spread
-from laplace_core.agents import LaplaceSettings
-from laplace_core.agents.laplace import LaplaceAgent
+from laplace_core.agents import SETTINGS, LaplaceSettings, LoopSettings
+from laplace_core.agents.agent import Agent
+from laplace_core.agents.registry import AGENTS
 from laplace_core.inverse import decode
 from laplace_core.training.events import Episode
 from laplace_core.training.loop import train
@@ -39,14 +40,15 @@ def figures() -> Iterator[Figure]:
     yield from _reading()
 
 
-def agent(settings: LaplaceSettings) -> LaplaceAgent:
-    return LaplaceAgent(settings, OBSERVATION, ACTIONS, 1000)
+def agent(settings: LoopSettings) -> Agent:
+    return AGENTS[settings.ALGORITHM](settings, OBSERVATION, ACTIONS, 1000)
 
 
-def one_update(settings: LaplaceSettings) -> Callable[[], object]:
+def one_update(settings: LoopSettings) -> Callable[[], object]:
     """Drawing a batch and learning from it: loss, gradient, optimiser and averaging."""
     learner, random = agent(settings), np.random.default_rng(0)
-    replay = Replay(2_000, settings.rings, OBSERVATION, own=settings.experience == "per_discount")
+    own = getattr(settings, "experience", "shared") == "per_discount"
+    replay = Replay(2_000, settings.rings, OBSERVATION, own=own)
     for i in range(2_000 // settings.rings):
         _add(replay, i, random)
     return lambda: learner.update(replay.sample(settings.batch, random)[0], 0.0)
@@ -96,17 +98,56 @@ def _against_quantiles() -> Iterator[Figure]:
         print("  sb3-contrib is not installed: no comparison with QR-DQN")
         return
     ours = one_update(STANDARD)
-    seconds = interleaved({"laplace": (ours, 3), "quantiles": (quantile_update(), 1), "again": (ours, 3)}, rounds=41)
+    peer = one_update(SETTINGS["qrdqn"](environment="LunarLander-v3", quantiles=QUANTILES, batch=BATCH, hidden=256))
+    timed = {"laplace": (ours, 3), "quantiles": (quantile_update(), 1), "peer": (peer, 3), "again": (ours, 3)}
+    seconds = interleaved(timed, rounds=41)
     sizes = f"15 discounts x 100 sensitivities, {QUANTILES} quantiles, batch {BATCH}, hidden 256 x 256"
     yield Figure(
         SUBJECT, "one update / one of sb3-contrib's QR-DQN", spread(seconds["laplace"] / seconds["quantiles"]), "x",
         sizes, Goal("<=", 0.5), "drawing the batch, loss, gradient, optimiser; ours also averages the target network",
     )  # fmt: skip
     yield Figure(
+        SUBJECT, "one update of our QR-DQN / one of sb3-contrib's", spread(seconds["peer"] / seconds["quantiles"]), "x",
+        f"{QUANTILES} quantiles, batch {BATCH}, hidden 256 x 256", Goal("<=", 0.6),
+        "ours also averages the target network and, with double targets, chooses by the online one",
+    )  # fmt: skip
+    yield Figure(
         SUBJECT, "one update / itself", spread(seconds["again"] / seconds["laplace"]), "x", sizes,
         note="the same update timed twice a round: what noise alone makes",
     )  # fmt: skip
     yield Figure(SUBJECT, "one update", spread(1e3 * seconds["laplace"]), "ms", sizes)
+    yield from _whole_runs()
+
+
+def _whole_runs() -> Iterator[Figure]:
+    """CartPole at the settings of the RL zoo: an update for every two transitions, of 64, and 10 quantiles."""
+    settings = SETTINGS["qrdqn"](
+        steps=4_000, learning_starts=500, hidden=256, batch=64, quantiles=10, update_every=8, updates=4, double=False,
+        exploration=0.16, epsilon_final=0.04, evaluate_every=10**6, evaluate_episodes=1, checkpoint_every=10**6,
+    )  # fmt: skip
+    pairs = [(_steps_per_second(settings), _library_steps_per_second(2_560)) for _ in range(7)]
+    sizes = "10 quantiles, batch 64, an update every 2 transitions, hidden 256 x 256"
+    yield Figure(
+        SUBJECT, "CartPole with our QR-DQN / with sb3-contrib's, steps/s", spread([one / two for one, two in pairs]),
+        "x", sizes, Goal(">=", 1.5), "the whole loop, both without double targets",
+    )  # fmt: skip
+    yield Figure(SUBJECT, "CartPole with our QR-DQN", spread([one for one, _ in pairs]), "steps/s", sizes)
+
+
+def _library_steps_per_second(steps: int) -> float:
+    """Of sb3-contrib's QR-DQN once it learns; ``steps`` is a multiple of 256, after which it has 128 updates."""
+    from sb3_contrib import QRDQN
+
+    model = QRDQN(
+        "MlpPolicy", "CartPole-v1", learning_rate=2.3e-3, batch_size=64, learning_starts=500, target_update_interval=10,
+        train_freq=256, gradient_steps=128, exploration_fraction=0.16, exploration_final_eps=0.04, device="cpu", seed=0,
+        buffer_size=50_000, policy_kwargs={"net_arch": [256, 256], "n_quantiles": 10},
+    )  # fmt: skip
+    model.learn(512)
+    torch.set_num_threads(1)
+    began = perf_counter()
+    model.learn(steps, reset_num_timesteps=False)
+    return steps / (perf_counter() - began)
 
 
 def _growth() -> Iterator[Figure]:

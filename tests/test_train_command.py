@@ -60,8 +60,18 @@ def test_the_file_of_the_environment_is_used_and_what_is_given_comes_first():
 
 
 @pytest.mark.parametrize("environment", ENVIRONMENTS)
-def test_every_environment_has_valid_settings(environment):
-    assert settings_of("laplace", environment, {}).environment == environment
+@pytest.mark.parametrize("algorithm", SETTINGS)
+def test_every_environment_has_valid_settings(algorithm, environment):
+    found = settings_of(algorithm, environment, {})
+    assert found.environment == environment
+    assert algorithm == found.ALGORITHM
+
+
+def test_the_support_of_c51_holds_the_returns_of_a_world():
+    """two_branch pays 5 at once or 10 at the third step: 9.801 from the start, and 10 one step before it is paid."""
+    found = settings_of("c51", "two_branch", {})
+    assert found.v_min <= 5.0
+    assert found.v_max >= 10.0
 
 
 @pytest.mark.parametrize("environment", ["MountainCar-v0", "gym:Taxi-v4", "gym:FrozenLake-v1", "double_chain"])
@@ -78,7 +88,7 @@ def test_other_environments_train_and_resume_as_well(environment, tmp_path, caps
 def test_every_setting_has_a_sentence_in_the_help():
     done = subprocess.run([sys.executable, "-m", "laplace_core", "train", "--help"], capture_output=True, text=True)
     text = " ".join(done.stdout.split())
-    for parameter in SETTINGS["laplace"].SCHEMA:
+    for parameter in {parameter for kind in SETTINGS.values() for parameter in kind.SCHEMA}:
         if parameter.name != "environment":
             assert f"--{parameter.name.replace('_', '-')}" in text
             assert parameter.help.split("%")[0].split(";")[0] in text

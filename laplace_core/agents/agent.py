@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import copy
 from abc import ABC, abstractmethod
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from typing import ClassVar
 
 import numpy as np
 import torch
 from torch import Tensor, nn
 
+from laplace_core.agents.adam import Adam
 from laplace_core.agents.settings import LoopSettings
 from laplace_core.ties import greedy_action
 
@@ -37,6 +38,13 @@ class Batch:
     terminated: Tensor
     elapsed: Tensor
     weights: Tensor
+
+    def split(self, rows: int) -> list[Batch]:
+        """Batches of so many rows each."""
+        return [Batch(*parts) for parts in zip(*(getattr(self, name).split(rows) for name in _FIELDS), strict=True)]
+
+
+_FIELDS = tuple(field.name for field in fields(Batch))
 
 
 class Agent(ABC):
@@ -66,8 +74,8 @@ class Agent(ABC):
             torch.manual_seed(settings.seed)
             self.network = self._build()
         self.target = copy.deepcopy(self.network).requires_grad_(False)
-        self.optimiser = torch.optim.Adam(self.network.parameters(), lr=settings.learning_rate, eps=1e-5, fused=True)
         self._parameters = list(self.network.parameters())
+        self.optimiser = Adam(self._parameters)
         self._averages = list(self.target.parameters())
 
     @abstractmethod
@@ -79,9 +87,17 @@ class Agent(ABC):
     def network_numbers(cls, settings: LoopSettings, observation: int, actions: int) -> int:
         """How many weights that network has, counted without building it."""
 
+    def prepare(self, batch: Batch) -> tuple[Tensor, ...]:
+        """What losses need and may compute for a whole round of updates at once: tensors with a row a transition."""
+        return ()
+
     @abstractmethod
-    def losses(self, batch: Batch) -> Tensor:
-        """Loss of every transition at every head, ``(B, g)`` or ``(B, G)``, with gradients to the network."""
+    def losses(self, batch: Batch, *prepared: Tensor) -> Tensor:
+        """Loss of every transition at every head, ``(B, g)`` or ``(B, G)``, with gradients to the network.
+
+        Args:
+            prepared: what :meth:`prepare` has returned for these transitions.
+        """
 
     @abstractmethod
     def _action_values(self, network: nn.Module, observations: Tensor, head: int | None) -> Tensor:
@@ -111,24 +127,34 @@ class Agent(ABC):
         values = self._action_values(self.network, inputs, None)
         return values[torch.arange(len(heads)), torch.from_numpy(heads)].argmax(-1).numpy()
 
-    def update(self, batch: Batch, progress: float) -> tuple[float, np.ndarray]:
-        """One step of the optimiser on a batch, and of the average after it.
+    def learn(self, batch: Batch, updates: int, progress: float) -> tuple[list[float], np.ndarray]:
+        """A round of updates: steps of the optimiser, each on its share of the batch and followed by the average.
 
         Args:
+            batch: its rows are a multiple of ``updates``.
             progress: fraction of the training that lies behind, for the learning rate.
 
         Returns:
-            the loss, and that of every transition, ``(B,)``, for its priority.
+            the loss of every update, and that of every transition, ``(B,)``, for its priority.
         """
+        rows = len(batch.observations) // updates
+        prepared = [part.split(rows) for part in self.prepare(batch)]
+        found = [
+            self._update(part, tuple(one[i] for one in prepared), progress) for i, part in enumerate(batch.split(rows))
+        ]
+        return [loss for loss, _ in found], np.concatenate([each for _, each in found])
+
+    def update(self, batch: Batch, progress: float) -> tuple[float, np.ndarray]:
+        """A round of one update: its loss, and that of every transition."""
+        (loss,), each = self.learn(batch, 1, progress)
+        return loss, each
+
+    def _update(self, batch: Batch, prepared: tuple[Tensor, ...], progress: float) -> tuple[float, np.ndarray]:
         s = self.settings
-        rate = s.learning_rate * (1.0 + progress * (s.learning_rate_final - 1.0))
-        self.optimiser.param_groups[0]["lr"] = rate
-        each = self.losses(batch).mean(dim=1)
+        each = self.losses(batch, *prepared).mean(dim=1)
         loss = (batch.weights * each).mean()
-        self.optimiser.zero_grad(set_to_none=True)
         loss.backward()
-        nn.utils.clip_grad_norm_(self._parameters, s.gradient_clip)
-        self.optimiser.step()
+        self.optimiser.step(s.learning_rate * (1.0 + progress * (s.learning_rate_final - 1.0)), s.gradient_clip)
         with torch.no_grad():
             torch._foreach_lerp_(self._averages, self._parameters, s.averaging)
         return float(loss.detach()), each.detach().numpy()

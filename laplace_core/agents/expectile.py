@@ -51,7 +51,7 @@ class ExpectileAgent(Peer):
 
 
 def expectile_loss(expectiles: Tensor, locations: Tensor, masses: Tensor, levels: Tensor) -> Tensor:
-    """sum_i sum_j p_j |level_i - 1[u_ij < 0]| u_ij^2, u_ij = y_j - e_i: ``(B,)`` (Rowland et al. 2019, Eq. 9).
+    """sum_i sum_j p_j |level_i - 1[u_ij < 0]| u_ij^2, u_ij = y_j - e_i: ``(B,)`` (Rowland et al. 2019).
 
     A target above a high expectile costs more than one as far below it.
 

@@ -15,7 +15,14 @@ from torch import Tensor, nn
 
 from laplace_core.agents.agent import Agent, Batch, batched
 from laplace_core.agents.networks import Single
+from laplace_core.agents.peer import discounted
 from laplace_core.agents.settings import FixedHorizonSettings
+
+TOLD = 12
+"""Numbers that T is told by: its nearness to as many times from 1 to the longest, evenly spaced in log T.
+
+The two times around T share a weight of 1. Short times are told apart at once, and long ones vary smoothly.
+"""
 
 
 class FixedHorizonAgent(Agent):
@@ -33,25 +40,24 @@ class FixedHorizonAgent(Agent):
         super().__init__(settings, *sizes)
 
     def _build(self) -> nn.Module:
-        return Single(self.n_observations + 2, self.n_actions, torch.zeros(1), self.settings)
+        return Single(self.n_observations + TOLD, self.n_actions, torch.zeros(1), self.settings)
 
     @classmethod
     def network_numbers(cls, settings: FixedHorizonSettings, observation: int, actions: int) -> int:
-        return Single.count_numbers(observation + 2, actions, 1, settings)
+        return Single.count_numbers(observation + TOLD, actions, 1, settings)
 
-    def values(self, network: nn.Module, observations: Tensor, times: Tensor, actions: Tensor | None = None) -> Tensor:
-        """Q(s, a, T), ``(B, g, A)``, or ``(B, g)`` for ``actions`` ``(B, g)``, in units of reward.
+    def values(self, network: nn.Module, observations: Tensor, times: Tensor) -> Tensor:
+        """Q(s, a, T), ``(B, g, A)``, in units of reward.
 
         Args:
             observations: ``(B, 1, O)``.
             times: T, ``(B, g)``; 0 is worth 0.
         """
-        t = times.clamp(min=1).float()
-        told = torch.stack([t / self.horizon, t.log() / np.log(self.horizon + 1)], dim=-1)
-        outputs = network(torch.cat([observations.expand(-1, t.shape[1], -1), told], dim=-1), actions).squeeze(-1)
+        place = times.clamp(min=1).log() * ((TOLD - 1) / np.log(max(2, self.horizon)))
+        told = (1.0 - (place.unsqueeze(-1) - torch.arange(TOLD)).abs()).clamp(min=0.0)
+        outputs = network(torch.cat([observations.expand(-1, times.shape[1], -1), told], dim=-1))
         # The network's own scale is reward a step, which is of one size for all T.
-        scale = self._steps(times)
-        return outputs * (scale if actions is not None else scale.unsqueeze(-1))
+        return outputs.squeeze(-1) * self._steps(times).unsqueeze(-1)
 
     def _steps(self, times: Tensor) -> Tensor:
         """1 + gamma + ... + gamma^(T - 1)."""
@@ -69,18 +75,21 @@ class FixedHorizonAgent(Agent):
     @torch.no_grad()
     def targets(self, batch: Batch, times: Tensor) -> Tensor:
         """r_0 + ... + gamma^m max_a Q(s_m, a, T - m), cut after T rewards: ``(B, g)``, as ``times``, which hold T."""
-        judge, gamma = self.network if self.settings.double else self.target, self.settings.gamma
         left = (times - batch.lengths).clamp(min=0)
-        actions = self.values(judge, batch.next_observations, left).argmax(-1)
-        later = self.values(self.target, batch.next_observations, left, actions)
-        step = torch.arange(batch.rewards.shape[-1])
-        counts = (step < torch.minimum(batch.lengths, times).unsqueeze(-1)) * gamma**step
-        discounts = torch.where(batch.terminated, 0.0, gamma**batch.lengths)
-        return (batch.rewards * counts).sum(-1) + discounts * later
+        following = self.values(self.target, batch.next_observations, left)
+        judged = self.values(self.network, batch.next_observations, left) if self.settings.double else following
+        later = following.gather(-1, judged.argmax(-1, keepdim=True)).squeeze(-1)
+        rewards, discounts = discounted(batch, self.settings.gamma, torch.minimum(batch.lengths, times))
+        return rewards + discounts * later
 
-    def losses(self, batch: Batch) -> Tensor:
-        shape = len(batch.observations), self.settings.times
-        times = torch.from_numpy(self.random.integers(1, self.horizon + 1, size=shape))
-        outputs = self.values(self.network, batch.observations, times, batch.actions.expand(shape))
+    def prepare(self, batch: Batch) -> tuple[Tensor, Tensor]:
+        """Random times to go and the targets for them, ``(B, times)`` each."""
+        size = len(batch.observations), self.settings.times
+        times = torch.from_numpy(self.random.integers(1, self.horizon + 1, size=size))
+        return times, self.targets(batch, times)
+
+    def losses(self, batch: Batch, times: Tensor, targets: Tensor) -> Tensor:
+        outputs = self.values(self.network, batch.observations, times)
+        outputs = outputs.gather(-1, batch.actions.expand_as(times).unsqueeze(-1)).squeeze(-1)
         # Over the discounted number of steps: half way between the scale of the values and that of the network.
-        return 0.5 * (outputs - self.targets(batch, times)) ** 2 / self._steps(times)
+        return 0.5 * (outputs - targets) ** 2 / self._steps(times)

@@ -9,7 +9,7 @@ discounts, or ``(B, G, O)``, each discount's own; the answer is
 
 The trunk is trained for the discounts of its grid. The other two take the discount as an input and may be evaluated
 at discounts never trained, by :meth:`DiscountInput.at`. The peers, which have no discounts to share weights between,
-use :class:`Single` in the same way.
+use :class:`Single`, which always answers for all actions.
 """
 
 from __future__ import annotations
@@ -143,23 +143,40 @@ class DiscountInput(nn.Module):
 
 
 class Single(nn.Module):
-    """Two hidden layers and the head, for agents without a grid of discounts: ``(B, g, O)`` to ``(B, g, A, C)``."""
+    """Two hidden layers and a linear one, for agents without a grid of discounts: ``(B, g, O)`` to ``(B, g, A, C)``.
+
+    With ``dueling`` the second hidden layer is twice as wide, and its halves speak for the state and for the advantage
+    of each action, whose mean over actions is taken away (Wang et al. 2016, Eq. 9).
+
+    Args:
+        initial: outputs before training, ``(C,)``; the last weights begin small, so that all actions are near it.
+    """
 
     def __init__(self, observation: int, actions: int, initial: Tensor, settings: LoopSettings):
         super().__init__()
-        hidden, width = settings.hidden, settings.hidden * (2 if settings.dueling else 1)
+        hidden, self.shape, self.dueling = settings.hidden, (actions, initial.numel()), settings.dueling
+        width = hidden * (2 if self.dueling else 1)
         self.trunk = nn.Sequential(nn.Linear(observation, hidden), nn.ReLU(), nn.Linear(hidden, width), nn.ReLU())
-        self.head = Head(width, actions, initial, settings.dueling)
+        self.head = nn.Linear(hidden, actions * initial.numel())
+        self.state = nn.Linear(hidden, initial.numel()) if self.dueling else None
+        for layer in (self.head, self.state) if self.dueling else (self.head,):
+            nn.init.normal_(layer.weight, std=0.1 / hidden**0.5)
+            layer.bias.data = initial.repeat(layer.out_features // initial.numel())
 
-    def forward(self, observations: Tensor, actions: Tensor | None = None) -> Tensor:
-        return self.head(self.trunk(observations), actions)
+    def forward(self, observations: Tensor) -> Tensor:
+        features = self.trunk(observations)
+        if not self.dueling:
+            return self.head(features).unflatten(-1, self.shape)
+        stated, advantaged = features.chunk(2, dim=-1)
+        advantages = self.head(advantaged).unflatten(-1, self.shape)
+        return self.state(stated).unsqueeze(-2) + advantages - advantages.mean(-2, keepdim=True)
 
     @staticmethod
     def count_numbers(observation: int, actions: int, channels: int, settings: LoopSettings) -> int:
         """Weights in such a network, without building it."""
-        hidden, width = settings.hidden, settings.hidden * (2 if settings.dueling else 1)
-        head = actions * channels * (hidden + 1) + settings.dueling * hidden * channels
-        return (observation + 1) * hidden + (hidden + 1) * width + head
+        hidden, streams = settings.hidden, 2 if settings.dueling else 1
+        last = (actions + streams - 1) * channels * (hidden + 1)
+        return (observation + 1) * hidden + (hidden + 1) * streams * hidden + last
 
 
 def _feature_width(settings: LaplaceSettings) -> int:

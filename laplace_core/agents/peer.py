@@ -19,6 +19,17 @@ from laplace_core.agents.networks import Single
 from laplace_core.agents.settings import DqnSettings
 
 
+def discounted(batch: Batch, gamma: float, lengths: Tensor | None = None) -> tuple[Tensor, Tensor]:
+    """r_0 + ... + gamma^(m-1) r_(m-1), and gamma^m or, after a termination, 0: ``(B, g)`` each.
+
+    Args:
+        lengths: ``(B, g)``, in place of the m of the batch where fewer rewards count.
+    """
+    step = torch.arange(batch.rewards.shape[-1])
+    counts = (step < (batch.lengths if lengths is None else lengths).unsqueeze(-1)) * gamma**step
+    return (batch.rewards * counts).sum(-1), gamma**batch.lengths * ~batch.terminated
+
+
 class Peer(Agent):
     """An agent that learns the return at one discount; C is the number of outputs of an action."""
 
@@ -53,19 +64,17 @@ class Peer(Agent):
         """Distance of outputs ``(B, C)`` from a distribution, ``(B, M)`` twice: ``(B,)``."""
 
     @torch.no_grad()
-    def targets(self, batch: Batch) -> tuple[Tensor, Tensor]:
-        """Distribution of r_0 + ... + gamma^(m-1) r_(m-1) + gamma^m Z(s_m, a*), ``(B, M)`` twice."""
-        judge, gamma = self.network if self.settings.double else self.target, self.settings.gamma
-        actions = self.means(judge(batch.next_observations)).argmax(-1)
-        later, masses = self.distribution(self.target(batch.next_observations, actions=actions)[:, 0])
-        step = torch.arange(batch.rewards.shape[-1])
-        counts = (step < batch.lengths.unsqueeze(-1)) * gamma**step
-        discounts = torch.where(batch.terminated, 0.0, gamma**batch.lengths)
-        return (batch.rewards * counts).sum(-1) + discounts * later, masses
+    def prepare(self, batch: Batch) -> tuple[Tensor, Tensor]:
+        """The target: distribution of r_0 + ... + gamma^(m-1) r_(m-1) + gamma^m Z(s_m, a*), ``(B, M)`` twice."""
+        row = torch.arange(len(batch.observations))
+        following = self.target(batch.next_observations)[:, 0]  # (B, A, C)
+        judged = self.network(batch.next_observations)[:, 0] if self.settings.double else following
+        later, masses = self.distribution(following[row, self.means(judged).argmax(-1)])
+        rewards, discounts = discounted(batch, self.settings.gamma)
+        return rewards + discounts * later, masses
 
-    def losses(self, batch: Batch) -> Tensor:
-        locations, masses = self.targets(batch)
-        outputs = self.network(batch.observations, actions=batch.actions)[:, 0]
+    def losses(self, batch: Batch, locations: Tensor, masses: Tensor) -> Tensor:
+        outputs = self.network(batch.observations)[torch.arange(len(locations)), 0, batch.actions[:, 0]]
         return self.loss(outputs, locations, masses).unsqueeze(1)
 
     def _action_values(self, network: nn.Module, observations: Tensor, head: int | None) -> Tensor:

@@ -21,6 +21,7 @@ from laplace_core.training.run_folder import RunFolder
 
 _VALIDATION_SEED = 10**12  # start seeds of the evaluations while training
 _LARGEST_START = 10**9  # start seeds of training are below
+_ROUND = 8  # updates that are drawn for, and whose targets may be computed, at once
 
 
 def train(
@@ -159,12 +160,16 @@ class _Run:
             return
         progress = min(1.0, self.step / s.steps)
         correction = s.priority_correction + progress * (1.0 - s.priority_correction)
-        for _ in range(self._crossed(before, s.update_every) * s.updates):
-            batch, places = self.replay.sample(s.batch, self.random, correction)
-            loss, each = self.agent.update(batch, progress)
+        left = self._crossed(before, s.update_every) * s.updates
+        while left:
+            count = min(left, _ROUND)
+            batch, places = self.replay.sample(count * s.batch, self.random, correction)
+            losses, each = self.agent.learn(batch, count, progress)
             self.replay.prioritise(places, each)
-            self.losses[0] += loss
-            self.losses[1] += 1
+            for loss in losses:
+                self.losses[0] += loss
+            self.losses[1] += count
+            left -= count
 
     def _evaluate(self, last: bool) -> Iterator[Event]:
         s = self.settings

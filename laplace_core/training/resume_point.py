@@ -9,18 +9,13 @@ from laplace_core.agents.agent import Agent
 from laplace_core.training.checkpoint import check_tensors
 from laplace_core.training.replay import Replay
 
-_MOMENTS = ("step", "exp_avg", "exp_avg_sq")
-
 
 def arrays_of(agent: Agent, replay: Replay) -> dict[str, np.ndarray]:
     """Everything that is an array, by name."""
     arrays = {f"network.{name}": tensor.numpy() for name, tensor in agent.network.state_dict().items()}
     arrays |= {f"target.{name}": tensor.numpy() for name, tensor in agent.target.state_dict().items()}
-    for index, parameter in enumerate(agent.network.parameters()):
-        moments = agent.optimiser.state.get(parameter) or {
-            "step": torch.zeros(()), "exp_avg": torch.zeros_like(parameter), "exp_avg_sq": torch.zeros_like(parameter),
-        }  # fmt: skip
-        arrays |= {f"optimiser.{index}.{name}": moments[name].detach().numpy() for name in _MOMENTS}
+    for name, tensors in agent.optimiser.moments.items():
+        arrays |= {f"optimiser.{index}.{name}": tensor.numpy() for index, tensor in enumerate(tensors)}
     return arrays | {f"replay.{name}": array for name, array in replay.arrays().items()}
 
 
@@ -33,11 +28,9 @@ def restore_agent(agent: Agent, replay: Replay, arrays: dict[str, np.ndarray], n
     check_tensors(arrays, arrays_of(agent, replay), name)
     for part, network in (("network.", agent.network), ("target.", agent.target)):
         network.load_state_dict({key: torch.from_numpy(array) for key, array in _under(part, arrays).items()})
-    for index, parameter in enumerate(agent.network.parameters()):
-        kept = _under(f"optimiser.{index}.", arrays)
-        # Adam keeps nothing of a parameter before its first update.
-        if kept["step"] > 0:
-            agent.optimiser.state[parameter] = {key: torch.from_numpy(kept[key].copy()) for key in _MOMENTS}
+    for name, tensors in agent.optimiser.moments.items():
+        for index, tensor in enumerate(tensors):
+            tensor.copy_(torch.from_numpy(arrays[f"optimiser.{index}.{name}"]))
     replay.restore(_under("replay.", arrays))
 
 
