@@ -11,6 +11,7 @@ import numpy as np
 import torch
 
 from laplace_core.agents.settings import LoopSettings
+from laplace_core.training import memory
 from laplace_core.training.checkpoint import new_agent, save_checkpoint
 from laplace_core.training.environments import Environments, make
 from laplace_core.training.evaluation import Scores, evaluate
@@ -87,6 +88,8 @@ class _Run:
             before = self.step
             yield from self._episodes(self._act())
             self._learn(before)
+            if self._crossed(before, memory.EVERY):
+                memory.give_back()
             yield Step(self.step)
             done = self.step >= s.steps
             if done or self._crossed(before, s.evaluate_every):
