@@ -1,4 +1,5 @@
-"""Trained agents: those that ship, those that this session opened, and what they see of one observation."""
+"""Trained agents: those that ship, those that were trained here, those that this session opened, and what they see
+of one observation."""
 
 from __future__ import annotations
 
@@ -10,12 +11,14 @@ from pathlib import Path
 import numpy as np
 import streamlit as st
 
+from app import training_runs
 from app.sources import Observed
 from laplace_core import InputError
 from laplace_core.agents.laplace import LaplaceAgent
 from laplace_core.training.checkpoint import Loaded, load_checkpoint
 
 SHIPPED = Path(__file__).resolve().parent.parent / "checkpoints"
+RUN = "run:"  # prefix of the names of those that were trained here
 
 
 @cache
@@ -27,6 +30,21 @@ def shipped() -> tuple[str, ...]:
 @lru_cache(maxsize=8)
 def _shipped(name: str) -> Loaded:
     return load_checkpoint(SHIPPED / f"{name}.safetensors")
+
+
+def trained() -> tuple[str, ...]:
+    """Names of the best checkpoints of the runs of this server, the newest first."""
+    try:
+        runs = training_runs.queue().runs()
+    except InputError:  # the page of runs says so
+        return ()
+    found = [run.name for run in runs if training_runs.has_discounts(run) and training_runs.best(run)]
+    return tuple(RUN + name for name in found)
+
+
+@lru_cache(maxsize=8)
+def _trained(path: Path, written: int) -> Loaded:
+    return load_checkpoint(path)
 
 
 def opened() -> dict[str, Loaded]:
@@ -55,10 +73,16 @@ def checkpoint(name: str) -> Loaded:
     """A checkpoint by the name that a link gives it.
 
     Raises:
-        InputError: it neither ships with the workbench nor was opened here.
+        InputError: it neither ships with the workbench nor was trained or opened here.
     """
     if name in opened():
         return opened()[name]
+    if name.startswith(RUN):
+        run = training_runs.queue().get(name.removeprefix(RUN))
+        path = training_runs.best(run)
+        if path is None or not training_runs.has_discounts(run):
+            raise InputError(f"the run {run.name} has no checkpoint with values at many discounts.")
+        return _trained(path, path.stat().st_mtime_ns)
     if name not in shipped():
         listed = ", ".join(shipped()) or "none"
         raise InputError(f"no checkpoint {name[:40]!r} comes with the workbench; there are: {listed}.")

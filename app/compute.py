@@ -87,46 +87,23 @@ def episode_regrets(view: View) -> np.ndarray | None:
     return _episode_regrets(view.subject, replace(view.settings, noise=0.0, noise_seed=0))
 
 
-# What each picture does not depend on; it is drawn once for all values of these.
-_NOISE = {"noise": 0.0, "noise_seed": 0}
-_DECODING = {"alpha": 1.0, "steps": 1, "time_step": 1.0, "normalise": "none", "softness": 0.0, "deadline": "constant"}
-_GRIDS = {"thetas": 2, "gammas": 2, "theta_min": 0.0, "theta_max": 1.0, "slope": 1.0, "policy": "shared"}
-_ANY = {
-    "world": {**_DECODING, **_NOISE, **_GRIDS},
-    "gamma-space": _DECODING,
-    "tau-space": {"softness": 0.0, "deadline": "constant"},
-    "rewards": {"softness": 0.0, "deadline": "constant"},
-    "values": {"deadline": "constant"},
-    "fit": {"softness": 0.0, "deadline": "constant"},
-}
+# What the graph of a world does not depend on; it is drawn once for all values of these.
+_UNSEEN = {"alpha": 1.0, "steps": 1, "time_step": 1.0, "normalise": "none", "softness": 0.0, "deadline": "constant",
+           "noise": 0.0, "noise_seed": 0, "thetas": 2, "gammas": 2, "theta_min": 0.0, "theta_max": 1.0, "slope": 1.0,
+           "policy": "shared"}  # fmt: skip
 
 
-def figure(name: str, view: View, surface: bool = False) -> str:
-    """One of the page's pictures as JSON."""
-    row = row_of(view) if name == "values" else 0
-    settings = replace(view.settings, **_ANY[name])
-    return _figure(name, view.subject, settings, view.action, row, surface)
+def world_figure(view: View) -> str:
+    """The graph of a view's world as JSON."""
+    return _world_figure(view.subject, replace(view.settings, **_UNSEEN), view.action)
 
 
 @lru_cache(maxsize=64)
-def _figure(name: str, subject: Subject, settings: Settings, action: int, row: int, surface: bool) -> str:
-    if name == "world":
-        learned = isinstance(subject, Learner)
-        world = subject.world if learned else subject
-        policy = subject.policy if learned else greedy_policy(world, settings.acting_gamma)
-        return figures.to_json(figures.world_graph(world, world.state_index(settings.state), action, policy))
-    found = _study(subject, settings)
-    several = (
-        _bands(subject.learned, settings) if isinstance(subject, Learner) and len(subject.learned.basis) > 1 else None
-    )
-    drawn = {
-        "gamma-space": lambda: figures.gamma_space(found, action, surface),
-        "tau-space": lambda: figures.tau_space(found, action, surface),
-        "rewards": lambda: figures.rewards_and_survival(found, action, several),
-        "values": lambda: figures.values_over_horizon(found, row, several),
-        "fit": lambda: figures.fit(found, action),
-    }[name]()
-    return figures.to_json(drawn)
+def _world_figure(subject: World | Learner, settings: Settings, action: int) -> str:
+    learned = isinstance(subject, Learner)
+    world = subject.world if learned else subject
+    policy = subject.policy if learned else greedy_policy(world, settings.acting_gamma)
+    return figures.to_json(figures.world_graph(world, world.state_index(settings.state), action, policy))
 
 
 @lru_cache(maxsize=8)
@@ -134,22 +111,22 @@ def _bands(learned: Learned, settings: Settings) -> Bands:
     return bands(learned, settings)
 
 
-_LEARNING = {"deadline": "constant", "softness": 0.0}
-
-
 def learning_figure(name: str, view: View) -> str:
-    """One of the pictures that only learning has."""
-    return _learning_figure(
-        name, view.learned, replace(view.settings, **_LEARNING), view.action, view.subject.index or 0
-    )
+    """One of the pictures that only learning has; ``values`` and ``rewards`` only with several seeds."""
+    softness = view.settings.softness if name == "values" else 0.0
+    settings = replace(view.settings, deadline="constant", softness=softness)
+    return _learning_figure(name, view.subject, settings, view.action, row_of(view) if name == "values" else 0)
 
 
 @lru_cache(maxsize=32)
-def _learning_figure(name: str, learned: Learned, settings: Settings, action: int, index: int) -> str:
+def _learning_figure(name: str, subject: Learner, settings: Settings, action: int, row: int) -> str:
+    learned, index = subject.learned, subject.index or 0
     drawn = {
         "curve": lambda: figures.learning_curve(learned),
         "probabilities": lambda: figures.reward_bands(_bands(learned, settings), action),
         "returns": lambda: figures.return_laws(return_distributions(learned, settings.state, action, index, settings)),
+        "values": lambda: figures.values_over_horizon(_study(subject, settings), row, _bands(learned, settings)),
+        "rewards": lambda: figures.rewards_and_survival(_study(subject, settings), action, _bands(learned, settings)),
     }[name]()
     return figures.to_json(drawn)
 
@@ -188,7 +165,7 @@ def forget() -> None:
         verdict_for,
         _artefacts,
         _episode_regrets,
-        _figure,
+        _world_figure,
         _bands,
         _learning_figure,
         comparison,

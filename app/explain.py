@@ -35,3 +35,24 @@ compares the chosen action with the best one, found by backward induction for ev
 
 **The verdict** is computed: a cause is named only if its remedy alone puts the choice right.
 """
+
+TRAINING = r"""
+**Return.** Faint: the return of each episode while training, exploration included; where there are very many, a mean
+over neighbours. Dotted: its moving average. Solid: evaluation, whole episodes without exploration from start seeds
+that are never trained on, with the standard error of their mean. The checkpoint that is kept is that of the best one.
+
+**Values too high or too low.** At each evaluation the agent says at the start what it expects at every discount
+$\gamma$, and then acts. Drawn is the difference to what came, per step of its time constant:
+
+$$
+(1-\gamma)\Big(V_\gamma(s_0) - \sum_\tau \gamma^\tau r_\tau\Big)
+$$
+
+It goes to 0 as a discount is learned; small discounts come first. Episodes that the time limit cuts off lack what would
+have come after it, so large discounts may stay above 0 there. Where each discount follows a policy of its own, their
+values are of those policies, and the returns of the acting one.
+
+**Value at the start** is the last of these evaluations, not scaled, with the standard error of what came: where
+rewards are random, a few episodes say little. A gap at large $1/(1-\gamma)$ alone says that the far future is not
+learned yet.
+"""

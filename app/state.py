@@ -29,6 +29,15 @@ def _page() -> dict[str, object]:
     return kept.setdefault(st.session_state.get("_page", ""), {"chosen": {}, "notes": [], "written": None})
 
 
+def page_name() -> str:
+    return st.session_state.get("_page", "")
+
+
+def without(*names: str) -> dict[str, object]:
+    """Values set by hand, but for some."""
+    return {name: value for name, value in chosen().items() if name not in names}
+
+
 def chosen() -> dict[str, object]:
     """Values set by hand, by name; ``p.NAME`` for a parameter of the world."""
     _take()

@@ -7,6 +7,7 @@ from collections.abc import Mapping
 import numpy as np
 
 from app import checkpoints
+from app.lens.state import VIEW as LENS
 from app.observations import Scene, scene_of
 from app.query import VIEW
 from app.sources import View
@@ -20,6 +21,7 @@ OBSERVED = "o."  # prefix of the components of an observation
 DEFAULTS = {"alpha": 1.0}
 _READING = {name: parameter for name, parameter in BY_NAME.items() if name not in ENCODING_NAMES}
 _LOOKING = {parameter.name: parameter for parameter in VIEW if parameter.name in ("action", "horizon", "look")}
+_LOOKING |= {parameter.name: parameter for parameter in LENS}
 
 
 def opening() -> dict[str, object]:

@@ -21,7 +21,7 @@ from bench.browser import FLAGS, find_chromium, served
 from laplace_core import PRESETS, Settings, load_world, study, study_of_gamma_space
 
 ROOT = Path(__file__).resolve().parent.parent
-PAGE = ROOT / "app" / "lens" / "demo.py"
+PAGE = ROOT / "app" / "demo.py"
 FULL = {"gammas": 100, "thetas": 250, "steps": 200}
 MOVES = 60
 GOALS = {"redraws": 50, "frame": 16.0, "bytes": 200_000, "difference": 1e-4}

@@ -13,6 +13,7 @@ import gymnasium
 import numpy as np
 import torch
 
+from bench import runs
 from bench.report import Figure, Goal
 from bench.timing import interleaved, spread
 from laplace_core.agents import SETTINGS, LaplaceSettings, LoopSettings
@@ -228,3 +229,4 @@ def _reading() -> Iterator[Figure]:
 
 def main() -> Iterator[Figure]:
     yield from figures()
+    yield from runs.figures()

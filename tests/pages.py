@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import base64
 import json
+import struct
 import time
 from collections.abc import Callable, Mapping
 from functools import partial
@@ -14,6 +15,8 @@ import streamlit
 from streamlit.delta_generator import DeltaGenerator
 from streamlit.testing.v1 import AppTest
 
+from app.lens import seen
+from app.link import pack
 from app.query import parse_query
 from app.sources import View, view_of
 from laplace_core import Study
@@ -50,11 +53,41 @@ def link(page: AppTest) -> dict[str, str]:
     return {name: value[0] if isinstance(value, list) else value for name, value in page.query_params.items()}
 
 
+def handed(page: AppTest) -> tuple[dict, bytes]:
+    """What the lens is told, and its payload."""
+    message = next(block.proto.bytes for block in page.get("bidi_component") if "lens" in block.proto.component_name)
+    (size,) = struct.unpack("<I", message[:4])
+    return json.loads(message[4 : 4 + size]), message[4 + size :]
+
+
 def verdict(page: AppTest) -> str:
-    return next(block.proto.body for block in page.get("html") if 'class="verdict' in block.proto.body)
+    """Tone and words of the verdict that the lens is told."""
+    said = handed(page)[0]["said"]
+    return f"{said['tone']}: {said['sentence']}"
+
+
+def choose(page: AppTest, **values: object) -> AppTest:
+    """Set values as the lens does when something in it is let go of; None takes one back."""
+    kept = page.session_state["_pages"][page.session_state["_page"]]["chosen"]
+    for name, value in values.items():
+        kept.pop(name, None) if value is None else kept.update({name: value})
+    page.session_state["_touched"] = True
+    return run(page)
+
+
+def pin(page: AppTest) -> AppTest:
+    """Keep what is seen as A."""
+    values = {name: value for name, value in link(page).items() if name not in ("pin", "edit")}
+    return choose(page, pin=pack(json.dumps({"world": "two_branch", **values})))
 
 
 def pictures(page: AppTest) -> dict[str, dict]:
+    """Every plotly figure on the page, by the key of its chart, and as ``lens`` what the lens is told."""
+    told = {name: value for name, value in handed(page)[0].items() if name != "revision"}
+    return {"lens": told, **charts(page)}
+
+
+def charts(page: AppTest) -> dict[str, dict]:
     """Every plotly figure on the page, by the key of its chart."""
     sent = [json.loads(block.proto.json) for block in page.get("bidi_component") if "chart " in block.proto.id]
     return {data["name"]: json.loads(data["figure"]) for data in sent}
@@ -107,16 +140,22 @@ def numbers(packed: dict | list) -> np.ndarray:
     return flat.reshape([int(n) for n in packed["shape"].split(",")]) if "shape" in packed else flat
 
 
+def seen_on(page: AppTest) -> dict[str, np.ndarray]:
+    """What the lens draws, computed by the library from what it is handed."""
+    told, data = handed(page)
+    return seen(data, told["state"])
+
+
 def tau_space(page: AppTest) -> np.ndarray:
-    return numbers(pictures(page)["tau-space"]["data"][0]["z"])
+    return seen_on(page)["tau_space"][handed(page)[0]["state"]["action"]]
 
 
 def assert_shows(page: AppTest, study: Study, action: int = 0) -> None:
-    """The page draws this study: its tau-space and its gamma-space."""
-    step = study.settings.time_step
-    np.testing.assert_allclose(tau_space(page), study.decoded.tau_space[action] / step, rtol=1e-5, atol=1e-6)
-    gamma_space = numbers(pictures(page)["gamma-space"]["data"][0]["z"])
-    np.testing.assert_allclose(gamma_space, study.gamma_space.differences[action], rtol=1e-5, atol=1e-5)
+    """The page draws this study, and this action of it: its tau-space and its gamma-space."""
+    found = seen_on(page)
+    assert handed(page)[0]["state"]["action"] == action
+    np.testing.assert_allclose(found["tau_space"], study.decoded.tau_space, rtol=1e-5, atol=1e-6)
+    np.testing.assert_allclose(found["differences"], study.gamma_space.differences, rtol=1e-5, atol=1e-5)
 
 
 def wait(page: AppTest, done: Callable[[AppTest], bool], seconds: float = 120) -> AppTest:

@@ -29,6 +29,7 @@ from tests.malformed_learned import cases
 from tests.malformed_worlds import TEXT
 from tests.pages import (
     assert_shows,
+    choose,
     copied,
     downloads,
     edit,
@@ -98,8 +99,7 @@ def test_another_session_with_the_link_learns_the_same():
 def test_alpha_moves_what_was_learned_without_learning_anew():
     page = learn(**{"p.slip": "0.2"})
     before = link(page)["run"]
-    page.select_slider(key="alpha").set_value(0.01)
-    run(page)
+    choose(page, alpha=0.01)
     assert link(page)["run"] == before
     assert_shows(page, study_of(learned_here(params={"slip": 0.2}, episodes=60), Settings(alpha=0.01)))
 
@@ -254,8 +254,7 @@ def test_an_agent_that_ships_is_opened_with_its_world_and_a_link_to_it(shipped, 
     assert not page.error
     assert link(page)["agent"] == shipped
     page.selectbox(key="learner").set_value("1")
-    page.selectbox(key="normalise").set_value("none")
-    assert_shows(run(page), study_of(agent, Settings(), 1))
+    assert_shows(choose(page, normalise="none"), study_of(agent, Settings(), 1))
     assert pictures(opened(**link(page))) == pictures(page)
 
 
@@ -297,8 +296,7 @@ def test_the_python_of_a_learned_view_repeats_it(shipped, agent, learner, tmp_pa
     saved = downloads(monkeypatch)
     page = press(opened("bring", "copying", "downloading"), "Open the learned toy world")
     page.selectbox(key="learner").set_value(learner)
-    page.select_slider(key="alpha").set_value(0.05)
-    run(page)
+    choose(page, alpha=0.05)
     name = "two_branch_td.safetensors"
     (tmp_path / name).write_bytes(saved[name])
     np.testing.assert_array_equal(parse_learned(saved[name]).basis, agent.basis)

@@ -1,36 +1,14 @@
-"""The page of the lens: what it hands to the browser is the library's, and it shows what the page of worlds shows."""
+"""The lens on the page of worlds: what it hands to the browser is the library's."""
 
 from __future__ import annotations
 
-import json
-import struct
-
 import numpy as np
 import pytest
-from streamlit.testing.v1 import AppTest
 
 from app.lens import payload, structure
 from laplace_core import Settings, load_world, study
 from laplace_core.settings import resolve
-from tests.pages import MAIN
-
-
-def opened(**query: str) -> AppTest:
-    page = AppTest.from_file(MAIN, default_timeout=60)
-    page.switch_page("screens/lens.py")
-    for name, value in query.items():
-        page.query_params[name] = value
-    page.run()
-    assert not page.exception
-    return page
-
-
-def handed(page: AppTest) -> tuple[dict, bytes]:
-    """What the lens is told, and its payload."""
-    sent = next(block.proto for block in page.get("bidi_component") if "lens" in block.proto.component_name)
-    message = sent.bytes
-    size = struct.unpack("<I", message[:4])[0]
-    return json.loads(message[4 : 4 + size]), message[4 + size :]
+from tests.pages import choose, handed, opened, pin
 
 
 @pytest.mark.parametrize("world", ["two_branch", "rise_and_fade", "gym:FrozenLake-v1"])
@@ -50,15 +28,6 @@ def test_a_learned_agent_is_seen_through_its_own_table():
     assert learned != exact
 
 
-def test_the_page_of_worlds_and_the_lens_look_at_the_same():
-    page = opened(world="double_chain", alpha="0.003", clip="yes")
-    page.switch_page("screens/workbench.py")
-    page.run()
-    assert not page.exception
-    assert page.query_params["world"] in ("double_chain", ["double_chain"])
-    assert page.query_params["alpha"] in ("0.003", ["0.003"])
-
-
 @pytest.mark.parametrize("query", [{"clip": "maybe"}, {"value_gamma": "2"}, {"used": "-1"}, {"fold": "1"}])
 def test_bad_values_of_the_lens_in_a_link_are_noted(query):
     page = opened(world="two_branch", **query)
@@ -66,3 +35,31 @@ def test_bad_values_of_the_lens_in_a_link_are_noted(query):
     told, _ = handed(page)
     assert not told["state"]["clip"]
     assert np.isclose(told["state"]["value_gamma"], 0.99)
+
+
+def test_the_verdict_speaks_of_the_state_that_is_handed_over():
+    told, _ = handed(opened(world="two_branch", normalise="paper", alpha="0.1"))
+    assert told["said"]["tone"] == "bad"
+    assert told["said"]["state"] == told["state"]
+    assert told["said"]["remedies"] == ["Keep survival", "Add auxiliary states"]
+
+
+def test_reset_leads_to_the_world_s_own_settings():
+    told, _ = handed(opened(world="two_branch", **{"p.r2": "7"}, alpha="0.01", normalise="paper", fold="yes", used="1"))
+    plain, _ = handed(opened(world="two_branch", **{"p.r2": "7"}))
+    assert told["base"] == plain["state"]
+    assert told["state"] != plain["state"]
+
+
+def test_a_view_pinned_on_the_same_payload_is_drawn_in_the_lens():
+    page = choose(pin(opened(world="two_branch")), alpha=0.01)
+    told, _ = handed(page)
+    assert (told["pinned"], told["pin"]["alpha"], told["state"]["alpha"]) == (True, 0.2, 0.01)
+    told, _ = handed(choose(page, thetas=60))
+    assert (told["pinned"], told["pin"]) == (True, None)
+    assert not handed(choose(page, pin=None))[0]["pinned"]
+
+
+def test_the_graph_of_the_world_is_handed_over():
+    told, _ = handed(opened(world="two_decisions", state="branch"))
+    assert "state branch" in told["world"]["alt"]

@@ -18,23 +18,15 @@ from laplace_core.learned import Learning, LearnSettings, bands, return_distribu
 from laplace_core.learned.reading import study_settings
 from laplace_core.settings import resolve
 
-NAMES = ("world", "gamma-space", "tau-space", "values", "rewards", "fit")
 LEARNING = ("curve", "probabilities", "returns")
+OVER_SEEDS = ("values", "rewards")
 
 
-def drawn(
-    name: str, world: str = "two_branch", action: int = 0, row: int = 0, surface: bool = False, **settings
-) -> dict:
-    found = study(load_world(world), Settings(world=world, **settings))
-    view = View(found.world, found.settings, action, float(found.horizons[row]))
-    return json.loads(compute.figure(name, view, surface))
-
-
-@pytest.mark.parametrize("surface", [False, True])
 @pytest.mark.parametrize("world", WORLDS)
-@pytest.mark.parametrize("name", NAMES)
-def test_plotly_accepts_every_figure(name, world, surface):
-    go.Figure(drawn(name, world, surface=surface))  # raises on any property or value that plotly does not know
+def test_plotly_accepts_the_graph_of_every_world(world):
+    found = study(load_world(world), Settings(world=world))
+    view = View(found.world, found.settings, 0, None)
+    go.Figure(json.loads(compute.world_figure(view)))  # raises on any property or value that plotly does not know
 
 
 @cache
@@ -58,9 +50,8 @@ def learned_view(world: str = "two_branch", seeds: int = 1, action: int = 0, epi
 @pytest.mark.parametrize("world", WORLDS)
 def test_plotly_accepts_every_figure_of_a_learner(world, seeds):
     view = learned_view(world, seeds)
-    for name in NAMES:
-        go.Figure(json.loads(compute.figure(name, view)))
-    for name in LEARNING:
+    go.Figure(json.loads(compute.world_figure(view)))
+    for name in LEARNING + (OVER_SEEDS if seeds > 1 else ()):
         go.Figure(json.loads(compute.learning_figure(name, view)))
 
 
@@ -83,49 +74,9 @@ def unpacked(packed: dict | list) -> np.ndarray:
     return flat.reshape([int(n) for n in packed["shape"].split(",")]) if "shape" in packed else flat
 
 
-@pytest.mark.parametrize(("action", "normalise"), [(0, "paper"), (1, "none")])
-def test_the_heatmaps_hold_the_study(action, normalise):
-    found = study(load_world("two_branch"), Settings(normalise=normalise, time_step=0.5))
-    z = unpacked(drawn("tau-space", action=action, normalise=normalise, time_step=0.5)["data"][0]["z"])
-    np.testing.assert_allclose(z, found.decoded.tau_space[action] / 0.5, rtol=1e-6, atol=1e-7)
-    z = unpacked(drawn("gamma-space", action=action)["data"][0]["z"])
-    np.testing.assert_allclose(z, found.gamma_space.differences[action], rtol=1e-6, atol=1e-7)
-
-
-def test_colour_limits_do_not_move_with_alpha_horizon_or_normalisation():
-    limits = {
-        (figure["data"][0]["zmin"], figure["data"][0]["zmax"])
-        for settings in ({}, {"alpha": 5.0}, {"alpha": 1e-6}, {"normalise": "paper"}, {"normalise": "survival"})
-        for figure in [drawn("tau-space", **settings)]
-    }
-    assert len(limits) == 1
-
-
-def test_the_truth_is_outlined_where_it_is():
-    # Action 0 pays 5 at tau 0 and nothing later: one box, in row 0, around 5.
-    outline = drawn("tau-space")["data"][2]
-    x, y = [v for v in outline["x"] if v is not None], [v for v in outline["y"] if v is not None]
-    assert min(y) > -0.5
-    assert max(y) < 0.5
-    assert min(x) < 5 < max(x)
-    assert max(x) - min(x) < 1
-
-
-def test_the_strip_compares_chosen_and_best():
-    strip = drawn("values", normalise="paper")["data"][-1]
-    assert strip["y"] == ["best", "chosen"]
-    assert strip["customdata"] == [["short", "short", "long"], ["short", "short", "short"]]
-
-
-def test_rounding_is_not_blown_up_into_a_picture():
-    # The rewards of the chain cancel: what is left, 1e-16, is drawn as zero.
-    low, high = drawn("rewards", "fig6_chain")["layout"]["yaxis"]["range"]
-    assert low < -1e-3
-    assert high > 1e-3
-
-
 def test_large_worlds_are_drawn_in_part_and_say_so():
-    figure = drawn("world", "gym:Taxi-v4")
+    found = study(load_world("gym:Taxi-v4"), Settings(world="gym:Taxi-v4"))
+    figure = json.loads(compute.world_figure(View(found.world, found.settings, 0, None)))
     nodes = next(trace for trace in figure["data"] if "customdata" in trace)
     assert len(nodes["x"]) <= 26
     assert "not drawn" in figure["layout"]["title"]["text"]
@@ -165,7 +116,7 @@ def test_the_bands_hold_every_learner_and_the_truth_is_exact():
 def test_the_strip_of_several_learners_shows_their_shares():
     view = learned_view(seeds=3, episodes=2)
     found = bands(view.learned, view.settings)
-    drawn = json.loads(compute.figure("values", view))["data"]
+    drawn = json.loads(compute.learning_figure("values", view))["data"]
     shares = [unpacked(trace["y"]) for trace in drawn if trace.get("yaxis") == "y3"]
     np.testing.assert_allclose(shares, found.action_share, atol=1e-6)
     np.testing.assert_allclose(np.sum(shares, axis=0), 1.0, atol=1e-6)
@@ -183,18 +134,6 @@ def test_the_laws_of_the_return_rise_to_one_and_the_true_one_is_exact():
     true = next(trace for trace in traces if trace["name"] == "true")
     np.testing.assert_allclose(unpacked(true["x"])[1:-1], np.sort(locations), rtol=1e-6)
     np.testing.assert_allclose(unpacked(true["y"])[1:-1], np.cumsum(masses[np.argsort(locations)]), rtol=1e-6)
-
-
-def test_the_fit_shows_what_the_timeline_gives_back():
-    found = study(load_world("two_branch"), Settings(alpha=0.2))
-    given, back = json.loads(compute.figure("fit", View(found.world, found.settings, 1, None)))["data"]
-    gammas = found.gamma_space.gammas
-    expected = (1 - gammas) * (found.gamma_space.differences[1] @ found.midpoints)
-    np.testing.assert_allclose(unpacked(given["y"]), expected, rtol=1e-5, atol=1e-6)
-    powers = gammas[:, None] ** np.arange(found.settings.steps)
-    np.testing.assert_allclose(
-        unpacked(back["y"]), (1 - gammas) * (powers @ found.decoded.expected_reward[1]), rtol=1e-5
-    )
 
 
 @pytest.mark.parametrize("step", [1.0, 0.5])

@@ -19,6 +19,7 @@ def loaded_after(code: str) -> list[str]:
     "code",
     [
         "import laplace_core",
+        "import laplace_core.training.queue, laplace_core.training.curves",
         "from laplace_core.cli import main; assert main(['decode', 'two_branch', '--state', '0']) == 0",
         "from laplace_core.cli import main; assert main(['worlds']) == 0",
     ],

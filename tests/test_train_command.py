@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import json
+import signal
 import subprocess
 import sys
+import time
 
 import numpy as np
 import pytest
@@ -12,8 +14,11 @@ import pytest
 from laplace_core.agents.settings import ENVIRONMENTS, SETTINGS
 from laplace_core.cli import main
 from laplace_core.training.checkpoint import load_checkpoint
-from laplace_core.training.command import settings_of
+from laplace_core.training.command import command_of, settings_of
 from laplace_core.training.evaluation import evaluate
+from laplace_core.training.process import read_process
+from laplace_core.training.progress import read_progress
+from laplace_core.training.run_folder import new_run, read_config
 from tests.hostile import assert_refused
 
 SMALL = ["--steps", "600", "--learning-starts", "100", "--evaluate-every", "300", "--checkpoint-every", "300",
@@ -132,3 +137,32 @@ def test_a_run_is_not_written_over(run, capsys):
 
 def test_an_unknown_rule_is_refused(run, capsys):
     assert_refused(capsys, ["evaluate", str(run / "best.safetensors"), "--rule", "lucky"], "lucky")
+
+
+@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGINT])
+def test_a_signal_ends_a_run_with_a_resume_point_and_says_how_to_go_on(number, tmp_path):
+    folder = tmp_path / "run"
+    words = ["train", "laplace", "two_branch", *SMALL, "--steps", "100000", "--evaluate-every", "100000"]
+    command = [sys.executable, "-m", "laplace_core", *words, "--checkpoint-every", "100000", "--run", str(folder)]
+    process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    while read_progress(folder) is None:
+        assert process.poll() is None
+        time.sleep(0.05)
+    process.send_signal(number)
+    _, err = process.communicate(timeout=60)
+    assert process.returncode == 128 + number
+    assert f"laplace train --resume {folder}" in err.splitlines()[-1]
+    assert (folder / "resume.safetensors").exists()
+    assert read_process(folder) is None
+
+
+def test_the_command_of_settings_makes_those_settings(tmp_path, monkeypatch):
+    settings = settings_of(
+        "laplace", "CartPole-v1", {"seed": 5, "dueling": True, "gamma_min": 0.123456789, "steps": 77}
+    )
+    words = command_of(settings, str(tmp_path / "run"))
+    assert words[:3] == ["train", "laplace", "CartPole-v1"]
+    assert "--hidden" not in words  # the settings file says it
+    monkeypatch.setattr("laplace_core.training.loop.train", lambda settings, path, *_: new_run(path, settings) or ())
+    assert main(words) == 0
+    assert read_config(tmp_path / "run" / "config.json") == settings

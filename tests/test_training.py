@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import signal
 import subprocess
 import sys
@@ -16,8 +17,10 @@ from laplace_core.agents import LaplaceSettings
 from laplace_core.errors import InputError
 from laplace_core.training import environments
 from laplace_core.training.checkpoint import load_checkpoint
+from laplace_core.training.evaluation import evaluate
 from laplace_core.training.events import Checkpoint, Episode, Evaluation, Resumed, Step
 from laplace_core.training.loop import train
+from laplace_core.training.process import Process, read_process
 from laplace_core.training.run_folder import read_config, read_metrics
 
 TINY = LaplaceSettings(
@@ -28,8 +31,10 @@ ROOT = Path(__file__).resolve().parents[1]
 CHILD = """
 import json, sys
 from laplace_core.agents import LaplaceSettings
+from laplace_core.training.evaluation import evaluate
 from laplace_core.training.events import Step
 from laplace_core.training.loop import train
+from laplace_core.training.process import Process, read_process
 for event in train(LaplaceSettings.parse(json.loads(sys.argv[1])), sys.argv[2]):
     if not isinstance(event, Step):
         print(type(event).__name__, getattr(event, "path", ""), flush=True)
@@ -259,3 +264,42 @@ def test_metrics_cut_by_hand_are_refused(tmp_path):
 def test_networks_that_no_checkpoint_could_hold_are_refused(tmp_path):
     with pytest.raises(InputError, match="weights"):
         next(train(replace(TINY, hidden=1024, features=512, gammas=100, thetas=1000), tmp_path / "run"))
+
+
+@pytest.mark.parametrize("environment", ["CartPole-v1", "two_branch"])
+def test_a_run_that_is_asked_to_stop_goes_on_from_that_very_step_as_if_it_never_had(tmp_path, environment):
+    settings = replace(TINY, environment=environment, steps=500)
+    list(train(settings, tmp_path / "whole"))
+    for limit in (37, 249, 251, 480):
+        seen = [0]
+        for event in train(settings, tmp_path / str(limit), stop=lambda seen=seen, limit=limit: seen[0] >= limit):
+            seen[0] = event.step
+        assert seen[0] < settings.steps
+        assert next(train(None, tmp_path / str(limit), resume=True)).step == seen[0]
+        list(train(None, tmp_path / str(limit), resume=True))
+        assert told(tmp_path / str(limit)) == told(tmp_path / "whole")
+        assert same_weights(tmp_path / str(limit), tmp_path / "whole")
+
+
+def test_an_evaluation_tells_what_was_expected_at_every_discount(whole):
+    """Of the last one, which the last checkpoint is as it was at: by its own values at the same starts."""
+    told_last = [line for line in told(whole) if line["event"] == "Evaluation"][-1]
+    agent = load_checkpoint(whole / "last.safetensors").agent
+    starts = [10**12 + TINY.seed * 100_000 + i for i in range(TINY.evaluate_episodes)]
+    first = np.array([environments.make("CartPole-v1").reset(seed=start)[0] for start in starts])
+    values, actions = agent.action_values(first), agent.greedy(first)
+    wanted = [values[i, :, action] for i, action in enumerate(actions)]
+    np.testing.assert_allclose(told_last["values"], np.mean(wanted, axis=0), rtol=1e-5)
+    lengths = evaluate(agent, "CartPole-v1", TINY.evaluate_episodes, TINY.seed, first_seed=10**12).lengths
+    wanted = [(1 - agent.gammas**length) / (1 - agent.gammas) for length in lengths]  # reward 1 a step
+    np.testing.assert_allclose(told_last["discounted"], np.mean(wanted, axis=0), rtol=1e-9)
+    wanted = np.std(wanted, axis=0, ddof=1) / np.sqrt(len(wanted))
+    np.testing.assert_allclose(told_last["discounted_errors"], wanted, rtol=1e-6, atol=1e-12)
+
+
+def test_progress_and_process_are_noted_while_a_run_is_trained(tmp_path):
+    events = train(TINY, tmp_path / "run")
+    next(events)
+    assert read_process(tmp_path / "run") == Process.of(os.getpid())
+    events.close()
+    assert read_process(tmp_path / "run") is None

@@ -147,3 +147,13 @@ def test_lunar_lander_says_what_it_needs_where_its_physics_is_missing(monkeypatc
     monkeypatch.setattr(gymnasium, "make", missing)
     with pytest.raises(InputError, match="gymnasium"):
         environments.make("LunarLander-v3")
+
+
+def test_discounted_returns_are_what_a_knowing_agent_expects():
+    """The 10 comes at the third step of two_branch, tau = 2."""
+    agent = Knowing(load_world("two_branch"))
+    scores = evaluate(agent, "two_branch", 3, discounts=agent.gammas)
+    np.testing.assert_allclose(scores.discounted, np.tile(10.0 * agent.gammas**2, (3, 1)))
+    values = agent.action_values(scores.starts)[range(3), :, agent.greedy(scores.starts)]
+    np.testing.assert_allclose(values, scores.discounted)
+    assert evaluate(agent, "two_branch", 3).discounted.shape == (3, 0)

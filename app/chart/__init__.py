@@ -6,16 +6,16 @@ component keeps its div and hands every new figure to ``Plotly.react``.
 
 from __future__ import annotations
 
-import shutil
+import re
 from collections.abc import Callable
 from functools import cache
 from pathlib import Path
 
-import plotly
 import streamlit as st
 
+from app.served import plotly_js
+
 _HERE = Path(__file__).resolve().parent
-_SERVED = _HERE.parent / "static" / "plotly.min.js"
 
 
 def chart(
@@ -51,29 +51,27 @@ def _ignore() -> None:
 
 @cache
 def _component() -> Callable:
-    return st.components.v2.component("laplace_chart", js=_script("load.js", "chart.js"), isolate_styles=False)
+    return st.components.v2.component("laplace_chart", js=loading() + script("plot", "chart"), isolate_styles=False)
 
 
 def preload() -> None:
     """Let the browser fetch plotly.js while the server still computes the first figure; call it early."""
-    publish_plotly_js()
-    st.html(f"<script>{_script('load.js')}</script>", unsafe_allow_javascript=True)
+    st.html(f"<script>{loading()}</script>", unsafe_allow_javascript=True)
 
 
 @cache
-def _script(*names: str) -> str:
-    return "\n".join((_HERE / name).read_text(encoding="utf-8") for name in names)
+def loading() -> str:
+    """A script that loads plotly.js once for a page."""
+    return script("load").replace("__ADDRESS__", plotly_js())
 
 
-def publish_plotly_js() -> None:
-    """Put the plotly.js of the installed plotly package where Streamlit serves it from.
+@cache
+def script(*names: str) -> str:
+    """Modules of this folder as one, the default export last: their imports from each other fall away."""
+    return joined("\n".join((_HERE / f"{name}.js").read_text(encoding="utf-8") for name in names))
 
-    On a read-only file system this is done beforehand (``python -m app.chart``).
-    """
-    source = Path(plotly.__file__).parent / "package_data" / "plotly.min.js"
-    if _SERVED.exists() and _SERVED.stat().st_size == source.stat().st_size:
-        return
-    _SERVED.parent.mkdir(exist_ok=True)
-    partial = _SERVED.with_suffix(".part")
-    shutil.copyfile(source, partial)
-    partial.replace(_SERVED)
+
+def joined(lines: str) -> str:
+    """Modules written one after the other, as one."""
+    lines = re.sub(r"^import .*? from '[./a-z]*';\n", "", lines, flags=re.MULTILINE)
+    return re.sub(r"^export (?!default)", "", lines, flags=re.MULTILINE)

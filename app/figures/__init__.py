@@ -1,22 +1,17 @@
 """Arrays in, plotly figures out, as plain dictionaries; nothing here knows Streamlit."""
 
 from app.figures.comparison import comparison
-from app.figures.fit import fit
 from app.figures.graph import world_graph
 from app.figures.learning import learning_curve, return_laws, reward_bands
-from app.figures.spaces import gamma_space, tau_space
 from app.figures.theme import to_json
 from app.figures.timelines import rewards_and_survival, values_over_horizon
 
 __all__ = [
     "comparison",
-    "fit",
-    "gamma_space",
     "learning_curve",
     "return_laws",
     "reward_bands",
     "rewards_and_survival",
-    "tau_space",
     "to_json",
     "values_over_horizon",
     "world_graph",

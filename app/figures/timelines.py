@@ -1,4 +1,4 @@
-"""Expected rewards and survival over tau; values of all actions over the horizon."""
+"""What several learners of one world agree on: rewards and survival over tau, values over the horizon."""
 
 from __future__ import annotations
 
@@ -9,10 +9,10 @@ from laplace_core import Study
 from laplace_core.learned import Band, Bands
 
 
-def rewards_and_survival(study: Study, action: int, bands: Bands | None = None) -> Figure:
+def rewards_and_survival(study: Study, action: int, bands: Bands) -> Figure:
     """E[r_tau] and the chance that the episode still runs, decoded against true, for one action.
 
-    ``bands`` adds the range over several learners behind the lines.
+    The range over the learners lies behind the lines.
     """
     step, taus, decoded, truth = study.settings.time_step, study.taus, study.decoded, study.truth
     few = len(taus) <= 60
@@ -31,10 +31,9 @@ def rewards_and_survival(study: Study, action: int, bands: Bands | None = None) 
         traces.append({**bars, "type": "bar", "width": 0.8 * step, "marker": marker})
         shape = {"color": NEUTRAL, "width": 1, "shape": "hvh" if few else "linear"}
         traces.append(line("true survival", truth.survival, line=shape, yaxis="y2"))
-    if bands is not None and len(bands.studies) > 1:
-        band = _band(taus, bands.expected_reward, action, step, action_colour(action), "y")
-        traces.append({**band, "showlegend": True, "name": "range over seeds"})
-        traces.append(_band(taus, bands.survival, action, step, NEUTRAL, "y2"))
+    band = _band(taus, bands.expected_reward, action, step, action_colour(action), "y")
+    traces.append({**band, "showlegend": True, "name": "range over seeds"})
+    traces.append(_band(taus, bands.survival, action, step, NEUTRAL, "y2"))
     colour = {"color": action_colour(action), "width": 2}
     traces.append(line("decoded reward", decoded.expected_reward, "lines+markers" if few else "lines", line=colour))
     dots = {"color": NEUTRAL, "width": 2, "dash": "dot"}
@@ -44,9 +43,9 @@ def rewards_and_survival(study: Study, action: int, bands: Bands | None = None) 
     low, high = min(0.0, float(np.min(shown))), max(0.0, float(np.max(shown)))
     flat = {"range": [-span, span]} if high - low < span else {}
     return build(
-        "rewards and survival",
+        "rewards and survival over the seeds",
         traces,
-        margin={"t": 66 if bands is None or len(bands.studies) < 2 else 84},
+        margin={"t": 84},
         xaxis=axis("future step tau", anchor="y2"),
         yaxis=axis("expected reward", domain=[0.38, 1.0], zeroline=True, **flat),
         yaxis2=axis("survival", domain=[0.0, 0.3], range=[-0.2, 1.3], tickvals=[0, 1], zeroline=True),
@@ -61,11 +60,8 @@ def _band(taus: np.ndarray, band: Band, action: int, step: float, colour: str, y
             "showlegend": False}  # fmt: skip
 
 
-def values_over_horizon(study: Study, row: int, bands: Bands | None = None) -> Figure:
-    """V_T of every action over T, and a strip that shows the chosen and the best action.
-
-    With ``bands`` the strip's upper half shows which share of the learners chooses each action.
-    """
+def values_over_horizon(study: Study, row: int, bands: Bands) -> Figure:
+    """V_T of every action over T, its range over the learners, the share of them that chooses it, and the best one."""
     horizons, names, decoded, truth = study.horizons, study.action_names, study.decoded, study.truth
     mode = "lines+markers" if len(horizons) <= 40 else "lines"
     traces: list[dict] = []
@@ -79,30 +75,22 @@ def values_over_horizon(study: Study, row: int, bands: Bands | None = None) -> F
         hover = f"T %{{x:g}}<br>decoded {name} %{{y:.3f}}<extra></extra>"
         style = {"mode": mode, "line": {"color": colour, "width": 2}, "marker": {"size": 5}}
         traces.append({**line, **style, "y": decoded.horizon_values[a], "hovertemplate": hover})
-    several = bands is not None and len(bands.studies) > 1
-    strips = {"chosen": decoded.actions} if truth is None else {"best": truth.optimal_action, "chosen": decoded.actions}
-    if several:
-        traces += _value_bands(horizons, bands)
-        strips = {"best": truth.optimal_action}
-        traces += _shares(horizons, names, bands.action_share)
-    traces.append(_strip(horizons, names, strips))
+    traces += _value_bands(horizons, bands)
+    traces += _shares(horizons, names, bands.action_share)
+    traces.append(_strip(horizons, names, {"best": truth.optimal_action}))
     at = float(horizons[row])
     cursor = {"type": "line", "x0": at, "x1": at, "y0": 0, "y1": 1, "xref": "x", "yref": "paper"}
     return build(
-        "value of each action over the horizon",
+        "values and choices over the seeds",
         traces,
         margin={"l": 56, "t": 40 + 19 * _legend_rows(names)},
         shapes=[{**cursor, "line": {"color": NEUTRAL, "width": 1.5, "dash": "dash"}}],
         xaxis=axis("horizon T (steps)", anchor="y2"),
         yaxis=axis("value V<sub>T</sub>", domain=[0.24, 1.0], **_value_range(study)),
-        yaxis2=axis(domain=[0.0, 0.09 if several else 0.19], showgrid=False),
+        yaxis2=axis(domain=[0.0, 0.09], showgrid=False),
         barmode="stack",
         bargap=0.04,
-        **(
-            {"yaxis3": axis("", domain=[0.1, 0.21], range=[0, 1], showgrid=False, tickvals=[0.5], ticktext=["seeds"])}
-            if several
-            else {}
-        ),
+        yaxis3=axis("", domain=[0.1, 0.21], range=[0, 1], showgrid=False, tickvals=[0.5], ticktext=["seeds"]),
     )
 
 

@@ -9,30 +9,61 @@ from __future__ import annotations
 import base64
 import hashlib
 import json
-import re
 import struct
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from functools import cache
 from pathlib import Path
 
 import streamlit as st
 
+from app import chart
 from app.lens.payload import payload, structure
 from app.lens.presets import PRESETS, Preset, presets_for
 from app.lens.seen import seen
-from app.lens.state import checked, opening_state, state_of, values_of
+from app.lens.state import LIVE, checked, opening_state, state_of, values_of
+from app.served import served
 
 _HERE = Path(__file__).resolve().parent
-_MODULES = ("maths", "drawing", "surface", "controls", "panels", "export", "lens")
+_MODULES = ("maths", "drawing", "surface", "controls", "world", "panels", "hand", "verdict", "export", "lens")
+_HELD = 2
+"""Payloads that a browser keeps (entry.js); what it holds is not sent again."""
 
 
 @dataclass(frozen=True)
 class Released:
-    """What a person let go of: the state of the lens, or the name of a preset that asks for another world."""
+    """What a person let go of: the state of the lens, or what was asked for beside it.
+
+    Attributes:
+        preset: a view that needs another world.
+        remedy: index of a remedy of the verdict.
+        picked: a state clicked in the graph of the world.
+        pin: whether the view is to be kept as A, or no longer.
+    """
 
     state: dict[str, object]
     preset: str | None = None
+    remedy: int | None = None
+    picked: int | None = None
+    pin: bool | None = None
+
+
+@dataclass(frozen=True)
+class Said:
+    """The library's verdict on the state that is handed over: ok, warn, bad or unknown; remedies by their labels."""
+
+    tone: str
+    sentence: str
+    remedies: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class Graph:
+    """The world as a plotly figure in JSON, in words, and what its zoom belongs to."""
+
+    figure: str
+    alt: str
+    revision: str
 
 
 def lens(
@@ -42,47 +73,79 @@ def lens(
     base: Mapping[str, object] | None = None,
     presets: Sequence[Preset] = (),
     on_release: Callable[[Released], None] | None = None,
+    said: Said | None = None,
+    world: Graph | None = None,
+    pinnable: bool = False,
+    pinned: bool = False,
+    pin: Mapping[str, object] | None = None,
 ) -> Released | None:
     """Draw the lens and return what was released just now, if anything; pass its state through :func:`checked`.
 
-    A state that equals what was released last is not sent again: the browser has it.
+    A state that equals what was released last is not sent again, nor is a payload: the browser has them.
 
     Args:
         data: from :func:`payload`.
         state: what the controls hold; :func:`opening_state`.
         base: where Reset leads; default: ``state``.
         on_release: called before the rerun, as a widget's callback.
+        said: the verdict on ``state``; without it the lens judges by itself.
+        world: drawn in the first place; without it the fit over the discounts stands there.
+        pinnable, pinned: whether a view can be kept as A, and whether one is.
+        pin: the state of A, where it can be drawn from the same payload.
     """
-    known = st.session_state.setdefault(f"_lens {key}", {"revision": 0})
+    known = st.session_state.setdefault(f"_lens {key}", {"revision": 0, "held": []})
     digest = _digest(data)
     if known.get("id") != digest or known.get("heard", known.get("shown")) != dict(state):
-        known.update(id=digest, shown=dict(state), base=dict(base or state), revision=known["revision"] + 1)
+        known.update(id=digest, shown=dict(state), revision=known["revision"] + 1)
         known.pop("heard", None)
     told = {
         "name": key,
         "id": digest,
         "revision": known["revision"],
         "state": known["shown"],
-        "base": known["base"],
+        "base": dict(base or known["shown"]),
         "presets": [{"name": each.name, "here": each.here, "state": dict(each.state)} for each in presets],
+        "said": None if said is None else {**asdict(said), "state": dict(state)},
+        "world": None if world is None else asdict(world),
+        "pinnable": pinnable,
+        "pinned": pinned,
+        "pin": None if pin is None else dict(pin),
     }
     widget = f"lens {key}"
 
     def heard() -> None:
-        released = _released(st.session_state[widget].released)
+        found = st.session_state[widget].released
+        if isinstance(found, Mapping) and "missing" in found:
+            known["held"] = []
+            return
+        known["held"] = [digest, *(each for each in known["held"] if each != digest)][:_HELD]
+        released = _released(found)
         known["heard"] = released.state
         if on_release is not None:
             on_release(released)
 
-    result = _component()(key=widget, data=_message(told, data), on_released_change=heard, height="content")
+    sent = b"" if digest in known["held"] else data
+    result = _component()(key=widget, data=_message(told, sent), on_released_change=heard, height="content")
     return None if result.released is None else _released(result.released)
 
 
 def _released(found: object) -> Released:
     """What the browser says, which is not to be trusted: :func:`checked` looks at the state value by value."""
     found = found if isinstance(found, Mapping) else {}
-    state, preset = found.get("state"), found.get("preset")
-    return Released(dict(state) if isinstance(state, Mapping) else {}, preset if preset in PRESETS else None)
+    state, preset, pin = found.get("state"), found.get("preset"), found.get("pin")
+    remedy, picked = (_index(found.get(name)) for name in ("remedy", "picked"))
+    return Released(
+        dict(state) if isinstance(state, Mapping) else {},
+        preset if preset in PRESETS else None,
+        remedy,
+        picked,
+        pin if isinstance(pin, bool) else None,
+    )
+
+
+def _index(value: object) -> int | None:
+    whole = isinstance(value, int | float) and not isinstance(value, bool) and 0 <= value < 2**31
+    return int(value) if whole else None
 
 
 def _message(told: Mapping[str, object], data: bytes) -> bytes:
@@ -98,8 +161,17 @@ def _digest(data: bytes) -> str:
 
 @cache
 def _component() -> Callable:
+    # Streamlit sends a component's script with every answer; so this is a stub, and the lens a file of its own.
+    stub = chart.loading() + _text("stub.js").replace("__ADDRESS__", lens_js())
+    # Not isolated: plotly.js puts its style into the document.
+    return st.components.v2.component("laplace_lens", js=stub, css=_text("style.css"), isolate_styles=False)
+
+
+@cache
+def lens_js() -> str:
+    """The address of the lens as one module."""
     template = f"globalThis.laplaceLensTemplate = {json.dumps(_template())};\n"
-    return st.components.v2.component("laplace_lens", js=template + script("entry"), css=_text("style.css"))
+    return served("lens.js", (template + script("entry")).encode())
 
 
 @cache
@@ -110,9 +182,7 @@ def _text(name: str) -> str:
 @cache
 def script(*more: str) -> str:
     """The modules of the lens as one, ``more`` at the end: their imports from each other fall away."""
-    lines = "\n".join(_text(f"{name}.js") for name in (*_MODULES, *more))
-    lines = re.sub(r"^import .*? from '\./.*?';\n", "", lines, flags=re.MULTILINE)
-    return re.sub(r"^export (?!default)", "", lines, flags=re.MULTILINE)
+    return chart.script("plot") + chart.joined("\n".join(_text(f"{name}.js") for name in (*_MODULES, *more)))
 
 
 def standalone(data: bytes, state: Mapping[str, object], base: Mapping[str, object] | None = None) -> str:
@@ -141,11 +211,15 @@ globalThis.lens = standalone("__HELD__");
 
 
 __all__ = [
+    "LIVE",
     "PRESETS",
+    "Graph",
     "Preset",
     "Released",
+    "Said",
     "checked",
     "lens",
+    "lens_js",
     "opening_state",
     "payload",
     "presets_for",

@@ -28,17 +28,17 @@ const near1 = { count: 120, at: (i) => +(1 - 10 ** (-0.3 - (i * 2.7) / 120)).toP
 
 // Name, label, unit, help, scale; a scale that depends on the world is a function of the model and the opening state.
 export const SLIDERS = [
-  ['alpha', 'α, regularisation', '', 'What of the singular values comes back: s²/(s²+α²).', logarithmic(1e-6, 10)],
-  ['slope', 'slope', '1/reward', 'Steepness of the reward activation.',
+  ['alpha', 'α', '', 'Regularisation of the inverse. What of the singular values comes back: s²/(s²+α²).', logarithmic(1e-9, 10)],
+  ['slope', 'slope', '/ reward', 'Steepness of the reward activation.',
     (model, base) => model.sloped && logarithmic(base.slope / 30, base.slope * 30, 60)],
-  ['horizon', 'horizon T', 'steps', 'Deadline of the episode, in steps of the world.',
+  ['horizon', 'horizon T', '', 'Deadline of the episode, in steps of the world.',
     ({ horizons, dt, K }) => linear(horizons[0], dt, K - 1)],
-  ['used', 'steps already used', 'steps', 'Steps of the episode that are over: the time to go is T less these.',
+  ['used', 'steps used', '', 'Steps of the episode that are over: the time to go is T less these.',
     ({ truth, K, dt }) => truth && linear(0, 1, Math.max(0, Math.floor(K * dt) - 1))],
-  ['softness', 'softness of the deadline', '· T', 'Width of the deadline, as a share of the horizon; 0 is a hard one.',
+  ['softness', 'deadline softness', '· T', 'Width of the deadline, as a share of the horizon; 0 is a hard one.',
     linear(0, 0.05, 20)],
   ['value_gamma', 'γ in the value', '', 'Discount of the values that are compared.', near1],
-  ['noise', 'noise in gamma-space', '', 'Standard deviation of (1 − γ) Q, seeded.', withZero(logarithmic(1e-7, 0.1, 6))],
+  ['noise', 'noise', '', 'Noise in gamma-space: standard deviation of (1 − γ) Q, seeded.', withZero(logarithmic(1e-7, 0.1, 6))],
 ];
 
 export function sliders(model, base, wish) {
@@ -58,6 +58,7 @@ export function sliders(model, base, wish) {
         title: 'Another seed', onclick: () => wish('seed', true) }, '⚄')] : [];
     box.append(element('div', { class: 'slider' }, element('span', { class: 'name' }, label), ...extra, output, input));
     shown[name] = (state) => {
+      if (name === 'noise') extra[0].disabled = !state.noise;
       const at = scale.of(state[name]), words = `${short(state[name], 4)}${unit ? ` ${unit}` : ''}`;
       if (+input.value !== at) input.value = at;
       if (output.value !== words) { output.value = words; input.setAttribute('aria-valuetext', words); }
@@ -74,7 +75,7 @@ export function switchboard(model, wish) {
   box.append(element('div', { class: 'pair' }, together('As the paper', all(true)), together('All repaired', all(false))));
   for (const [name, each] of Object.entries(SWITCHES)) {
     const there = names.includes(name), size = element('span', { class: 'size' }, there ? ' ' : 'not in this space');
-    const button = element('button', { type: 'button', role: 'switch', class: 'switch', name, disabled: !there },
+    const button = element('button', { type: 'button', role: 'switch', class: 'switch', name, title: each.help, disabled: !there },
       element('i', {}), element('b', {}, each.label), size);
     box.append(button);
     shown[name] = { size, show: (state) => {
@@ -84,38 +85,42 @@ export function switchboard(model, wish) {
   }
   return { box, sync: (state) => Object.values(shown).forEach(({ show }) => show(state)), sizes(effects) {
     for (const [name, found] of Object.entries(effects)) {
-      const lost = found.on === undefined ? '' : Math.abs(found.on - found.off) > 1e-6
-        ? ` · regret ${short(found.off)} → ${short(found.on)}` : ' · same choice';
-      const words = name === 'constant' ? lost.slice(3)
-        : `${found.size < 5e-4 ? 'moves nothing here' : `moves ${short(found.size, 2)} of a row`}${lost}`;
-      shown[name].size.textContent = words;
-      shown[name].size.classList.toggle('large', name === 'constant' ? found.on - found.off > 1e-6 : found.size >= 0.05);
+      const moves = name === 'constant' ? '' : found.size < 5e-4 ? 'moves nothing here' : `moves ${short(found.size, 2)} probability`;
+      const more = found.on - found.off, told = found.on === undefined || model.A === 1 ? '' : Math.abs(more) > 1e-6
+        ? `regret ${short(found.off)} → ${short(found.on)}` : 'same choice';
+      shown[name].size.textContent = [moves, told].filter(Boolean).join(' · ');
+      shown[name].size.classList.toggle('large', more > 1e-6 || (found.size >= 0.05 && !(more < -1e-6)));
     }
   } };
 }
 
-// The row above the pictures: which action, how the spaces are drawn, what is done to rows, history.
-export function toolbar(model, wish) {
-  const chips = model.header.actions.map((name, a) =>
-    element('button', { type: 'button', class: 'chip', style: `--chip: ${actionColour(a)}`, title: `show ${name}`,
-    onclick: () => wish({ action: a }, true) }, name));
-  const looks = ['heatmap', 'surface'].map((look) => element('button',
-    { type: 'button', class: 'chip', onclick: () => wish({ look }, true) }, look));
+// The row above the pictures: which action, how the spaces are drawn, what is done to rows, history, A, the link.
+export function toolbar(model, wish, told) {
+  const button = (kind, words, does, more) => element('button', { type: 'button', class: kind, onclick: does, ...more }, words);
+  const chips = model.header.actions.map((name, a) => button('chip', name, () => wish({ action: a }, true),
+    { style: `--chip: ${actionColour(a)}`, title: `show ${name}` }));
+  const looks = ['heatmap', 'surface'].map((look) => button('chip', look, () => wish({ look }, true)));
   const rows = element('select', { 'aria-label': 'rows of tau-space', onchange: () => wish({ normalise: rows.value }, true) },
-    ...[['none', 'rows as decoded'], ['survival', 'rows given survival'],
-      ['paper', 'rows rescaled to 1']].map(([value, words]) => element('option', { value }, words)));
-  const does = (words, name, label) =>
-    element('button', { type: 'button', class: 'tool', 'aria-label': label, title: label, onclick: () => wish(name, true) }, words);
-  const undo = does('↶', 'undo', 'undo'), redo = does('↷', 'redo', 'redo'), reset = does('reset', 'reset', 'reset');
-  const box = element('div', { class: 'toolbar' }, element('span', { class: 'group', role: 'group', 'aria-label': 'action' },
-    ...chips), element('span', { class: 'group', role: 'group', 'aria-label': 'drawing' }, ...looks),
-    rows, element('span', { class: 'group' }, undo, redo, reset));
-  return { box, sync(state, history) {
+    ...[['none', 'rows as decoded'], ['survival', 'rows given survival'], ['paper', 'rows rescaled to 1']].map(([value, words]) =>
+      element('option', { value }, words)));
+  const does = (words, name, title = name) => button('tool', words, () => wish(name, true), { 'aria-label': name, title });
+  const undo = does('↶', 'undo'), redo = does('↷', 'redo'), reset = does('reset', 'reset', 'back to the world’s own settings');
+  const pin = button('tool', 'pin as A', () => wish('pin', true), { title: 'keep this view as A and compare what you change with it' });
+  const link = button('tool', 'copy link', async () => {
+    await navigator.clipboard.writeText(location.href).then(() => { link.textContent = 'copied'; },
+      () => { link.textContent = 'copy the address bar'; });
+    setTimeout(() => { link.textContent = 'copy link'; }, 1500);
+  }, { title: 'the address bar is a link to exactly this view' });
+  const group = (name, ...parts) => element('span', { class: 'group', role: 'group', 'aria-label': name }, ...parts);
+  const box = element('div', { class: 'toolbar' }, group('action', ...chips), group('drawing', ...looks), rows,
+    group('history', undo, redo, reset), ...(told.live ? [group('keep', ...(told.pinnable ? [pin] : []), link)] : []));
+  return { box, sync(state, history, { pinned }) {
     chips.forEach((chip, a) => chip.setAttribute('aria-pressed', String(a === state.action)));
     looks.forEach((chip) => chip.setAttribute('aria-pressed', String(chip.textContent === state.look)));
     rows.value = state.normalise;
     undo.disabled = history.at <= 0;
     redo.disabled = history.at >= history.states.length - 1;
+    pin.textContent = pinned ? 'unpin A' : 'pin as A';
   } };
 }
 

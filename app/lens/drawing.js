@@ -53,7 +53,7 @@ export function canvasPen(context, font) {
   };
 }
 
-const escaped = (words) => String(words).replace(/[&<>"]/g, (sign) =>
+export const escaped = (words) => String(words).replace(/[&<>"]/g, (sign) =>
   ({ '&': '&amp;', '<': '&lt;', '>': '&gt;', '"': '&quot;' })[sign]);
 
 export function svgPen(font, measure) {

@@ -1,32 +1,46 @@
-// The lens inside Streamlit: one message is a small JSON (state, opening state, presets) and a payload.
+// The lens inside Streamlit: a message is a small JSON and, if the browser does not hold it yet, a payload.
 import { element } from './controls.js';
-import { mount } from './lens.js';
+import { mount, shapeOf } from './lens.js';
 import { read } from './maths.js';
 
 const mounted = new WeakMap();
+// By payload: a release is answered without sending it again, and a component may leave the page and come back.
+const models = globalThis.laplaceModels ??= new Map();
 // What was let go of last, by name: Streamlit may take a component off the page and put it back with an old message.
 const released = globalThis.laplaceLenses ??= new Map();
+const HELD = 2; // models kept; Python counts on as many
+
+function modelOf(id, bytes) {
+  const model = bytes.length ? { ...read(bytes), id } : models.get(id);
+  if (!model) return undefined;
+  models.delete(id);
+  models.set(id, model);
+  while (models.size > HELD) models.delete(models.keys().next().value);
+  return model;
+}
 
 export default function ({ data, parentElement, setTriggerValue }) {
   const view = new DataView(data.buffer, data.byteOffset), length = view.getUint32(0, true);
   const message = JSON.parse(new TextDecoder().decode(data.subarray(4, 4 + length))), { name, id, revision } = message;
-  let kept = mounted.get(parentElement);
-  if (!kept || kept.id !== id || !kept.lens.host.isConnected) {
-    let box = parentElement.querySelector('.laplace-lens-box');
-    if (!box) parentElement.append(box = element('div', { class: 'laplace-lens-box' }));
-    const last = released.get(name), state = last?.id === id && last.revision === revision ? last.state : message.state;
-    kept = { id, revision };
-    kept.lens = mount(box, {
-      model: { ...read(data.subarray(4 + length)), id }, state, base: message.base, presets: message.presets,
-      template: globalThis.laplaceLensTemplate,
-    }, (heard) => {
-      released.set(name, { id, revision: kept.revision, state: heard.state });
-      kept.report('released', heard);
-    });
-    mounted.set(parentElement, kept);
-  } else if (kept.revision !== revision) {
-    kept.revision = revision;
-    kept.lens.show(message.state, message.base);
+  const kept = mounted.get(parentElement), model = modelOf(id, data.subarray(4 + length));
+  if (!model) { setTriggerValue('released', { missing: id }); return; }
+  const told = { ...message, live: true, template: globalThis.laplaceLensTemplate }, shape = shapeOf(model) + !message.world;
+  if (kept && kept.lens.host.isConnected && kept.shape === shape) {
+    kept.report = setTriggerValue;
+    const moved = kept.revision !== revision;
+    Object.assign(kept, { id, revision });
+    kept.lens.show(model, told, moved);
+    return;
   }
-  kept.report = setTriggerValue;
+  let box = parentElement.querySelector('.laplace-lens-box');
+  if (!box) parentElement.append(box = element('div', { class: 'laplace-lens-box' }));
+  const last = released.get(name), state = last?.id === id && last.revision === revision ? last.state : message.state;
+  const fresh = { id, revision, shape, world: model.header.world, report: setTriggerValue };
+  mounted.set(parentElement, fresh);
+  // The same world in another shape, learned after exact, keeps what the hand did to the pictures.
+  const before = kept?.world === model.header.world ? kept.lens.kept : undefined;
+  fresh.lens = mount(box, model, { ...told, state, kept: before }, (heard) => {
+    released.set(name, { id: fresh.id, revision: fresh.revision, state: heard.state });
+    fresh.report('released', { ...heard, id: fresh.id });
+  });
 }

@@ -1,11 +1,11 @@
 // Taking the lens along, without a server: pictures of all panels, a table, and the lens itself as one file.
-import { canvasPen, svgPen } from './drawing.js';
-import { PANELS } from './panels.js';
+import { canvasPen, escaped, short, svgPen } from './drawing.js';
 
-const SIZE = { w: 440, h: 260, gap: 16, head: 46, columns: 3 };
-const WIDE = SIZE.columns * (SIZE.w + SIZE.gap) + SIZE.gap, HIGH = SIZE.head + 2 * (SIZE.h + SIZE.gap);
+const SIZE = { w: 440, h: 260, gap: 16, head: 66, columns: 3 };
+const WIDE = SIZE.columns * (SIZE.w + SIZE.gap) + SIZE.gap;
 const place = (i) => [SIZE.gap + (i % SIZE.columns) * (SIZE.w + SIZE.gap),
   SIZE.head + Math.floor(i / SIZE.columns) * (SIZE.h + SIZE.gap)];
+const heightOf = (count) => SIZE.head + Math.ceil(count / SIZE.columns) * (SIZE.h + SIZE.gap);
 
 export function save(content, name, type) {
   const link = document.createElement('a');
@@ -15,38 +15,64 @@ export function save(content, name, type) {
   setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
 }
 
-const nameOf = ({ model }) => `lens_${model.header.world.replace(/[^A-Za-z0-9_-]+/g, '_').slice(0, 40)}`;
+const nameOf = ({ scene: { model } }) => `lens_${model.header.world.replace(/[^A-Za-z0-9_-]+/g, '_').slice(0, 40)}`;
 
-export function savePng(lens) {
-  const canvas = document.createElement('canvas'), dense = 2, { colours } = lens.scene;
-  Object.assign(canvas, { width: WIDE * dense, height: HIGH * dense });
+// The verdict, on as many lines as it needs, and under it what is seen.
+function heading(pen, { verdict, scene: { model, state, colours } }) {
+  const lines = [''];
+  for (const word of verdict.split(' ')) {
+    const longer = `${lines[lines.length - 1]} ${word}`.trim();
+    if (pen.width(longer, 14) > WIDE - 2 * SIZE.gap) lines.push(word); else lines[lines.length - 1] = longer;
+  }
+  lines.slice(0, 2).forEach((line, i) => pen.text(line, SIZE.gap, 20 + 17 * i, { size: 14, colour: colours.text }));
+  const { header } = model, rows = { none: 'as decoded', survival: 'given survival', paper: 'rescaled to 1' }[state.normalise];
+  pen.text([header.world, header.state, header.actions[state.action], `α ${short(state.alpha)}`, `T ${short(state.horizon)}`, `rows ${rows}`]
+    .filter(Boolean).join(' · '), SIZE.gap, 56, { size: 12, colour: colours.soft });
+}
+
+// The world's graph as a picture, if there is one: it stands first.
+const worldOf = async (lens, format) => (lens.world ? [await lens.world.picture(format)] : []);
+
+export async function savePng(lens) {
+  const dense = 2, { colours } = lens.scene, worlds = await worldOf(lens, 'png');
+  const canvas = document.createElement('canvas'), high = heightOf(worlds.length + lens.panels.length);
+  Object.assign(canvas, { width: WIDE * dense, height: high * dense });
   const context = canvas.getContext('2d'), pen = canvasPen(context, colours.font);
   context.scale(dense, dense);
   context.fillStyle = colours.paper;
-  context.fillRect(0, 0, WIDE, HIGH);
-  pen.text(lens.verdict, SIZE.gap, 28, { size: 15, colour: colours.text });
-  PANELS.forEach((panel, i) => {
+  context.fillRect(0, 0, WIDE, high);
+  heading(pen, lens);
+  for (const address of worlds) {
+    const image = Object.assign(new Image(), { src: address });
+    await image.decode();
+    context.drawImage(image, ...place(0), SIZE.w, SIZE.h);
+  }
+  lens.panels.forEach((each, i) => {
     context.save();
-    context.translate(...place(i));
-    lens.drawOne(pen, { panel }, SIZE.w, SIZE.h);
+    context.translate(...place(i + worlds.length));
+    lens.drawOne(pen, each, SIZE.w, SIZE.h);
     context.restore();
   });
   canvas.toBlob((blob) => save(blob, `${nameOf(lens)}.png`));
 }
 
-export function svgOf(lens) {
+export async function svgOf(lens) {
   const { colours } = lens.scene, measure = canvasPen(document.createElement('canvas').getContext('2d'), colours.font).width;
-  const pen = svgPen(colours.font, measure);
-  pen.text(lens.verdict, SIZE.gap, 28, { size: 15, colour: colours.text });
-  PANELS.forEach((panel, i) => {
-    pen.parts.push(`<g transform="translate(${place(i).join(' ')})">`);
-    lens.drawOne(pen, { panel }, SIZE.w, SIZE.h);
+  const worlds = await worldOf(lens, 'svg'), pen = svgPen(colours.font, measure), high = heightOf(worlds.length + lens.panels.length);
+  heading(pen, lens);
+  for (const address of worlds) {
+    const [x, y] = place(0);
+    pen.parts.push(`<image href="${escaped(address)}" x="${x}" y="${y}" width="${SIZE.w}" height="${SIZE.h}"/>`);
+  }
+  lens.panels.forEach((each, i) => {
+    pen.parts.push(`<g transform="translate(${place(i + worlds.length).join(' ')})">`);
+    lens.drawOne(pen, each, SIZE.w, SIZE.h);
     pen.parts.push('</g>');
   });
-  return `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${WIDE} ${HIGH}" width="${WIDE}" height="${HIGH}"><rect width="100%" height="100%" fill="${colours.paper}"/>${pen.parts.join('\n')}</svg>`;
+  return `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${WIDE} ${high}" width="${WIDE}" height="${high}"><rect width="100%" height="100%" fill="${colours.paper}"/>${pen.parts.join('\n')}</svg>`;
 }
 
-export const saveSvg = (lens) => save(svgOf(lens), `${nameOf(lens)}.svg`, 'image/svg+xml');
+export const saveSvg = async (lens) => save(await svgOf(lens), `${nameOf(lens)}.svg`, 'image/svg+xml');
 
 // One row a future step: decoded and true reward and survival, the value of the horizon that ends there, tau-space.
 export function csvOf({ scene: { model, seen, state } }) {
@@ -58,16 +84,17 @@ export function csvOf({ scene: { model, seen, state } }) {
     ...(seen.truth ? [seen.truth.rewards[a][k], seen.truth.survival[a][k]] : []),
     model.horizons[k], ...seen.values.map((line) => line[k]), ...(seen.truth ? [quoted(names[seen.bestAt(k)])] : []),
     ...(k < seen.n ? seen.tau.slice(k * seen.H, (k + 1) * seen.H) : Array(seen.H).fill(''))]);
-  return [`# ${JSON.stringify({ world: model.header.world, state: model.header.state, action: names[a], ...state, action_index: a })}`, head.map(quoted).join(','), ...rows.map((row) => row.map((x) => x ?? '').join(','))].join('\n');
+  return [`# ${JSON.stringify({ world: model.header.world, from_state: model.header.state, ...state, action: names[a], gammas: Array.from(seen.grid.gammas) })}`, head.map(quoted).join(','), ...rows.map((row) => row.map((x) => x ?? '').join(','))].join('\n');
 }
 
 export const saveCsv = (lens) => save(csvOf(lens), `${nameOf(lens)}.csv`, 'text/csv');
 
-export function htmlOf({ template, model, state, base }) {
+export function htmlOf({ told, scene: { model, state } }, still) {
   let text = '';
   for (let i = 0; i < model.bytes.length; i += 8192) text += String.fromCharCode(...model.bytes.subarray(i, i + 8192));
-  const held = { state, base, payload: btoa(text) };
-  return template.replace(['"__HELD', '__"'].join(''), () => JSON.stringify(held).replace(/</g, '\\u003c'));
+  const held = { state, base: told.base, still, payload: btoa(text) };
+  return told.template.replace(['"__HELD', '__"'].join(''), () => JSON.stringify(held).replace(/</g, '\\u003c'));
 }
 
-export const saveHtml = (lens) => save(htmlOf(lens), `${nameOf(lens)}.html`, 'text/html');
+export const saveHtml = async (lens) =>
+  save(htmlOf(lens, (await worldOf(lens, 'svg'))[0]), `${nameOf(lens)}.html`, 'text/html');

@@ -401,13 +401,14 @@ export function resolution(model, state, { grid, n, inverse }, row) {
 // ---- artefacts, each a switch
 
 export const SWITCHES = {
-  rescale: { label: 'row rescaling', on: { normalise: 'paper' }, off: { normalise: 'none' }, isOn: (s) => s.normalise === 'paper' },
-  fold: { label: 'folding, K = T' },
-  mixed: { label: 'mixed policies' },
-  paper_grid: { label: 'the paper’s grid' },
-  clip: { label: 'edge clipping' },
-  constant: { label: 'constant T' },
-  shift: { label: 'index shifted by one' },
+  rescale: { label: 'row rescaling', on: { normalise: 'paper' }, off: { normalise: 'none' }, isOn: (s) => s.normalise === 'paper',
+    help: 'Every row is rescaled to probability 1, also where the episode is over.' },
+  fold: { label: 'only T rows, K = T', help: 'As many rows are decoded as the horizon has: what comes later is folded into them.' },
+  mixed: { label: 'mixed policies', help: 'Every discount follows its own greedy policy: no single process has such a gamma-space.' },
+  paper_grid: { label: 'the paper’s grid', help: 'The paper’s 15 discounts, from .01 to .99, piecewise linear.' },
+  clip: { label: 'edge clipping', help: 'The sensitivities begin at a reward that occurs: half of its probability is lost.' },
+  constant: { label: 'constant T', help: 'Acting with T at every step, instead of with the time to go.' },
+  shift: { label: 'index shifted by one', help: 'Rows are stored one index too high.' },
 };
 for (const [name, each] of Object.entries(SWITCHES)) {
   each.on ??= { [name]: true };

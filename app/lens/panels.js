@@ -1,8 +1,9 @@
-// The six pictures of the lens. Each draws itself with a pen into a box and says in words what it shows.
-// `scene` is { model, state, seen, hover, colours, kernel, resolution, images }.
+// The pictures of the lens. Each draws itself with a pen into a box and says in words what it shows.
+// `scene` is { model, state, seen, pinned, hover, colours, kernel, resolution, images }.
 import { NEUTRAL, actionColour, axes, colourBar, heatmap, line, rounded, rowTicks, short, ticks } from './drawing.js';
 import { gammaSpace } from './maths.js';
 
+const GHOST = { width: 1.2, dash: [7, 3] }; // the view pinned as A
 const TRUTH = { stroke: '#ffffff', width: 1.5 }, HALO = { stroke: '#111111', width: 3.5 };
 const inside = (w, h, { left = 46, right = 10, top = 28, bottom = 34 } = {}) =>
   ({ x: left, y: top, w: w - left - right, h: h - top - bottom });
@@ -171,7 +172,7 @@ export const tauPanel = {
       const low = Y(resolution.low / dt - 0.5), high = Y(resolution.high / dt + 0.5);
       pen.path([[ruler.x + 3, low], [ruler.x, low], [ruler.x, high], [ruler.x + 3, high]], { stroke: colours.text, width: 1.4 });
     });
-    pen.text(`±${short(resolution.half, 2)}`, ruler.x, box.y + box.h + 13, { size: 10.5, colour: colours.text });
+    pen.text(`window ±${short(resolution.half, 2)}`, box.x + box.w + 2, box.y + box.h + 27, { size: 10.5, colour: colours.text });
     colourBar(pen, images.bar ??= document.createElement('canvas'), { x: w - 32, y: box.y, w: 7, h: box.h }, limit, colours);
     marked(pen, scale, { x: hover.theta, y: hover.tau }, colours);
     return scale;
@@ -185,32 +186,41 @@ export const tauPanel = {
   },
 };
 
+// Below this a value is nothing beside the rewards of the world, and an axis should not blow it up.
+const leastSpan = ({ arrays }) => (arrays.rewards ? 0.05 * Math.max(1e-9, ...arrays.rewards.map(Math.abs)) : 1e-3);
+
 // ---- values over the horizon
+
+const leader = (model, { chosenAt, values }, k) => (Number.isFinite(values[0][k])
+  ? `T ${short(model.horizons[k])}: ${model.header.actions[chosenAt(k)]} ${short(values[chosenAt(k)][k])}` : '');
 
 export const valuesPanel = {
   name: 'values',
   draw(pen, w, h, scene) {
     const { model, state, seen, hover, colours } = scene, { horizons, K, dt } = model, names = model.header.actions;
-    const box = inside(w, h, { top: 44, bottom: 62 }), all = [...seen.values, ...(seen.truth?.values ?? [])];
+    const box = inside(w, h, { top: 44, bottom: 62 }), all = [...seen.values, ...(seen.truth?.values ?? []), ...(scene.pinned?.values ?? [])];
     let low = 0, high = 0;
     for (const values of all) for (const value of values) if (value === value) { low = Math.min(low, value);
     high = Math.max(high, value); }
     const x = [horizons[0] - dt / 2, horizons[K - 1] + dt / 2];
     titled(pen, w, 'value of each action over T',
       hover.tau !== undefined
-      ? `T ${short(horizons[hover.tau])}: ${seen.values.slice(0, 4).map((v) => short(v[hover.tau])).join(' · ')}` : seen.truth
-      ? 'dotted: true' : '', scene);
+      ? leader(model, seen, hover.tau) : [seen.truth && 'dotted: true', scene.pinned && 'dashed: A'].filter(Boolean).join(', '), scene);
     let at = box.x;
-    names.forEach((name, a) => {
-      const words = name.length > 16 ? `${name.slice(0, 15)}…` : name, wide = pen.width(words, 11) + 24;
-      if (at + wide > w) return;
+    const first = [seen.chosen, seen.best, state.action].filter((a) => a !== undefined), order = new Set([...first, ...names.keys()]);
+    const room = names.length > 2 ? w - 26 : w, left_ = [];
+    [...order].forEach((a) => {
+      const name = names[a], words = name.length > 16 ? `${name.slice(0, 15)}…` : name, wide = pen.width(words, 11) + 24;
+      if (at + wide > room) { left_.push(a); return; }
       pen.path([[at, 30], [at + 14, 30]], { stroke: actionColour(a), width: a === state.action ? 4 : 2 });
       pen.text(words, at + 18, 34, { size: 11, colour: colours.text });
       at += wide;
     });
-    const scale = axes(pen, box, { x, y: rounded(low, high, 1e-3), xTicks: [], yTitle: 'value', colours }), { X, Y } = scale;
+    if (left_.length) pen.text(`+${left_.length}`, w - 4, 34, { size: 11, align: 'right', colour: colours.soft });
+    const scale = axes(pen, box, { x, y: rounded(low, high, leastSpan(model)), xTicks: [], yTitle: 'value', colours }), { X, Y } = scale;
     const xs = Array.from(horizons, X);
     pen.clip(box.x, box.y - 3, box.w, box.h + 6, () => {
+      scene.pinned?.values.forEach((values, a) => line(pen, xs, values.map(Y), { ...GHOST, stroke: actionColour(a) }));
       seen.truth?.values.forEach((values, a) =>
         line(pen, xs, values.map(Y), { stroke: actionColour(a), width: 1.3, dash: [2, 3] }));
       seen.values.forEach((values, a) => {
@@ -241,7 +251,10 @@ export const valuesPanel = {
     strip(under, (k) => chosen[k]);
     pen.text('chosen', box.x - 5, under + 9, { size: 10.5, align: 'right', colour: colours.soft });
     if (seen.truth) {
-      const best = Array.from({ length: K }, (_, k) => seen.bestAt(k));
+      const best = Array.from({ length: K }, (_, k) => { // an action as good as the best is the best
+        const optimum = seen.optimumAt(k), top_ = Math.max(...optimum), least = top_ - 1e-9 * Math.max(1, Math.abs(top_));
+        return chosen[k] >= 0 && optimum[chosen[k]] >= least ? chosen[k] : seen.bestAt(k);
+      });
       strip(under + 12, (k) => best[k]);
       pen.text('best', box.x - 5, under + 21, { size: 10.5, align: 'right', colour: colours.soft });
     }
@@ -284,24 +297,24 @@ export const spectrumPanel = {
   draw(pen, w, h, scene) {
     const { state, seen, hover, colours } = scene, { s, r, U, V } = seen.grid, box = inside(w, h);
     const factors = s.map((value) => value ** 2 / (value ** 2 + state.alpha ** 2)), passing = factors.filter((f) => f > 0.5).length;
-    titled(pen, w, 'singular values, and what alpha lets through', w > 380 ? `${passing} of ${r} pass` : `${passing} of ${r}`,
+    titled(pen, w, 'what alpha lets through', `${passing} of ${r} pass`,
       scene);
-    const low = Math.floor(Math.log10(s[r - 1] / s[0])) - 0.3,
-      scale = axes(pen, box, { x: [0.4, r + 0.6], y: [low, 0.6], xTitle: 'component', yTitle: 's / largest', colours,
+    const low = Math.floor(Math.log10(s[r - 1])) - 0.3, high = Math.max(0.6, Math.log10(s[0]) + 0.4),
+      scale = axes(pen, box, { x: [0.4, r + 0.6], y: [low, high], xTitle: 'component; bars: share let through', yTitle: 'singular value', colours,
       xTicks: r <= 8 ? Array.from({ length: r }, (_, i) => i + 1) : undefined,
-        yTicks: ticks(low, 0.6, 6).filter((tick) => Number.isInteger(tick)).map((tick) => [tick, tick ? `1e${tick}` : '1']) });
+        yTicks: ticks(low, high, 6).filter((tick) => Number.isInteger(tick)).map((tick) => [tick, tick ? `1e${tick}` : '1']) });
     const { X, Y } = scale, half = 0.36 * (X(2) - X(1)), floor = box.y + box.h;
     factors.forEach((factor, i) => {
       const x = X(i + 1), top = floor - factor * box.h;
       pen.path([[x - half, floor], [x - half, top], [x + half, top], [x + half, floor]], { fill: colours.wash, close: true });
-      pen.path(disc(x, Y(Math.log10(s[i] / s[0])), 3.2), { fill: factor > 0.5 ? colours.primary : NEUTRAL, close: true });
+      pen.path(disc(x, Y(Math.log10(s[i])), 3.2), { fill: factor > 0.5 ? colours.primary : NEUTRAL, close: true });
     });
     const weights = hover.gamma !== undefined ? factors.map((_, i) => Math.abs(U[hover.gamma * r + i])) : hover.tau !== undefined
       ? factors.map((_, i) => Math.abs(V[hover.tau * r + i])) : null;
     if (weights) line(pen, Array.from(weights, (_, i) => X(i + 1)), weights.map((value) => floor - value * box.h),
       { stroke: colours.mark, width: 1.4 });
-    const level = Math.log10(state.alpha / s[0]);
-    if (level > low && level < 0.6) {
+    const level = Math.log10(state.alpha);
+    if (level > low && level < high) {
       pen.path([[box.x, Y(level)], [box.x + box.w, Y(level)]], { stroke: '#ff9f1c', width: 1.6, dash: [6, 4] });
       pen.text('α', box.x + box.w - 3, Y(level) - 4, { size: 12, weight: 700, align: 'right', colour: '#ff9f1c' });
     }
@@ -348,10 +361,10 @@ export const rewardsPanel = {
     const upper = { ...box, h: box.h * 0.62 }, lower = { ...box, y: box.y + box.h * 0.74, h: box.h * 0.26 };
     const rewards = Array.from(seen.rewards[a], (value) => value / dt),
       true_ = seen.truth && Array.from(seen.truth.rewards[a], (value) => value / dt);
-    const low = Math.min(0, ...rewards, ...(true_ ?? [])), high = Math.max(0, ...rewards, ...(true_ ?? [])),
-      x = [-0.5 * dt, (K - 0.5) * dt];
+    const ghost = scene.pinned && Array.from(scene.pinned.rewards[a], (value) => value / dt), all = [0, ...rewards, ...(true_ ?? []), ...(ghost ?? [])];
+    const low = Math.min(...all), high = Math.max(...all), x = [-0.5 * dt, (K - 0.5) * dt];
     titled(pen, w, 'expected reward and survival',
-      hover.tau < seen.n ? `τ ${short(hover.tau * dt)}: ${short(rewards[hover.tau])}, alive ${short(seen.survival[a][hover.tau] / dt)}` : `of ${model.header.actions[a]}${seen.truth ? '; grey: true' : ''}`, scene);
+      hover.tau < seen.n ? `τ ${short(hover.tau * dt)}: ${short(rewards[hover.tau])}, alive ${short(seen.survival[a][hover.tau] / dt)}` : Math.max(...seen.survival[a]) / dt > 1.05 ? 'alive above 1: impossible' : seen.truth ? 'grey: true' : '', scene);
     const span = 1e-3 * (seen.thetas[seen.H] - seen.thetas[0]),
       scale = axes(pen, upper, { x, y: rounded(low, high, span), xTicks: [], yTitle: 'E[r]', colours });
     const few = K <= 8 ? Array.from({ length: K }, (_, k) => k * dt) : undefined;
@@ -363,6 +376,7 @@ export const rewardsPanel = {
       true_?.forEach((value, k) => value
         && pen.path([[xs[k] - bar, Y(0)], [xs[k] - bar, Y(value)], [xs[k] + bar, Y(value)], [xs[k] + bar, Y(0)]],
         { fill: 'rgba(138,143,152,0.45)', close: true }));
+      if (ghost) line(pen, xs, ghost.map(Y), { ...GHOST, stroke: actionColour(a) });
       line(pen, xs, rewards.map(Y), { stroke: actionColour(a), width: 2.2 });
       if (K <= 40) rewards.forEach((value, k) => pen.path(disc(xs[k], Y(value), 2.8), { fill: actionColour(a), close: true }));
     });
@@ -381,4 +395,44 @@ export const rewardsPanel = {
   },
 };
 
-export const PANELS = [gammaPanel, tauPanel, valuesPanel, spectrumPanel, kernelPanel, rewardsPanel];
+// Whether the decoded timeline explains the gamma-space that it came from: (1 - gamma) times the value at each discount.
+export const fitPanel = {
+  name: 'fit',
+  draw(pen, w, h, scene) {
+    const { model, state, seen, hover, colours } = scene, { gammas, G } = seen.grid, { given, back } = fitOf(scene), box = inside(w, h);
+    const times = gammas.map((gamma) => Math.log10(-1 / Math.log(gamma))), all = [0, ...given, ...back];
+    titled(pen, w, 'does the timeline explain it?', hover.gamma === undefined ? 'value a step at each discount'
+      : `γ ${short(gammas[hover.gamma])}: ${short(given[hover.gamma])}, from tau-space ${short(back[hover.gamma])}`, scene);
+    const margin = 0.04 * (times[G - 1] - times[0]) || 0.5, x = [times[0] - margin, times[G - 1] + margin];
+    const scale = axes(pen, box, { x, y: rounded(Math.min(...all), Math.max(...all), 1e-6), xTitle: 'time constant of γ (steps)',
+      yTitle: '(1 − γ) value', colours, xTicks: ticks(...x, 4).filter((tick) => Number.isInteger(tick)).map((tick) => [tick, short(10 ** tick)]) });
+    const xs = Array.from(times, scale.X);
+    given.forEach((value, g) => pen.path(disc(xs[g], scale.Y(value), 3.4), { stroke: colours.soft, width: 1.6, close: true }));
+    line(pen, xs, back.map(scale.Y), { stroke: actionColour(state.action), width: 2.2 });
+    if (hover.gamma !== undefined) marked(pen, scale, { x: times[hover.gamma] }, colours);
+    return { ...scale, times };
+  },
+  point: ({ seen }, x) => ({ gamma: seen.grid.gammas.reduce((best, gamma, g, all) => {
+    const far = (other) => Math.abs(Math.log10(-1 / Math.log(all[other])) - x);
+    return far(g) < far(best) ? g : best;
+  }, 0) }),
+  words: (scene) => {
+    const { given, back } = fitOf(scene), off = Math.max(...given.map((value, g) => Math.abs(value - back[g])));
+    return `Value of ${scene.model.header.actions[scene.state.action]} at ${given.length} discounts, as learned and as tau-space gives it back: they differ by at most ${short(off)} a step.`;
+  },
+};
+
+function fitOf({ state, seen, images, model }) {
+  if (images.fitFor === seen) return images.fit;
+  const { gammas, G } = seen.grid, Z = gammaSpace(seen, state), given = new Float64Array(G), back = new Float64Array(G);
+  for (let g = 0; g < G; g++) {
+    for (let h = 0; h < seen.H; h++) given[g] += Z[g * seen.H + h] * seen.midpoints[h] * (1 - gammas[g]);
+    seen.rewards[state.action].forEach((reward, k) => { back[g] += (1 - gammas[g]) * gammas[g] ** (k * model.dt) * reward; });
+  }
+  Object.assign(images, { fitFor: seen, fit: { given, back } });
+  return images.fit;
+}
+
+// Without a world to draw, its place shows whether the inverse explains what was learned.
+export const panelsOf = ({ world, still }) => [...(world || still ? [] : [fitPanel]), gammaPanel, tauPanel, valuesPanel, rewardsPanel, kernelPanel,
+  spectrumPanel];

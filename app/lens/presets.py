@@ -15,8 +15,14 @@ PRESETS: dict[str, dict[str, object]] = {
     "Fig. 4c": {"world": "two_branch", "normalise": "paper", "action": "short"},
     "Fig. 4d": {"world": "two_branch", "p.auxiliary": True, "normalise": "paper", "action": "short"},
     "Fig. 6": {"world": "fig6_chain"},
+    "mixed policies": {"world": "two_decisions", "policy": "per_gamma", "action": "go on / long"},
     "what alpha hides": {"world": "double_chain", "alpha": 0.3},
-    "deadline flips the choice": {"world": "discounting_chain", "alpha": 1e-4, "horizon": 60.0},
+    "deadline flips the choice": {
+        "world": "discounting_chain",
+        "alpha": 1e-4,
+        "horizon": 100.0,
+        "action": "pays after 100",
+    },
 }
 """Values of a page by the name of the view."""
 

@@ -6,5 +6,5 @@ import { read } from './maths.js';
 export function standalone(held) {
   const bytes = Uint8Array.from(atob(held.payload), (sign) => sign.charCodeAt(0));
   const box = document.body.appendChild(element('div', {}));
-  return mount(box, { model: { ...read(bytes), id: 'file' }, state: held.state, base: held.base }, () => {});
+  return mount(box, { ...read(bytes), id: 'file' }, { ...held, payload: undefined }, () => {});
 }

@@ -18,6 +18,8 @@ VIEW = (
 """What the lens adds to the values of a page; the rest of its state are settings of the study."""
 
 _SETTINGS = ("alpha", "slope", "softness", "noise", "noise_seed", "normalise")
+LIVE = (*_SETTINGS, "horizon", "policy", "deadline", *(parameter.name for parameter in VIEW))
+"""Values of a page that the lens sets, and that its Reset takes back."""
 
 
 def opening_state(study_settings: Settings, horizon: float, action: int = 0, look: str = "heatmap") -> dict:

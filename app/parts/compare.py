@@ -10,6 +10,7 @@ import streamlit as st
 from app import compute, sources, state
 from app.chart import chart
 from app.figures.theme import HEIGHT
+from app.lens import state_of
 from app.link import pack
 from app.parts import learning
 from app.query import query_of, unpinned
@@ -19,14 +20,44 @@ from laplace_core import InputError
 _UNSAID = ("pin", "edit", "compare", "look", "run", "own", "timeline")
 
 
-def pin_button() -> None:
-    """Pin what is seen as A; again to pin something else."""
-    st.button("Pin as A", on_click=_pin, width="stretch", help="Keep this view; whatever you change is B, beside it.")
+def is_pinned() -> bool:
+    return "pin" in state.chosen()
 
 
-def _pin() -> None:
+def pin() -> None:
+    """Keep what is seen as A; whatever changes then is B, beside it."""
     values = {name: value for name, value in state.chosen().items() if name not in ("pin", "edit")}
     state.choose("pin", pack(json.dumps({"world": state.world_name(), **query_of(values)})))
+
+
+def unpin() -> None:
+    state.choose("pin", None)
+
+
+def _pinned() -> tuple[dict[str, object], View | None]:
+    """The values of A and its view; None while what was learned of it is learned again.
+
+    Raises:
+        InputError: A cannot be shown any more.
+    """
+    values = unpinned(str(state.chosen()["pin"]))
+    world = sources.world_of(values)
+    learned, coming = (None, False) if world is None else learning.learned_in(values, world)
+    return values, None if coming else sources.view_of(values, learned)
+
+
+def pinned_state(view: View) -> dict[str, object] | None:
+    """The state of the lens at A, where it shows the same payload as the present view."""
+    if not is_pinned():
+        return None
+    try:
+        values, pinned = _pinned()
+        if pinned is None or compute.lens_payload(pinned) != compute.lens_payload(view):
+            return None
+    except InputError:
+        return None
+    horizon = float(compute.study_for(pinned).horizons[compute.row_of(pinned)])
+    return state_of(values, pinned.settings, horizon, pinned.action)
 
 
 def _differs(pinned: dict[str, object]) -> str:
@@ -45,28 +76,25 @@ def _differs(pinned: dict[str, object]) -> str:
 
 def comparison(view: View) -> None:
     """Three pictures: A, B, and B minus A; and a sentence."""
-    if "pin" not in state.chosen():
+    if not is_pinned():
         return
     try:
-        values = unpinned(str(state.chosen()["pin"]))
-        world = sources.world_of(values)
-        learned, coming = (None, False) if world is None else learning.learned_in(values, world)
-        if coming:
+        values, pinned = _pinned()
+        if pinned is None:
             st.info("A was learned, and is learned again from its seed; it stands here in a moment.")
             return
-        pinned = sources.view_of(values, learned)
         compute.study_for(pinned)
     except InputError as error:
         st.warning(f"A cannot be shown any more: {error}")
         return
-    title, choice, unpin = st.columns([3.2, 1, 0.7], vertical_alignment="center")
+    title, choice, away = st.columns([3.2, 1, 0.7], vertical_alignment="center")
     title.html(f'<div class="panel-title">A, pinned, against B, what you see above</div>{_differs(values)}')
     with choice:
         key = state.show("compare", "tau-space")
         st.segmented_control("Space", ("tau-space", "gamma-space"), key=key, on_change=state.keep, args=(key,),
                              label_visibility="collapsed", required=True)  # fmt: skip
-    with unpin:
-        st.button("Unpin", on_click=state.choose, args=("pin", None), width="stretch")
+    with away:
+        st.button("Unpin", on_click=unpin, width="stretch")
     what = state.chosen().get("compare", "tau-space").replace("-", "_")
     sentence, figures = compute.comparison(pinned, view, what)
     for column, (name, figure) in zip(st.columns(3, gap="small"), figures.items(), strict=False):

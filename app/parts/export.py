@@ -2,23 +2,26 @@
 
 from __future__ import annotations
 
+import io
+import json
 import re
-from dataclasses import replace
+from dataclasses import asdict, replace
 
 import numpy as np
 import streamlit as st
 
 from app import compute, explain, link, sources, state
 from app.copy import copy_button
-from app.parts.compare import pin_button
-from app.query import VIEW, query_of
+from app.lens import seen
+from app.parts.panels import shown_state
+from app.query import query_of
 from app.sources import View
 from laplace_core import Settings
 from laplace_core.saved import npz_bytes
 from laplace_core.tables import gamma_space_csv, rewards_csv, tau_space_csv, values_csv
 
+_BYTES = "application/octet-stream"
 TOO_LONG = "This view is too long for a link; download the world to keep it."
-_LOOKS = next(parameter for parameter in VIEW if parameter.name == "look").choices
 _TABLES = {
     "tau-space": tau_space_csv,
     "gamma-space": gamma_space_csv,
@@ -28,30 +31,18 @@ _TABLES = {
 
 
 def footer(view: View) -> None:
-    look, regret, pin, reading, copying, download = st.columns([1.2, 2, 0.8, 1, 0.8, 0.9], vertical_alignment="center")
-    _look(look)
+    regret, reading, copying, download = st.columns([3, 1, 0.8, 0.9], vertical_alignment="center")
     regret.caption(_loss(view) if link.fits(query_of(state.chosen())) else TOO_LONG)
     _reading(reading)
-    with pin:
-        pin_button()
     _copying(copying, view)
     _downloads(download, view)
 
 
 def agent_footer(view: View) -> None:
     """The same for a trained agent, whose gamma-space no command computes anew."""
-    look, _, reading, download = st.columns([1.2, 3.8, 1, 0.9], vertical_alignment="center")
-    _look(look)
+    _, reading, download = st.columns([3.8, 1, 0.9], vertical_alignment="center")
     _reading(reading)
     _downloads(download, view)
-
-
-def _look(place) -> None:
-    with place:
-        key = state.show("look", "heatmap")
-        st.segmented_control(
-            "Drawing", _LOOKS, key=key, on_change=state.keep, args=(key,), label_visibility="collapsed", required=True
-        )
 
 
 def _reading(place) -> None:
@@ -130,11 +121,20 @@ def _downloads(place, view: View) -> None:
     found = replace(compute.study_for(view), settings=settings)
     name = re.sub(r"[^A-Za-z0-9_.-]+", "_", re.sub(r"\.(json|npz|safetensors)$", "", settings.world))
     with box:
-        _file("NPZ: every array and the settings", lambda: npz_bytes(found), f"{name}.npz", "application/octet-stream")
+        _file("NPZ: every array and the settings", lambda: npz_bytes(found), f"{name}.npz", _BYTES)
+        _file("NPZ: the lens as it is, switches included", lambda: _lens_npz(view), f"{name}_lens.npz", _BYTES)
         for title, csv in _TABLES.items():
             _file(f"CSV: {title}", lambda csv=csv: csv(found), f"{name}_{title.replace(' ', '_')}.csv", "text/csv")
-        st.caption("PNG and SVG: the buttons in the corner of each picture.")
+        st.caption("PNG, SVG, CSV and HTML of the lens: the buttons under it.")
 
 
 def _file(label: str, data, file_name: str, mime: str) -> None:
     st.download_button(label, data, file_name=file_name, mime=mime, width="stretch", on_click="ignore")
+
+
+def _lens_npz(view: View) -> bytes:
+    """Arrays of :func:`app.lens.seen` and, as ``settings``, the state and the settings that they were seen under."""
+    shown, file = shown_state(view), io.BytesIO()
+    told = {"lens": shown, "study": asdict(view.settings)}
+    np.savez_compressed(file, **seen(compute.lens_payload(view), shown), settings=np.array(json.dumps(told)))
+    return file.getvalue()

@@ -219,12 +219,18 @@ def _told(view: View, watched: runs.Watched | None) -> None:
     words = [f"{told['episodes'] // seeds:,} of {told['of'] // seeds:,} episodes{each}"]
     words.append(f"{told['steps_per_second']:,} steps/s")
     if told["error"] is not None:
-        words.append(f"error {100 * told['error']:.2g}% of the range")
+        words.append(f"error {_percent(told['error'])} of the range")
     if watched.running and told["eta"] is not None:
         words.append(f"{told['eta']:.0f} s left")
     elif not told["finished"]:
         words.insert(0, "cancelled at")
     st.progress(min(1.0, share), " · ".join(words))
+
+
+def _percent(share: float) -> str:
+    if share < 1e-6:
+        return "below 0.0001%"
+    return f"{100 * share:.0f}%" if share >= 0.0995 else f"{100 * share:.2g}%"
 
 
 def _which(learned: Learned) -> None:
@@ -237,7 +243,7 @@ def _which(learned: Learned) -> None:
 
 
 def pictures(view: View) -> None:
-    """The third row: the learning curve, what the learners agree on, the codes of the return."""
+    """Under the lens: the learning curve, what the learners agree on, the codes of the return."""
     if view.learned is None:
         return
     name = view.world.actions[view.action]
@@ -259,6 +265,19 @@ def pictures(view: View) -> None:
         else:
             alt = f"Cumulated distribution of the return after {name}: four codes and the true one."
             chart(compute.learning_figure("returns", view), "returns", alt, HEIGHT, view.settings.world)
+    if len(view.learned.basis) > 1:
+        _over_seeds(view, name)
+
+
+def _over_seeds(view: View, name: str) -> None:
+    """What the learners agree on beside the probabilities: values and choices, rewards and survival."""
+    left, right = st.columns([1.4, 1], gap="small")
+    with left:
+        alt = "Value of each action over the horizon: the range over all seeds, and which share of them chooses each."
+        chart(compute.learning_figure("values", view), "values", alt, HEIGHT, view.settings.world)
+    with right:
+        alt = f"Expected reward and survival of {name} over future steps: the range over all seeds."
+        chart(compute.learning_figure("rewards", view), "rewards", alt, HEIGHT, view.settings.world)
 
 
 def _with_peers(world: World) -> None:

@@ -1,90 +1,116 @@
-"""The verdict, the pictures of a view and the list of artefacts."""
+"""The lens on a view with the verdict over it, and the list of artefacts under it."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from html import escape
 
 import streamlit as st
 
 from app import compute, state
-from app.chart import chart
-from app.figures.theme import HEIGHT
+from app.lens import PRESETS, Graph, Preset, Released, Said, checked, lens, state_of, values_of
+from app.parts import compare
 from app.sources import View
+from laplace_core.artifacts import Artefact
 
-TONES = {"right": ("ok", "Right"), "lucky": ("warn", "Right, for the wrong reason"), "wrong": ("bad", "Wrong"),
-         "unknown": ("warn", "No truth to compare with")}  # fmt: skip
-
-
-def verdict(view: View) -> None:
-    found = compute.verdict_for(view)
-    tone, word = TONES[found.kind]
-    text, *buttons = st.columns([3.8, *[1.0] * len(found.remedies)], vertical_alignment="center")
-    text.html(f'<div class="verdict {tone}" role="status"><p><b>{word}.</b> {escape(found.sentence)}</p></div>')
-    for column, remedy in zip(buttons, found.remedies, strict=True):
-        column.button(
-            remedy.label, key=f"verdict {remedy.label}", on_click=state.apply_changes, args=(remedy.changes,),
-            width="stretch", type="primary",
-        )  # fmt: skip
+TONES = {"right": "ok", "lucky": "warn", "wrong": "bad", "unknown": "unknown"}
+_LENS_ONLY = {"fold": "only T rows", "paper_grid": "the paper's grid", "clip": "edge clipping",
+              "shift": "the shifted index", "used": "steps used"}  # fmt: skip
+_ACROSS = 3  # artefacts side by side
 
 
-def panels(view: View) -> None:
-    look, settings = state.chosen().get("look", "heatmap"), view.settings
+def shown_state(view: View) -> dict[str, object]:
+    """The state of the lens that a view stands for."""
+    horizon = float(compute.study_for(view).horizons[compute.row_of(view)])
+    return state_of(state.chosen(), view.settings, horizon, view.action)
+
+
+def pictures(view: View, base: View, presets: Sequence[Preset] = ()) -> None:
+    """Draw the lens; what is let go of in it is set by hand.
+
+    Args:
+        base: the view that Reset leads to.
+    """
+    found, shown, judged = compute.study_for(view), shown_state(view), compute.verdict_for(view)
+
+    def heard(released: Released) -> None:
+        if released.preset is not None:
+            look = {"look": state.chosen()["look"]} if "look" in state.chosen() else {}
+            state.replace_all({**PRESETS[released.preset], **look})
+            state.apply_changes({})
+            return
+        changes = values_of(checked(released.state, found), shown, found.action_names)
+        for name, value in changes.items():
+            state.choose(name, value)
+        if "policy" in changes:  # which the sidebar shows, too
+            state.apply_changes({})
+        if released.remedy is not None and released.remedy < len(judged.remedies):
+            state.apply_changes(judged.remedies[released.remedy].changes)
+        if view.world is not None and released.picked is not None and released.picked < view.world.n_states:
+            state.apply_changes({"state": view.world.states[released.picked]})
+        if released.pin is not None:
+            compare.pin() if released.pin else compare.unpin()
+
+    last = float(compute.study_for(base).horizons[-1])
+    lens(
+        compute.lens_payload(view),
+        shown,
+        state.page_name(),
+        state_of({}, base.settings, last, view.action),
+        presets,
+        heard,
+        Said(TONES[judged.kind], judged.sentence, tuple(remedy.label for remedy in judged.remedies)),
+        _graph(view),
+        pinnable=view.world is not None,
+        pinned=compare.is_pinned(),
+        pin=compare.pinned_state(view),
+    )
+
+
+def _graph(view: View) -> Graph | None:
+    if view.world is None:
+        return None
+    s, name = view.settings, view.world.actions[view.action]
+    alt = f"Graph of the world {s.world}, state {s.state} and action {name} lit up."
+    return Graph(compute.world_figure(view), alt, f"{s.world} {view.world.n_states}")
+
+
+def lens_only(view: View) -> str:
+    """In words, what only the lens knows of the present state: lists and files of the library are without it."""
+    shown = shown_state(view)
+    on = [words for name, words in _LENS_ONLY.items() if shown[name]]
+    if abs(shown["value_gamma"] - view.settings.acting_gamma) > 1e-12:
+        on.append(f"gamma {shown['value_gamma']:g} in the value")
+    return ", ".join(on)
+
+
+def artefacts(view: View) -> None:
+    """What in the tau-space of the shown action is not in the world: name, size, a sentence, remedies."""
+    beyond = lens_only(view)
+    if beyond:
+        st.caption(f"From here on everything is without what only the lens can do: {beyond}.")
     name = compute.study_for(view).action_names[view.action]
-    # While this holds, zoom and camera are kept.
-    same = f"{settings.world} {settings.state} {view.action} {settings.steps} {look}"
-
-    def picture(kind: str, alt: str, revision: str = same, on_click=None) -> object:
-        return chart(compute.figure(kind, view, look == "surface"), kind, alt, HEIGHT, revision, on_click)
-
-    top, bottom = st.columns(3, gap="small"), st.columns(3, gap="small")
-    with top[0]:
-        if view.world is None:
-            picture("fit", f"Value of {name} at each discount, as learned and as the decoded timeline gives it back.")
-        else:
-            alt = f"Graph of the world {settings.world}, state {settings.state} and action {name} lit up."
-            picked = picture("world", alt, f"{settings.world} {view.world.n_states}", _picked)
-            _pick_state(view, picked)
-    with top[1]:
-        picture("gamma-space", f"Gamma-space of {name}: sensitivity across, discount up.")
-    with top[2]:
-        picture("tau-space", f"Tau-space of {name}: reward across, future step up, the truth outlined.")
-    with bottom[0]:
-        picture("values", "Value of each action over the horizon; a strip with the chosen and best one.")
-    with bottom[1]:
-        picture("rewards", f"Expected reward and survival of {name} over future steps, decoded and true.")
-    with bottom[2]:
-        _artefacts(view, name)
-
-
-def _picked() -> None:
-    """A click on the graph is answered in the same run, by ``_pick_state``."""
-
-
-def _pick_state(view: View, picked: object) -> None:
-    if isinstance(picked, int | float) and 0 <= picked < view.world.n_states:
-        name = view.world.states[int(picked)]
-        if name != view.settings.state:
-            state.apply_changes({"state": name})
-            st.rerun()
-
-
-def _artefacts(view: View, name: str) -> None:
+    found, others = compute.artefacts_for(view), compute.artefacts_elsewhere(view)
     st.html(f'<div class="panel-title">artefacts in the tau-space of {escape(name)}</div>')
-    found = compute.artefacts_for(view)
-    others = compute.artefacts_elsewhere(view)
-    if not found:
-        st.html(f'<div class="artefact">None found for this action. {escape(others)}</div>')
     with st.container(key="artefacts"):
-        for artefact in found:
-            text, button = st.columns([2.0, 1], vertical_alignment="center")
-            text.html(
-                f'<div class="artefact"><b>{escape(artefact.name)}</b> · {escape(artefact.shown)}<br>'
-                f"<span>{escape(artefact.sentence)}</span></div>"
-            )
-            for remedy in artefact.remedies[:2]:
-                button.button(
-                    remedy.label, key=f"fix {artefact.name} {remedy.label}", on_click=state.apply_changes,
-                    args=(remedy.changes,), width="stretch", wrap=True,
-                )  # fmt: skip
+        if not found:
+            st.html(f'<div class="artefact">None found for this action. {escape(others)}</div>')
+        for first in range(0, len(found), _ACROSS):
+            for column, artefact in zip(st.columns(_ACROSS), found[first : first + _ACROSS], strict=False):
+                with column:
+                    _artefact(artefact)
         if found and others:
             st.html(f'<div class="artefact">{escape(others)}</div>')
+
+
+def _artefact(artefact: Artefact) -> None:
+    st.html(
+        f'<div class="artefact"><b>{escape(artefact.name)}</b> · {escape(artefact.shown)}<br>'
+        f"<span>{escape(artefact.sentence)}</span></div>"
+    )
+    remedies = artefact.remedies[:2]
+    for column, remedy in zip(st.columns(len(remedies)) if remedies else (), remedies, strict=True):
+        column.button(
+            remedy.label, key=f"fix {artefact.name} {remedy.label}", on_click=state.apply_changes,
+            args=(remedy.changes,), width="stretch",
+        )  # fmt: skip

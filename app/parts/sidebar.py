@@ -39,20 +39,16 @@ def _groups() -> View | None:
     if world is None:
         file = sources.gamma_space_files()[str(state.chosen()["data"])]
         st.caption(f"{file.name}: {len(view.subject.gammas)} discounts, {len(view.subject.thetas)} sensitivities")
-        controls.look_group_of_file(file.states, tuple(f"action {a}" for a in range(view.actions)), view.action)
+        controls.state_of_file(file.states)
     else:
-        controls.look_group(world, view.settings, view.action)
+        controls.state_group(world, view.settings)
         learning.source_group(world)
     bring.open_group(world)
     grids = st.expander("Discounts, sensitivities, policy", key="learning", on_change="rerun")
     if grids.open:
         with grids:
             controls.grid_group(view.settings, decided="agent" in state.chosen())
-    more = st.expander("Noise and acting", key="more", on_change="rerun")
-    if more.open:
-        with more:
-            controls.study_group(view.settings)
-    st.button("Reset to the world's own settings", on_click=state.reset, width="stretch")
+    st.button("Reset world and settings", on_click=state.reset, width="stretch")
     return view
 
 

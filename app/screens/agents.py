@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import streamlit as st
 
-from app import checkpoints, compute, controls, state
+from app import checkpoints, compute, state
+from app.lens import LIVE
 from app.observations import Scene, scene_of
 from app.parts import export, panels
-from app.trained import OBSERVED, action_of, opening, parse_query, view_of
+from app.trained import OBSERVED, opening, parse_query, view_of
 from laplace_core import InputError
 from laplace_core.training.checkpoint import Loaded
 
@@ -24,18 +25,19 @@ def page() -> None:
         if name is None:
             st.info("No trained agent is here yet: open a checkpoint, or train one with `laplace train`.")
             return
-        loaded = checkpoints.checkpoint(str(name))
+        try:
+            loaded = checkpoints.checkpoint(str(name))
+        except InputError as error:  # a run that was removed meanwhile
+            st.error(str(error))
+            return
         scene = scene_of(loaded.environment)
         _card(loaded, scene)
         _observation(scene)
-        action = action_of(scene, state.chosen())
-        state.put("action", scene.actions[action])
-        st.selectbox("Action", scene.actions, key="action", on_change=state.keep, args=("action",))
     _view(loaded, scene)
 
 
 def _choose() -> None:
-    names = (*checkpoints.shipped(), *checkpoints.opened())
+    names = (*checkpoints.shipped(), *checkpoints.trained(), *checkpoints.opened())
     if names:
         key = state.show("checkpoint", names[0])
         st.selectbox("Agent", names, key=key, on_change=_chosen, format_func=_title)
@@ -45,7 +47,7 @@ def _choose() -> None:
 
 
 def _title(name: str) -> str:
-    return "opened file" if name in checkpoints.opened() else name.replace("_", " ")
+    return "opened file" if name in checkpoints.opened() else name.replace(checkpoints.RUN, "run: ").replace("_", " ")
 
 
 def _chosen() -> None:
@@ -92,15 +94,13 @@ def _view(loaded: Loaded, scene: Scene) -> None:
     state.write_url()
     try:
         view = view_of(loaded, scene, state.chosen())
-        found = compute.study_for(view)
+        base = view_of(loaded, scene, state.without(*LIVE))
+        compute.study_for(view)
     except InputError as error:
         st.error(str(error))
         return
-    above = st.container()
-    panels.panels(view)
-    with above:
-        panels.verdict(view)
-    controls.live_group(found, float(found.horizons[compute.row_of(view)]))
+    panels.pictures(view, base)
+    panels.artefacts(view)
     export.agent_footer(view)
 
 

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import streamlit as st
 
-from app import compute, controls, sources, state
+from app import compute, sources, state
+from app.lens import LIVE, presets_for
 from app.parts import bring, compare, export, learning, panels, sidebar
 from laplace_core import InputError
 
@@ -27,18 +28,16 @@ def _view(running: bool) -> None:
         world = sources.world_of(state.chosen())
         learned, watched = learning.current(world) if world is not None else (None, None)
         view = sources.view_of(state.chosen(), learned)
-        found = compute.study_for(view)
+        base = sources.view_of(state.without(*LIVE), learned)
+        compute.study_for(view)
     except InputError as error:
         st.error(str(error))
         sidebar.undo_button()
         return
     state.worked()
-    above = st.container()
-    panels.panels(view)  # first, so that the pictures move before the words
-    with above:
-        panels.verdict(view)
-        learning.strip(view, watched)
-    controls.live_group(found, float(found.horizons[compute.row_of(view)]))
+    learning.strip(view, watched)
+    panels.pictures(view, base, presets_for(view) if view.world is not None else ())
+    panels.artefacts(view)
     learning.pictures(view)
     export.footer(view)
     compare.comparison(view)

@@ -30,6 +30,26 @@ def add_report(verbs: argparse._SubParsersAction) -> None:
     training.add_argument("--json", action="store_true", help="print JSON")
     training.set_defaults(run=_training)
 
+    ship = kinds.add_parser("ship", help="evaluate finished runs, keep the median seed's checkpoint and its manifest")
+    ship.add_argument("algorithm", metavar="ALGORITHM", help="as in train")
+    ship.add_argument("environment", metavar="ENVIRONMENT", help="as in train")
+    ship.add_argument("--seeds", default="5", metavar="N", help="how many, from seed 0 (default: 5)")
+    ship.add_argument("--runs", default="runs", metavar="FOLDER", help="where the runs are (default: runs)")
+    ship.add_argument("--out", default="checkpoints", metavar="FOLDER", help="where it goes (default: checkpoints)")
+    ship.set_defaults(run=_ship)
+
+    horizon = kinds.add_parser("horizon", help="acting for other horizons, against greedy and the matched discount")
+    horizon.add_argument("checkpoints", nargs="+", metavar="CHECKPOINT", help="agents of one environment")
+    horizon.add_argument("--horizons", default="50,100,200,full", metavar="T,T,...", help="default: 50,100,200,full")
+    horizon.add_argument("--rule", default="fading", metavar="NAME", help="the rule to be judged (default: fading)")
+    horizon.add_argument("--stretch", metavar="C", help="of the rule fading")
+    horizon.add_argument("--alpha", metavar="A", help="of the rules readout and decoded")
+    horizon.add_argument("--softness", metavar="W", help="of the rules readout and decoded")
+    horizon.add_argument("--episodes", default="100", metavar="N", help="episodes of each agent (default: 100)")
+    horizon.add_argument("--seed", default="0", metavar="N", help="which start seeds (default: 0)")
+    horizon.add_argument("--json", action="store_true", help="print JSON")
+    horizon.set_defaults(run=_horizon)
+
 
 def _detectors(options: argparse.Namespace) -> None:
     from laplace_core.experiments import detector  # only this verb needs it
@@ -46,3 +66,33 @@ def _training(options: argparse.Namespace) -> None:
 
     numbers, text = training.report(options.algorithm, options.environment, seeds, aim, Path(options.runs))
     print(json.dumps(numbers, indent=1) if options.json else text)
+
+
+def _horizon(options: argparse.Namespace) -> None:
+    episodes, seed = (
+        checked_number("episodes", options.episodes, int, 2, 10_000),
+        checked_number("seed", options.seed, int, 0, 10**6),
+    )
+    horizons = [
+        None if word == "full" else checked_number("horizons", word, int, 1, 10_000)
+        for word in options.horizons.split(",")
+    ]
+    given = {
+        name: checked_number(name, getattr(options, name), float, low, high)
+        for name, low, high in (("stretch", 0.01, 100.0), ("alpha", 1e-9, 1e6), ("softness", 0.0, 10.0))
+        if getattr(options, name) is not None
+    }
+    from laplace_core.experiments import horizon  # loads torch
+
+    paths = [Path(path) for path in options.checkpoints]
+    numbers, text = horizon.report(paths, options.rule, horizons, episodes, seed, given)
+    print(json.dumps(numbers, indent=1) if options.json else text)
+
+
+def _ship(options: argparse.Namespace) -> None:
+    seeds = checked_number("seeds", options.seeds, int, 1, 100)
+    settings_of(options.algorithm, options.environment, {})
+    from laplace_core.experiments import shipping  # loads torch
+
+    entry = shipping.ship(options.algorithm, options.environment, seeds, Path(options.runs), Path(options.out))
+    print(json.dumps(entry, indent=1))

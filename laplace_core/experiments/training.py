@@ -44,9 +44,13 @@ def report(algorithm: str, environment: str, seeds: int, aim: float, folder: Pat
     return numbers, "\n".join(lines)
 
 
+def run_name(algorithm: str, environment: str, seed: int) -> str:
+    return f"{algorithm}_{environment.replace(':', '-')}_{seed}"
+
+
 def _seed(algorithm: str, environment: str, seed: int, aim: float, folder: Path) -> dict[str, object]:
     settings = settings_of(algorithm, environment, {"seed": seed})
-    run = folder / f"{algorithm}_{environment.replace(':', '-')}_{seed}"
+    run = folder / run_name(algorithm, environment, seed)
     finished = (run / "last.safetensors").exists()
     there = (run / "config.json").exists()
     if there and read_config(run / "config.json") != settings:

@@ -4,7 +4,10 @@ from __future__ import annotations
 
 import argparse
 import json
+import os
+import signal
 import sys
+import threading
 import time
 from pathlib import Path
 
@@ -13,9 +16,12 @@ import numpy as np
 from laplace_core.agents.settings import ENVIRONMENTS, GYMNASIUM_ENVIRONMENTS, SETTINGS, LoopSettings
 from laplace_core.errors import InputError
 from laplace_core.learned.returns import return_bounds
+from laplace_core.parameters import as_text
 from laplace_core.pipeline import policies_of
-from laplace_core.settings import Settings, resolve
+from laplace_core.settings import Settings, flag, resolve
 from laplace_core.training.events import Checkpoint, Episode, Evaluation, Resumed, Step
+from laplace_core.training.progress import ProgressFile
+from laplace_core.training.run_folder import read_config
 from laplace_core.words import add_parameters, checked_number
 from laplace_core.worlds import load_world
 
@@ -52,16 +58,67 @@ def run_train(options: argparse.Namespace) -> None:
     if options.resume:
         if options.algorithm or given:
             raise InputError("--resume goes on with the settings of the run: leave out everything else.")
-        events, folder, total = train(None, options.resume, resume=True), Path(options.resume), None
+        folder = Path(options.resume)
+        settings = read_config(folder / "config.json")
     else:
         settings = settings_of(options.algorithm, options.environment_name, given)
-        named = f"{settings.ALGORITHM}_{settings.environment.replace(':', '-')}_{settings.seed}"
-        folder, total = Path(options.folder or Path("runs") / named), settings.steps
-        events = train(settings, folder)
-    progress = _Json() if options.json else _Line(folder, total)
-    for event in events:
-        progress.show(event)
+        folder = Path(options.folder or Path("runs") / name_of(settings))
+    progress = _Json() if options.json else _Line(folder, settings.steps)
+    file, step = ProgressFile(folder, settings.steps), 0
+    with Stop() as stop:
+        for event in train(None if options.resume else settings, folder, bool(options.resume), lambda: stop.asked):
+            progress.show(event)
+            step = event.step
+            file.at(step)
+    if step:
+        file.at(step, last=True)
     progress.end()
+    if stop.asked and step < settings.steps:
+        print(f"stopped; laplace train --resume {folder} goes on from there", file=sys.stderr, flush=True)
+        sys.stdout.flush()
+        os._exit(128 + stop.asked)  # everything is written; to take torch apart would need seconds
+
+
+class Stop:
+    """Asks a run to end at its next step on SIGTERM or Ctrl-C; the second one ends it at once.
+
+    Attributes:
+        asked: the number of the signal; 0 before there was one.
+    """
+
+    def __init__(self):
+        self.asked = 0
+        self._before: dict[int, object] = {}
+
+    def __enter__(self) -> Stop:
+        if threading.current_thread() is threading.main_thread():  # no other may listen
+            self._before = {number: signal.signal(number, self._ask) for number in (signal.SIGTERM, signal.SIGINT)}
+        return self
+
+    def __exit__(self, *_) -> None:
+        for number, handler in self._before.items():
+            signal.signal(number, handler)
+        self._before = {}
+
+    def _ask(self, number: int, _) -> None:
+        self.asked = number
+        self.__exit__()
+
+
+def name_of(settings: LoopSettings) -> str:
+    """What the folder of a run is called by default."""
+    return f"{settings.ALGORITHM}_{settings.environment.replace(':', '-')}_{settings.seed}"
+
+
+def command_of(settings: LoopSettings, folder: str) -> list[str]:
+    """The words after ``laplace`` that train with these settings: only what its files do not say already."""
+    usual = settings_of(settings.ALGORITHM, settings.environment, {}).as_dict()
+    words = ["train", settings.ALGORITHM, settings.environment]
+    for parameter in settings.SCHEMA:
+        value = getattr(settings, parameter.name)
+        if value != usual[parameter.name]:
+            words += [flag(parameter), as_text(value)]
+    return [*words, "--run", folder]
 
 
 def settings_of(algorithm: str | None, environment: str | None, given: dict[str, object]):
@@ -112,8 +169,8 @@ class _Json:
 class _Line:
     """One line that is written over: steps, speed, score, time left; evaluations stay."""
 
-    def __init__(self, folder: Path, total: int | None):
-        self.folder, self.total = folder, total or _steps_of(folder)
+    def __init__(self, folder: Path, total: int):
+        self.folder, self.total = folder, total
         self.started = self.shown = time.monotonic()
         self.first: int | None = None
         self.step, self.score, self.returns = 0, None, []
@@ -154,12 +211,6 @@ class _Line:
         self._say(f"{self.step:,} steps in {time.monotonic() - self.started:.0f} s; the run is in {self.folder}")
 
 
-def _steps_of(folder: Path) -> int:
-    from laplace_core.training.run_folder import read_config
-
-    return read_config(folder / "config.json").steps
-
-
 def add_evaluate(verbs) -> None:
     """The parser of the verb ``evaluate``."""
     evaluate = verbs.add_parser(
@@ -176,9 +227,10 @@ def add_evaluate(verbs) -> None:
     evaluate.add_argument(
         "--rule",
         metavar="NAME",
-        help="greedy, matched (the discount nearest to the time to go), readout, decoded (the same, slowly) or own "
-        "(of fixed_horizon); default: with a horizon readout or own where the agent can, else greedy",
+        help="greedy, matched (the discount nearest to the time to go), fading, readout, decoded (the same, slowly) or "
+        "own (of fixed_horizon); default: with a horizon fading or own where the agent can, else greedy",
     )
+    evaluate.add_argument("--stretch", default="1.5", metavar="C", help="of fading: its time constant / the time to go")
     evaluate.add_argument("--json", action="store_true", help="print JSON, with every return")
     evaluate.set_defaults(run=run_evaluate)
 
@@ -189,6 +241,7 @@ def run_evaluate(options: argparse.Namespace) -> None:
     seed = checked_number("seed", options.seed, int, 0, 10**6)
     softness = checked_number("softness", options.softness, float, 0.0, 10.0)
     alpha = checked_number("alpha", options.alpha, float, 1e-9, 1e6)
+    stretch = checked_number("stretch", options.stretch, float, 1e-2, 100.0)
     horizon = None if options.horizon is None else checked_number("horizon", options.horizon, int, 1, 10_000)
     from laplace_core.training.checkpoint import load_checkpoint  # all three load torch
     from laplace_core.training.evaluation import evaluate
@@ -197,7 +250,15 @@ def run_evaluate(options: argparse.Namespace) -> None:
     loaded = load_checkpoint(options.checkpoint)
     rule = options.rule or suited(loaded.agent, horizon)
     scores = evaluate(
-        loaded.agent, loaded.environment, episodes, seed, horizon=horizon, softness=softness, rule=rule, alpha=alpha
+        loaded.agent,
+        loaded.environment,
+        episodes,
+        seed,
+        horizon=horizon,
+        softness=softness,
+        rule=rule,
+        alpha=alpha,
+        stretch=stretch,
     )
     told = {
         "checkpoint": options.checkpoint, "algorithm": loaded.algorithm, "environment": loaded.environment,

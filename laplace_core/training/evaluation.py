@@ -18,11 +18,20 @@ _AT_ONCE = 100  # episodes side by side
 
 @dataclass(frozen=True, eq=False)
 class Scores:
-    """Returns and lengths of the episodes, ``(N,)`` each, and whether each was still running at its end."""
+    """What came of N episodes.
+
+    Attributes:
+        returns, lengths: ``(N,)``.
+        running: ``(N,)``, whether each was still running at its end.
+        starts: ``(N, O)``, the first observations.
+        discounted: ``(N, G)``, returns at the discounts that were asked for.
+    """
 
     returns: np.ndarray
     lengths: np.ndarray
     running: np.ndarray
+    starts: np.ndarray
+    discounted: np.ndarray
 
     @property
     def mean(self) -> float:
@@ -30,18 +39,31 @@ class Scores:
 
     @property
     def standard_error(self) -> float:
-        return float(self.returns.std(ddof=1) / np.sqrt(self.returns.size)) if self.returns.size > 1 else 0.0
+        return float(_standard_error(self.returns))
+
+    @property
+    def discounted_errors(self) -> np.ndarray:
+        """Standard error of the mean at every discount, ``(G,)``."""
+        return _standard_error(self.discounted)
+
+
+def _standard_error(values: np.ndarray) -> np.ndarray:
+    """Of the mean over the first axis; 0 for one value, of which nothing is known."""
+    count = len(values)
+    return values.std(axis=0, ddof=1) / np.sqrt(count) if count > 1 else np.zeros(values.shape[1:])
 
 
 def evaluate(
     agent: Agent, environment: str, episodes: int = 100, seed: int = 0, horizon: int | None = None,
-    softness: float = 0.2, rule: str = "greedy", alpha: float = 1.0, steps: int = 1000, first_seed: int = FIRST_SEED,
+    softness: float = 0.2, rule: str = "greedy", alpha: float = 1.0, steps: int = 1000, stretch: float = 1.5,
+    first_seed: int = FIRST_SEED, discounts: np.ndarray | None = None,
 ) -> Scores:  # fmt: skip
     """Act without exploration and add up rewards.
 
     Args:
         horizon: T; the episode is stopped after so many steps. None leaves it to the environment's own limit.
         rule: a name in :data:`laplace_core.training.rules.RULES`; the others are its options.
+        discounts: ``(G,)``, for the discounted returns.
 
     Raises:
         InputError: arguments that do not fit, or a rule that the agent has not learned enough for.
@@ -56,17 +78,25 @@ def evaluate(
     length = horizon or spec.time_limit
     if horizon is not None and not 1 <= horizon <= 10_000:
         raise InputError(f"the horizon is {horizon}; it must be from 1 to 10,000 steps.")
-    choose = RULES[rule](agent, length, Options(softness, alpha, steps))
+    choose = RULES[rule](agent, length, Options(softness, alpha, steps, stretch))
     starts = [first_seed + seed * 100_000 + i for i in range(episodes)]
-    parts = [_episodes(choose, environment, starts[i : i + _AT_ONCE], length) for i in range(0, episodes, _AT_ONCE)]
+    gammas = np.zeros(0) if discounts is None else np.asarray(discounts, dtype=float)
+    parts = [
+        _episodes(choose, environment, starts[i : i + _AT_ONCE], length, gammas) for i in range(0, episodes, _AT_ONCE)
+    ]
     return Scores(*(np.concatenate(column) for column in zip(*parts, strict=True)))
 
 
-def _episodes(choose, environment: str, starts: list[int], length: int | None):
-    """Returns, lengths and whether still running, of one episode from each start seed, all in step."""
+def _episodes(choose, environment: str, starts: list[int], length: int | None, gammas: np.ndarray):
+    """The columns of :class:`Scores`, of one episode from each start seed, all in step."""
     envs = [environments.make(environment) for _ in starts]
     observations = np.array([env.reset(seed=start)[0].ravel() for env, start in zip(envs, starts, strict=True)])
-    returns, lengths = np.zeros(len(envs)), np.zeros(len(envs), dtype=int)
+    first = observations.copy()
+    returns, lengths, discounted = (
+        np.zeros(len(envs)),
+        np.zeros(len(envs), dtype=int),
+        np.zeros((len(envs), gammas.size)),
+    )
     terminated, going = np.zeros(len(envs), bool), np.arange(len(envs))
     time = 0
     while going.size and (length is None or time < length):
@@ -75,10 +105,11 @@ def _episodes(choose, environment: str, starts: list[int], length: int | None):
             observation, reward, terminated[i], truncated, _ = envs[i].step(int(action))
             observations[i] = observation.ravel()
             returns[i] += reward
+            discounted[i] += gammas**time * reward
             lengths[i] += 1
             if not (terminated[i] or truncated):
                 still.append(i)
         going, time = np.array(still, dtype=int), time + 1
     for env in envs:
         env.close()
-    return returns, lengths, ~terminated
+    return returns, lengths, ~terminated, first, discounted

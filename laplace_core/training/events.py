@@ -36,7 +36,13 @@ class Episode:
 
 @dataclass(frozen=True)
 class Evaluation:
-    """The averaged network has acted greedily from start seeds that are never trained on."""
+    """The averaged network has acted greedily from start seeds that are never trained on.
+
+    Attributes:
+        values: of the actions taken at the starts, a mean at every discount, ``(G,)``; None for an agent without many.
+        discounted: the discounted returns that really came, likewise; rewards beyond the time limit are not in them.
+        discounted_errors: standard errors of these means.
+    """
 
     step: int
     score: float
@@ -44,6 +50,9 @@ class Evaluation:
     episodes: int
     best: bool
     seconds: float
+    values: tuple[float, ...] | None = None
+    discounted: tuple[float, ...] | None = None
+    discounted_errors: tuple[float, ...] | None = None
 
 
 @dataclass(frozen=True)

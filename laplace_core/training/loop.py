@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from functools import partial
 from pathlib import Path
 from time import perf_counter
@@ -11,9 +11,10 @@ import numpy as np
 import torch
 
 from laplace_core.agents.settings import LoopSettings
+from laplace_core.training import memory
 from laplace_core.training.checkpoint import new_agent, save_checkpoint
 from laplace_core.training.environments import Environments, make
-from laplace_core.training.evaluation import evaluate
+from laplace_core.training.evaluation import Scores, evaluate
 from laplace_core.training.events import Checkpoint, Episode, Evaluation, Event, Resumed, Step
 from laplace_core.training.replay import Replay
 from laplace_core.training.resume_point import arrays_of, restore_agent
@@ -24,7 +25,9 @@ _LARGEST_START = 10**9  # start seeds of training are below
 _ROUND = 8  # updates that are drawn for, and whose targets may be computed, at once
 
 
-def train(settings: LoopSettings | None, run_folder: str | Path, resume: bool = False) -> Iterator[Event]:
+def train(
+    settings: LoopSettings | None, run_folder: str | Path, resume: bool = False, stop: Callable[[], bool] | None = None
+) -> Iterator[Event]:
     """Train an agent; files in ``run_folder`` follow the events.
 
     The same settings give the same events, ``seconds`` aside. A run that was killed, at any moment, goes on with
@@ -33,6 +36,8 @@ def train(settings: LoopSettings | None, run_folder: str | Path, resume: bool = 
 
     Args:
         settings: may be None to resume.
+        stop: asked between two steps; where it says so, the run ends with a resume point of that very step, which
+            leaves no trace in its metrics.
 
     Raises:
         InputError: settings or a folder that do not fit.
@@ -41,7 +46,7 @@ def train(settings: LoopSettings | None, run_folder: str | Path, resume: bool = 
     torch.set_num_threads(folder.settings.threads)
     run = _Run(folder)
     try:
-        yield from run.events(resume)
+        yield from run.events(resume, stop or (lambda: False))
     finally:
         run.close()
 
@@ -71,15 +76,20 @@ class _Run:
         self.envs.close()
         self.folder.close()
 
-    def events(self, resume: bool) -> Iterator[Event]:
+    def events(self, resume: bool, stop: Callable[[], bool]) -> Iterator[Event]:
         s, saved = self.settings, self.folder.load() if resume else None
         self.folder.open_metrics(saved[1]["metrics_bytes"] if saved else 0)
         if saved:
             yield from self._restore(*saved)
         while self.step < s.steps:
+            if stop():
+                self._write_resume_point()
+                return
             before = self.step
             yield from self._episodes(self._act())
             self._learn(before)
+            if self._crossed(before, memory.EVERY):
+                memory.give_back()
             yield Step(self.step)
             done = self.step >= s.steps
             if done or self._crossed(before, s.evaluate_every):
@@ -166,7 +176,10 @@ class _Run:
 
     def _evaluate(self, last: bool) -> Iterator[Event]:
         s = self.settings
-        scores = evaluate(self.agent, s.environment, s.evaluate_episodes, seed=s.seed, first_seed=_VALIDATION_SEED)
+        gammas = getattr(self.agent, "gammas", None)
+        scores = evaluate(
+            self.agent, s.environment, s.evaluate_episodes, s.seed, first_seed=_VALIDATION_SEED, discounts=gammas
+        )
         # An equal score later in training replaces an earlier one: more has been learned since.
         best = self.best is None or scores.mean >= self.best
         if best:
@@ -174,15 +187,30 @@ class _Run:
             save_checkpoint(self.folder.best, self.agent, self.step, scores.mean, s.evaluate_episodes)
         if last:
             save_checkpoint(self.folder.last, self.agent, self.step, scores.mean, s.evaluate_episodes)
+        expected = () if gammas is None else self._expected(scores)
         yield self._told(
-            Evaluation(self.step, scores.mean, scores.standard_error, s.evaluate_episodes, best, self._seconds())
-        )
+            Evaluation(
+                self.step, scores.mean, scores.standard_error, s.evaluate_episodes, best, self._seconds(),
+                *expected,
+            )
+        )  # fmt: skip
         if best:
             yield self._told(Checkpoint(self.step, self.folder.best.name, self._seconds()))
+
+    def _expected(self, scores: Scores) -> Iterator[tuple[float, ...]]:
+        """Values of the actions taken at the starts, what came of them and its standard error, ``(G,)`` each."""
+        values, actions = self.agent.action_values(scores.starts), self.agent.greedy(scores.starts)
+        taken = values[np.arange(len(actions)), :, actions]
+        for means in (taken.mean(axis=0), scores.discounted.mean(axis=0), scores.discounted_errors):
+            yield tuple(means.tolist())
 
     def _save(self) -> Iterator[Event]:
         # The event is written first: the metrics of a resume point are complete.
         event = self._told(Checkpoint(self.step, self.folder.resume_point.name, self._seconds()))
+        self._write_resume_point()
+        yield event
+
+    def _write_resume_point(self) -> None:
         about = {
             "step": self.step,
             "episodes": self.episodes,
@@ -194,7 +222,6 @@ class _Run:
             "envs": self.envs.state() if self.envs.saves else None,
         }
         self.folder.save(arrays_of(self.agent, self.replay), about)
-        yield event
 
     def _restore(self, arrays: dict[str, np.ndarray], about: dict[str, object]) -> Iterator[Event]:
         restore_agent(self.agent, self.replay, arrays, self.folder.resume_point.name)

@@ -19,6 +19,9 @@ from laplace_core.pipeline import GammaSpace, decode_and_read
 from laplace_core.settings import Settings
 from laplace_core.ties import greedy_action
 
+FADING_ALPHA = 1e-2
+"""Interpolation between neighbouring discounts is well conditioned: this only keeps rounding out."""
+
 Choose = Callable[[np.ndarray, int], np.ndarray]
 
 
@@ -29,11 +32,13 @@ class Options:
     Attributes:
         softness: width of the deadline as a fraction of the time to go.
         alpha, steps: regularisation and length of the inverse; it is never shorter than the episode.
+        stretch: time constant of a fading deadline over the time to go.
     """
 
     softness: float = 0.2
     alpha: float = 1.0
     steps: int = 1000
+    stretch: float = 1.5
 
 
 def greedy(agent: Agent, length: int | None, options: Options) -> Choose:
@@ -57,7 +62,27 @@ def readout(agent: Agent, length: int | None, options: Options) -> Choose:
     gammas, length = _discounts(agent, length, "readout")
     acting, steps = float(gammas[agent.acting_head]), max(options.steps, length)
     wanted = [target_discounts(left, steps, acting, options.softness) for left in range(1, length + 1)]
-    weights = readout_weights(gammas, np.array(wanted), options.alpha)
+    return _by_weights(agent, readout_weights(gammas, np.array(wanted), options.alpha), length)
+
+
+def fading(agent: Agent, length: int | None, options: Options) -> Choose:
+    """A deadline that fades: a reward at tau counts exp(-tau / (stretch * time to go)), no more than gamma^tau allows.
+
+    The edge of a deadline is what a gamma-space knows least about, and its weights multiply the noise of the values
+    by their norm, |w|. An exponential lies between the discounts that were learned, so |w| stays at 1 or below. Where
+    stretch * time to go exceeds the time constant of the acting discount, this is ``greedy``.
+    """
+    gammas, length = _discounts(agent, length, "fading")
+    acting, left = agent.acting_head, np.arange(1, length + 1)
+    constants = np.minimum(options.stretch * left, -1.0 / np.log(gammas[acting]))
+    wanted = np.exp(-np.arange(max(options.steps, length)) / constants[:, None])
+    weights = readout_weights(gammas, wanted, FADING_ALPHA)
+    weights[options.stretch * left >= -1.0 / np.log(gammas[acting])] = np.eye(len(gammas))[acting]
+    return _by_weights(agent, weights, length)
+
+
+def _by_weights(agent: Agent, weights: np.ndarray, length: int) -> Choose:
+    """Greedy on sum_g w_g Q_g, where row T - 1 of the weights ``(length, G)`` is for T steps to go."""
     return lambda observations, time: greedy_action(
         np.einsum("bga,g->ba", agent.action_values(observations), weights[length - time - 1])
     )
@@ -93,7 +118,7 @@ def own(agent: Agent, length: int | None, options: Options) -> Choose:
 
 
 RULES: dict[str, Callable[[Agent, int | None, Options], Choose]] = {
-    "greedy": greedy, "matched": matched, "readout": readout, "decoded": decoded, "own": own,
+    "greedy": greedy, "matched": matched, "fading": fading, "readout": readout, "decoded": decoded, "own": own,
 }  # fmt: skip
 
 
@@ -103,7 +128,7 @@ def suited(agent: Agent, horizon: int | None) -> str:
         return "greedy"
     if hasattr(agent, "horizon"):
         return "own"
-    return "readout" if hasattr(agent, "gammas") else "greedy"
+    return "fading" if hasattr(agent, "gammas") else "greedy"
 
 
 def _discounts(agent: Agent, length: int | None, rule: str) -> tuple[np.ndarray, int]:

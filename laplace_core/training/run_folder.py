@@ -1,4 +1,5 @@
-"""The folder of a run: ``config.json``, ``metrics.jsonl``, ``resume.safetensors``, ``best`` and ``last.safetensors``.
+"""The folder of a run: ``config.json``, ``metrics.jsonl``, ``resume.safetensors``, ``best`` and ``last.safetensors``;
+while it is trained, ``process.json`` says by which process.
 
 The metrics are appended to as events happen; a resume point remembers how long they were, and they are cut back to
 that when a run goes on from it.
@@ -8,6 +9,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 from dataclasses import asdict
 from pathlib import Path
 
@@ -16,9 +18,13 @@ import numpy as np
 from laplace_core.agents.settings import SETTINGS, LoopSettings
 from laplace_core.errors import InputError
 from laplace_core.training.events import Event
+from laplace_core.training.process import FILE as PROCESS
+from laplace_core.training.process import Process, read_process, write_process
 from laplace_core.training.tensor_file import parse_json, read_tensors, write_tensors, write_whole
 
 MAX_RESUME_BYTES = 4_000_000_000
+RUN_NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]{0,120}")
+"""What a run may be called where it is asked for by name."""
 
 
 class RunFolder:
@@ -28,7 +34,8 @@ class RunFolder:
         settings: of a new run; None to go on with the one that is there.
 
     Raises:
-        InputError: a new run where there is one already, none where one should be, or files that are not a run's.
+        InputError: a new run where there is one already, none where one should be, files that are not a run's, or a
+            run that another process trains at this moment.
     """
 
     def __init__(self, path: str | Path, settings: LoopSettings | None, resume: bool):
@@ -48,14 +55,12 @@ class RunFolder:
             if config.exists():
                 raise InputError(f"{self.path.name} holds a run already: resume it, or choose another folder.")
             self.settings = settings
-            try:
-                self.path.mkdir(parents=True, exist_ok=True)
-            except OSError as error:
-                reason = (error.strerror or "unknown error").lower()
-                raise InputError(f"the folder {self.path.name} cannot be made: {reason}.") from None
-            about = {"algorithm": settings.ALGORITHM, "settings": settings.as_dict()}
-            write_whole(config, (json.dumps(about, indent=1) + "\n").encode())
+            new_run(self.path, settings)
         self._file = None
+        other, self._process = read_process(self.path), Process.of(os.getpid())
+        if other is not None and other != self._process and other.alive:
+            raise InputError(f"{self.path.name} is being trained by the process {other.pid}: end that one first.")
+        write_process(self.path, self._process)
 
     def load(self) -> tuple[dict[str, np.ndarray], dict[str, object]] | None:
         """The resume point; None if the run was stopped before there was one."""
@@ -85,6 +90,23 @@ class RunFolder:
     def close(self) -> None:
         if self._file is not None:
             self._file.close()
+        if read_process(self.path) == self._process:
+            (self.path / PROCESS).unlink(missing_ok=True)
+
+
+def new_run(path: Path, settings: LoopSettings) -> None:
+    """A folder that holds no more than settings: to resume it is to begin it.
+
+    Raises:
+        InputError: the folder cannot be made.
+    """
+    try:
+        path.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        reason = (error.strerror or "unknown error").lower()
+        raise InputError(f"the folder {path.name} cannot be made: {reason}.") from None
+    about = {"algorithm": settings.ALGORITHM, "settings": settings.as_dict()}
+    write_whole(path / "config.json", (json.dumps(about, indent=1) + "\n").encode())
 
 
 def read_config(path: Path) -> LoopSettings:

@@ -14,7 +14,7 @@ from app.sources import FIRST_TIMELINE
 from laplace_core import Settings, load_world, study, study_of_gamma_space
 from laplace_core.saved import read_gamma_space
 from laplace_core.worlds import dump_world, parse_world
-from tests.browser.test_workbench import open_at
+from tests.browser.test_workbench import open_at, tau_space
 from tests.malformed_saved import with_arrays
 from tests.malformed_worlds import TEXT
 
@@ -31,15 +31,6 @@ TOO_WIDE = """() => {
       && !e.closest('svg') && !e.matches('[type="range"]'))
     .map((e) => `${e.tagName} ${e.className} ${e.dataset.testid ?? ''}`.slice(0, 120));
 }"""
-
-
-def tau_space(page) -> np.ndarray:
-    return np.array(
-        page.evaluate(
-            """() => Array.from([...document.querySelectorAll('.js-plotly-plot')]
-            .find((p) => p.dataset.name === 'tau-space')._fullData[0].z, (row) => Array.from(row))"""
-        )
-    )
 
 
 def comes_to_show(page, expected: np.ndarray) -> None:
@@ -119,6 +110,7 @@ def test_a_timeline_is_drawn_by_hand(page, address):
             break
         page.wait_for_timeout(100)
     assert rows[0] == ["now", 0, 7, 1]
+    page.wait_for_timeout(2_000)  # the link is written first, the file at the end of the same run
     with page.expect_download() as waiting:
         page.get_by_role("button", name="Download world").click()
     world = parse_world(waiting.value.path().read_text())
@@ -134,9 +126,9 @@ def test_files_are_dropped_in_and_bad_ones_refused(page, address):
     box = page.locator('[data-testid="stFileUploaderDropzoneInput"]')
     box.set_input_files({"name": "bad.npz", "mimeType": "application/zip", "buffer": b"PK nothing"})
     expect(page.get_by_text("is not an .npz file of plain number arrays")).to_be_visible()
-    expect(page.locator(".verdict")).to_contain_text("choose long")
+    expect(page.locator(".laplace-lens .verdict")).to_contain_text("choose long")
     box.set_input_files({"name": "mine.npz", "mimeType": "application/zip", "buffer": with_arrays()})
-    expect(page.locator(".verdict")).to_contain_text("No truth to compare with")
+    expect(page.locator(".laplace-lens .verdict")).to_contain_text("No truth to compare with")
     found = study_of_gamma_space(read_gamma_space(with_arrays()), Settings(world="mine.npz"))
     comes_to_show(page, found.decoded.tau_space[0])
     box.set_input_files({"name": "mine.json", "mimeType": "application/json", "buffer": TEXT.encode()})

@@ -31,10 +31,9 @@ def drawn(page, name: str) -> np.ndarray:
 
 def test_pin_change_and_see_three_maps(page, address):
     open_at(page, address, "world=two_branch")
-    page.get_by_role("button", name="Pin as A").click()
+    page.get_by_role("button", name="pin as A").click()
     expect(page.get_by_text("A and B show the same tau-space")).to_be_visible()
-    page.get_by_role("combobox", name="Row normalisation").click()
-    page.get_by_role("option", name="paper").click()
+    page.get_by_label("rows of tau-space").select_option("paper")
     expect(page.get_by_text(re.compile("largest change of the tau-space"))).to_be_visible()
     page.wait_for_timeout(500)
     a, b = (study(load_world("two_branch"), Settings(normalise=how)) for how in ("none", "paper"))
@@ -61,7 +60,7 @@ def test_every_file_that_is_saved_holds_the_library_s_numbers(page, address, tmp
         assert waiting.value.path().read_text() == csv(found)
         assert waiting.value.suggested_filename == f"two_decisions_{title.replace(' ', '_')}.csv"
     with page.expect_download() as waiting:
-        page.get_by_role("button", name="NPZ").click()
+        page.get_by_role("button", name="NPZ: every").click()
     waiting.value.save_as(tmp_path / "view.npz")
     saved = np.load(tmp_path / "view.npz")
     for name, array in study_arrays(found).items():

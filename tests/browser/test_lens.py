@@ -60,13 +60,13 @@ def test_javascript_agrees_with_the_library(chromium):
 def test_the_first_view_and_each_remedy_by_one_switch(page, demo):
     verdict = open_at(page, demo)
     expect(verdict).to_have_class(re.compile("bad"))
-    expect(verdict).to_contain_text("short 14.85, long 9.74")
+    expect(verdict).to_contain_text("choose short (14.85 v 9.74)")
     switch = page.get_by_role("switch", name="row rescaling")
     expect(switch).to_have_attribute("aria-checked", "true")
     expect(switch).to_contain_text("regret 0 → 4.8")
     switch.click()
     expect(verdict).to_have_class(re.compile("ok"))
-    expect(verdict).to_contain_text("long 9.70")
+    expect(verdict).to_contain_text("choose long (9.70 v")
     page.get_by_role("button", name="As the paper").click()
     expect(page.locator("[role=switch][aria-checked=true]")).to_have_count(5)
     page.get_by_role("button", name="All repaired").click()
@@ -141,7 +141,7 @@ def test_one_place_is_marked_in_every_picture(page, demo):
     assert picture(page, "tau-space") != before["gamma-space"]
     page.get_by_role("button", name="reset").hover()
     page.wait_for_timeout(200)
-    assert {panel: picture(page, panel) for panel in before} == before
+    assert {panel: picture(page, panel) for panel in before} == before  # and the marks are gone again
 
 
 def test_by_keyboard_alone(page, demo):
@@ -169,13 +169,14 @@ def test_by_keyboard_alone(page, demo):
 
 def test_every_canvas_says_in_numbers_what_it_shows(page, demo):
     open_at(page, demo)
-    assert page.locator("canvas[role=img]").count() == 6
+    assert page.locator("canvas[role=img]").count() == 7
     assert "short 14.85, long 9.738" in words(page, "values")
     assert "decoded 5, 5, 5, true 5, 0, 0" in words(page, "rewards")
     assert "3 usable" in words(page, "spectrum")
     assert "15 discounts" in words(page, "gamma-space")
     assert "probability 1 with mean reward 5" in words(page, "tau-space")
     assert "noise gain" in words(page, "kernel")
+    assert "as tau-space gives it back: they differ by at most" in words(page, "fit")
 
 
 def test_examples_here_and_elsewhere(page, demo):
@@ -259,11 +260,11 @@ def test_a_file_of_its_own_works_offline(page, demo, chromium, tmp_path):
     alone.on("request", lambda request: problems.append(request.url) if request.url.startswith("http") else None)
     alone.goto(path.as_uri())
     verdict = alone.locator(".verdict")
-    expect(verdict).to_contain_text("short 14.85, long 9.74")
+    expect(verdict).to_contain_text("choose short (14.85 v 9.74)")
     alone.get_by_role("switch", name="row rescaling").click()
     expect(verdict).to_have_class(re.compile("ok"))
     alone.locator("input[name=alpha]").press("Home")
-    expect(verdict).to_contain_text("long 9.80")
+    expect(verdict).to_contain_text("choose long (9.80 v")
     context.close()
     assert problems == []
 
@@ -276,8 +277,8 @@ def test_nothing_is_wider_than_the_screen(chromium, demo, scheme, width, height)
     open_at(page, demo, "world=discounting_chain&thetas=60")
     wide = "() => Math.max(...[...document.querySelectorAll('*')].map((x) => x.getBoundingClientRect().right))"
     assert page.evaluate(wide) <= width + 1
-    boxes = [page.locator("canvas").nth(i).bounding_box() for i in range(6)]
-    assert len({round(box["x"]) for box in boxes}) == (3 if width > 900 else 1)
+    boxes = [page.locator("canvas").nth(i).bounding_box() for i in range(7)]
+    assert len({round(box["y"]) for box in boxes}) == (2 if width > 900 else 7)
     assert all(box["x"] + box["width"] <= width + 1 for box in boxes)
     colour = page.locator(".laplace-lens").evaluate("(host) => getComputedStyle(host).color")
     assert (sum(map(int, re.findall(r"\d+", colour)[:3])) > 382) == (scheme == "dark")

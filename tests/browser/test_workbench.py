@@ -14,10 +14,14 @@ from laplace_core.cli import main
 pytestmark = pytest.mark.browser
 
 
+DRAWN = """() => document.querySelector('.laplace-lens')?.lens?.seen
+  && (!document.querySelector('.laplace-lens .world') || document.querySelector('.laplace-lens .world .main-svg'))"""
+
+
 def open_at(page, address, query=""):
     page.goto(f"{address}/?{query}" if query else address)
-    page.wait_for_function("() => document.querySelectorAll('.js-plotly-plot .main-svg').length >= 5")
-    return page.locator(".verdict")
+    page.wait_for_function(DRAWN)
+    return page.locator(".laplace-lens .verdict")
 
 
 def test_the_first_view_and_both_remedies(page, address):
@@ -34,35 +38,31 @@ def test_the_first_view_and_both_remedies(page, address):
     expect(verdict).to_contain_text("choose long")
 
 
-def test_a_slider_moves_the_picture_and_the_link(page, address):
+def test_a_slider_moves_the_picture_at_once_and_the_link_on_release(page, address):
     open_at(page, address, "world=two_branch&action=long")
     before = tau_space(page)
-    slider = page.get_by_role("slider", name="alpha")
-    slider.focus()
+    page.locator("input[name=alpha]").focus()
     for _ in range(8):
         page.keyboard.press("ArrowLeft")
-    expect(page).to_have_url(re.compile(r"alpha=0\.0[0-9]+"))
-    for _ in range(50):  # the picture follows the link by one draw
-        if tau_space(page) not in (None, before):
-            break
-        page.wait_for_timeout(100)
-    assert tau_space(page) not in (None, before)
+    page.wait_for_timeout(100)
+    assert not np.array_equal(tau_space(page), before)
+    expect(page).to_have_url(re.compile(r"alpha=0\.1[0-9]*"))
 
 
-def tau_space(page) -> str | None:
-    """The decoded values that the tau-space chart really draws, as text; None while it is drawn anew."""
-    return page.evaluate(
-        """() => { const plots = [...document.querySelectorAll('.js-plotly-plot')];
-        const tau = plots.find((p) => p.layout && p.layout.title.text.includes('tau-space'));
-        return tau && JSON.stringify(Array.from(tau._fullData[0].z, (row) => Array.from(row))); }"""
+def tau_space(page) -> np.ndarray:
+    """The decoded probabilities that the lens draws, ``(steps, sensitivities - 1)``."""
+    values, rows = page.evaluate(
+        """() => { const { seen } = document.querySelector('.laplace-lens').lens;
+        return [Array.from(seen.tau), seen.n]; }"""
     )
+    return np.array(values).reshape(rows, -1)
 
 
 def test_the_download_equals_what_the_shown_command_computes(page, address, tmp_path):
     open_at(page, address, "world=two_branch&normalise=paper&alpha=0.1")
     page.get_by_role("button", name="Download", exact=True).click()
     with page.expect_download() as waiting:
-        page.get_by_role("button", name=re.compile("^NPZ")).click()
+        page.get_by_role("button", name=re.compile("^NPZ: every")).click()
     page.keyboard.press("Escape")
     waiting.value.save_as(tmp_path / "page.npz")
     page.context.grant_permissions(["clipboard-read", "clipboard-write"])
@@ -82,7 +82,7 @@ def test_the_download_equals_what_the_shown_command_computes(page, address, tmp_
 
 def test_a_click_on_a_state_looks_from_there(page, address):
     open_at(page, address, "world=two_branch")
-    point = page.locator(".js-plotly-plot").first.locator(".scatterlayer .trace .points path.point").nth(1)
+    point = page.locator(".laplace-lens .world").locator(".scatterlayer .trace .points path.point").nth(1)
     box = point.bounding_box()
     page.mouse.move(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
     page.mouse.click(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
@@ -103,11 +103,11 @@ def test_nothing_is_wider_than_the_screen_and_the_verdict_comes_first(chromium, 
 
 def test_the_page_does_not_jump_between_verdicts(page, address):
     verdict = open_at(page, address)
-    chart = page.locator(".js-plotly-plot").first
-    before = chart.bounding_box()["y"]
+    places = [page.locator(f".laplace-lens {name}") for name in (".world", "canvas.kernel", ".sliders", ".footer")]
+    before = [place.bounding_box()["y"] for place in places]
     page.get_by_role("button", name="Keep survival").first.click()
     expect(verdict).to_have_class(re.compile("ok"))
-    assert chart.bounding_box()["y"] == pytest.approx(before, abs=1)
+    assert [place.bounding_box()["y"] for place in places] == pytest.approx(before, abs=1)
 
 
 def test_the_formulas_are_set(page, address):
@@ -136,13 +136,48 @@ def test_no_picture_is_offered_to_a_third_party(page, address):
     assert not [title for title in titles if "share" in title.lower() or "cloud" in title.lower()]
 
 
-def test_zoom_survives_a_change_of_alpha(page, address):
+def test_a_release_is_answered_without_sending_the_payload_again(page, address):
+    received: list[int] = []
+    page.on("websocket", lambda socket: socket.on("framereceived", lambda frame: received.append(len(frame))))
     open_at(page, address, "world=cliff_grid")
-    zoom = "(p) => Plotly.relayout(p, {'xaxis.range': [8, 11]})"
-    chart = page.locator(".js-plotly-plot", has_text="tau-space")
-    chart.evaluate(zoom)
-    page.get_by_role("slider", name="alpha").focus()
-    page.keyboard.press("ArrowLeft")
+    page.wait_for_timeout(1000)
+    opening = max(received)
+    page.locator("input[name=alpha]").press("ArrowLeft")
     expect(page).to_have_url(re.compile("alpha="))
     page.wait_for_timeout(1000)
-    assert chart.evaluate("(p) => p.layout.xaxis.range.map(Math.round)") == [8, 11]
+    received.clear()
+    page.locator("input[name=alpha]").press("ArrowLeft")
+    page.wait_for_timeout(1500)
+    assert received
+    assert max(received) < 0.5 * opening
+    assert "cliff_grid" in page.url
+
+
+def test_a_browser_that_has_lost_the_payload_asks_for_it(page, address):
+    open_at(page, address, "world=two_branch")
+    page.locator("input[name=alpha]").press("ArrowLeft")
+    expect(page).to_have_url(re.compile("alpha="))
+    page.wait_for_timeout(500)
+    page.evaluate("() => laplaceModels.clear()")
+    page.locator("input[name=alpha]").press("ArrowLeft")
+    expect(page).to_have_url(re.compile("alpha=0.18"))
+    page.wait_for_timeout(1500)
+    assert page.evaluate("() => laplaceModels.size") == 1
+
+
+def test_the_library_s_verdict_and_the_one_of_the_lens_begin_alike(page, address):
+    verdict = open_at(page, address, "world=two_branch&normalise=paper")
+    expect(verdict).to_contain_text("Cause: repeated reward")
+    page.get_by_role("switch", name="index shifted").click()
+    expect(verdict).to_contain_text("At T = 3 the decoded values choose")
+    expect(verdict).not_to_contain_text("repeated reward")
+    page.get_by_role("switch", name="index shifted").click()
+    expect(verdict).to_contain_text("Cause: repeated reward")
+
+
+def test_what_only_the_lens_knows_is_blamed_by_the_lens(page, address):
+    verdict = open_at(page, address, "world=two_branch&shift=yes")
+    expect(verdict).to_contain_text("Cause: index shifted by one")
+    page.get_by_role("button", name="Turn off index shifted by one").click()
+    expect(verdict).to_have_class(re.compile("ok"))
+    expect(page).not_to_have_url(re.compile("shift"))

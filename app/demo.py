@@ -1,9 +1,9 @@
-"""The lens on a page of its own: ``streamlit run app/lens/demo.py``, any link of the workbench behind it."""
+"""The lens on a page of its own: ``streamlit run app/demo.py``, any link of the workbench behind it."""
 
 import sys
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parent.parent.parent))
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
 import streamlit as st
 

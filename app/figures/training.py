@@ -1,0 +1,152 @@
+"""What training looks like: returns over steps, run beside run, and the values of every discount against what came."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from app.figures.theme import NEUTRAL, Figure, axis, build, translucent
+from laplace_core.training.curves import Curves
+
+TALL = 330
+_MANY = 200  # episodes, which would hide what lies behind them
+_BARE = {"showticklabels": False, "showgrid": False}
+_SHADES = ("#4f6bdc", "#2a9d8f", "#e0a030", "#d1495b")
+"""From the smallest discount to the largest: of middling lightness, to be read on light and on dark."""
+
+
+@dataclass(frozen=True, eq=False)
+class Line:
+    """One run as it is drawn."""
+
+    name: str
+    colour: str
+    curves: Curves
+
+
+def learning_curves(title: str, lines: Sequence[Line], steps: int) -> Figure:
+    """Returns of episodes while training, faint and smoothed, and evaluation scores with their standard errors."""
+    raw, smooth, scores = [], [], []
+    for line in lines:
+        c, common = line.curves, {"type": "scatter", "legendgroup": line.name, "name": line.name}
+        hover = f"{line.name}<br>step %{{x:,.0f}}<br>"
+        faint = 0.25 if len(c.returns) < _MANY else 0.1
+        raw.append({**common, "x": c.episode_steps, "y": c.returns, "mode": "lines", "showlegend": False,
+                    "hoverinfo": "skip", "line": {"color": translucent(line.colour, faint), "width": 1}})  # fmt: skip
+        smooth.append({**common, "x": c.episode_steps, "y": c.smooth, "mode": "lines", "showlegend": False,
+                       "line": {"color": line.colour, "width": 1.4, "dash": "dot"},
+                       "hovertemplate": f"{hover}return while training %{{y:.4g}}<extra></extra>"})  # fmt: skip
+        evaluated = hover + "evaluation %{y:.4g} +- %{error_y.array:.2g}<extra></extra>"
+        scores.append({**common, "x": c.steps, "y": c.scores, "mode": "lines+markers", "showlegend": True,
+                       "error_y": {"type": "data", "array": c.errors, "thickness": 1.2, "width": 2},
+                       "line": {"color": line.colour, "width": 2.2}, "marker": {"size": 5},
+                       "hovertemplate": evaluated})  # fmt: skip
+    return build(
+        title,
+        [*raw, *smooth, *scores],  # what matters lies on top
+        margin={"l": 56},
+        height=TALL,
+        legend={"orientation": "v", "x": 1.0, "xanchor": "right", "y": 0.0, "yanchor": "bottom", "font": {"size": 10},
+                "tracegroupgap": 0, "bgcolor": "rgba(128,128,128,0.12)"},
+        xaxis=axis("step", range=[0, 1.02 * steps]),
+        yaxis=axis("return"),
+        annotations=_note("no episode has ended yet") if not any(len(line.curves.returns) for line in lines) else [],
+    )  # fmt: skip
+
+
+def discount_errors(curves: Curves, gammas: np.ndarray, steps: int, first: int) -> Figure:
+    """How far the values at the start lie from the returns that came, a line a discount, in reward a step.
+
+    Args:
+        gammas: ``(G,)``.
+        steps: of the whole run.
+        first: step of the first evaluation, for as long as there is none.
+    """
+    told = curves.values.shape == (len(curves.steps), len(gammas)) and len(curves.steps) > 0
+    traces = []
+    for index, gamma in enumerate(gammas if told else ()):
+        error = (curves.values[:, index] - curves.discounted[:, index]) * (1.0 - gamma)
+        there = np.isfinite(error)  # an older part of the run may have told nothing
+        traces.append({
+            "type": "scatter", "x": curves.steps[there], "y": error[there], "mode": "lines+markers",
+            "showlegend": False,
+            "line": {"color": _shade(index, len(gammas)), "width": 1.5}, "marker": {"size": 3.5},
+            "hovertemplate": f"gamma {gamma:.3g}<br>step %{{x:,.0f}}<br>%{{y:+.3g}} a step<extra></extra>",
+        })  # fmt: skip
+    if traces:
+        traces.append(_colour_bar(gammas))
+    return build(
+        "values too high or too low, by discount",
+        traces,
+        margin={"l": 56, "r": 12},
+        height=TALL,
+        xaxis=axis("step", range=[0, 1.02 * steps], **({} if traces else _BARE)),
+        yaxis=axis("(value - return) (1 - gamma)", zeroline=bool(traces), **({} if traces else _BARE)),
+        annotations=[] if traces else _note(_coming(curves, first)),
+    )
+
+
+def values_by_discount(curves: Curves, gammas: np.ndarray, colour: str, first: int) -> Figure:
+    """The last evaluation: expected and real discounted return from the start, over the discounts."""
+    told = curves.values.shape[1] == len(gammas) and len(curves.steps) > 0
+    traces = []
+    if told:
+        reach = 1.0 / (1.0 - gammas)
+        hover = "gamma %{customdata:.3g}<br>%{y:.4g}<extra>"
+        common = {"type": "scatter", "x": reach, "customdata": gammas}
+        traces = [
+            {**common, "y": curves.discounted[-1], "mode": "lines", "name": "what came",
+             "error_y": {"type": "data", "array": curves.discounted_errors[-1], "thickness": 1, "width": 3},
+             "line": {"color": NEUTRAL, "width": 5},
+             "hovertemplate": "gamma %{customdata:.3g}<br>%{y:.4g} +- %{error_y.array:.2g}<extra>what came</extra>"},
+            {**common, "y": curves.values[-1], "mode": "lines+markers", "name": "what was expected",
+             "line": {"color": colour, "width": 1.5}, "marker": {"size": 6},
+             "hovertemplate": f"{hover}what was expected</extra>"},
+        ]  # fmt: skip
+    return build(
+        f"value at the start, step {curves.steps[-1]:,.0f}" if told else "value at the start",
+        traces,
+        margin={"l": 52, "t": 58},
+        height=TALL,
+        xaxis=axis("1 / (1 - gamma), steps", type="log", dtick=1, **({} if told else _BARE)),
+        yaxis=axis("discounted return", **({} if told else _BARE)),
+        annotations=[] if told else _note(_coming(curves, first)),
+    )
+
+
+def _coming(curves: Curves, first: int) -> str:
+    if len(curves.steps):
+        return "the evaluations of this run tell no values"
+    return f"after the first evaluation, at step {first:,}"
+
+
+def _note(text: str) -> list[dict[str, object]]:
+    where = {"xref": "paper", "yref": "paper", "x": 0.5, "y": 0.5}
+    return [{"text": text, "showarrow": False, "font": {"size": 12, "color": NEUTRAL}, **where}]
+
+
+def _shade(index: int, of: int) -> str:
+    place = (len(_SHADES) - 1) * index / max(1, of - 1)
+    low = min(int(place), len(_SHADES) - 2)
+    pair = [[int(shade[i : i + 2], 16) for i in (1, 3, 5)] for shade in _SHADES[low : low + 2]]
+    mixed = [round(a + (place - low) * (b - a)) for a, b in zip(*pair, strict=True)]
+    return "#" + "".join(f"{part:02x}" for part in mixed)
+
+
+def _colour_bar(gammas: np.ndarray) -> dict[str, object]:
+    """No points, only the scale that tells which colour is which discount."""
+    last = len(gammas) - 1
+    ticks = sorted({round(last * share) for share in (0.0, 1 / 3, 2 / 3, 1.0)})
+    return {
+        "type": "scatter", "x": [None], "y": [None], "mode": "markers", "showlegend": False, "hoverinfo": "skip",
+        "marker": {
+            "color": [0], "cmin": 0, "cmax": max(1, last), "showscale": True,
+            "colorscale": [[i / (len(_SHADES) - 1), shade] for i, shade in enumerate(_SHADES)],
+            "colorbar": {
+                "title": {"text": "gamma", "font": {"size": 11}}, "thickness": 8, "outlinewidth": 0, "len": 0.95,
+                "tickvals": ticks, "ticktext": [f"{gammas[i]:.3g}" for i in ticks], "tickfont": {"size": 10},
+            },
+        },
+    }  # fmt: skip

@@ -1,0 +1,66 @@
+// The sentence over the pictures: what the values choose, whether that is right, and what is to blame. The library says
+// the same on release, and knows more causes (laplace_core.verdict); this is what holds while a hand moves.
+import { short } from './drawing.js';
+import { SWITCHES, available, effect, see } from './maths.js';
+
+const VALUE_TOLERANCE = 0.1, TIE = 1e-9; // as in the library
+export const WORDS = { bad: 'Wrong', warn: 'Right, for the wrong reason', ok: 'Right', unknown: 'No truth to compare with' };
+
+// Decimals, never a negative zero.
+const fixed = (value, digits = 2) => (Math.round(value * 10 ** digits) / 10 ** digits + 0).toFixed(digits);
+
+// The chosen value against the next best, with the digits that tell them apart.
+function numbers(values, chosen, names) {
+  if (values.length < 2) return '';
+  const rival = values.reduce((best, value, a) => (a !== chosen && (best < 0 || value > values[best]) ? a : best), -1);
+  if (values[rival] >= values[chosen] - TIE * Math.max(1, Math.abs(values[chosen]))) return ` (a tie at ${fixed(values[chosen])})`;
+  const digits = [2, 3, 4].find((n) => fixed(values[chosen], n) !== fixed(values[rival], n)) ?? 2;
+  return ` (${fixed(values[chosen], digits)} v ${fixed(values[rival], digits)}${values.length > 2 ? ` for ${names[rival]}` : ''})`;
+}
+
+// { tone, sentence } of what is seen.
+export function judged(model, state, seen) {
+  const names = model.header.actions, row = seen.readRow, values = seen.values.map((line) => line[row]);
+  const T = short(model.horizons[row]), left = short(model.horizons[seen.leftRow]);
+  const where = state.used > 0 ? `With ${left} of ${short(state.horizon)} steps to go, read at T = ${T},` : `At T = ${T}`;
+  const choice = `${where} the decoded values choose ${names[seen.chosen]}${numbers(values, seen.chosen, names)}`;
+  if (!seen.truth) {
+    return { tone: 'unknown', sentence: model.A > 1 ? `${choice}.` : `${where} the decoded value is ${fixed(values[0])}.` };
+  }
+  const optimum = seen.optimumAt(seen.leftRow), true_ = seen.truth.values.map((line) => line[seen.leftRow]);
+  if (seen.regret > TIE * Math.max(1, Math.abs(Math.max(...optimum)))) {
+    return { tone: 'bad', sentence: `${choice}; the best is ${names[seen.best]}, and ${short(seen.regret)} is lost.` };
+  }
+  const scale = Math.max(...true_.map(Math.abs), 1e-2 * Math.max(...model.arrays.rewards.map(Math.abs)), 1e-9);
+  const offs = true_.map((value, a) => Math.abs(value - values[a]) / scale), worst = offs.indexOf(Math.max(...offs));
+  const tone = offs[worst] > VALUE_TOLERANCE ? 'warn' : 'ok';
+  if (model.A === 1) return { tone, sentence: `${where} the decoded value is ${fixed(values[0])}; the true one is ${fixed(true_[0])}.` };
+  const but = tone === 'ok' ? '' : ` But ${names[worst]} is worth ${fixed(true_[worst])}, not ${fixed(values[worst])}.`;
+  return { tone, sentence: `${choice}, and no action is better.${but}` };
+}
+
+// Whether a state holds what only the lens knows: the library's verdict then speaks of another picture.
+export const beyondLibrary = ({ header }, state) => state.fold || state.paper_grid || state.clip || state.shift
+  || state.used > 0 || Math.abs(state.value_gamma - header.acting_gamma) > 1e-12;
+
+// What every switch does here, by name.
+export const effects = (model, state) => Object.fromEntries(
+  Object.keys(SWITCHES).filter((name) => available(model, name)).map((name) => [name, effect(model, state, name)]));
+
+// What else is held against the best action, which is that of the acting discount under a hard deadline.
+const others = ({ header }, state) => [
+  [`γ = ${short(state.value_gamma)} in the value`, { value_gamma: header.acting_gamma }, `Set γ to ${short(header.acting_gamma)}`],
+  ['the softness of the deadline', { softness: 0 }, 'Make the deadline hard'],
+].filter(([, off]) => Object.entries(off).some(([name, value]) => Math.abs(state[name] - value) > 1e-12));
+
+// What alone, when it is taken back, puts the choice right, or the values if the choice is right:
+// { label, off, words }, or nothing.
+export function blamed(model, state, tone) {
+  const on = Object.entries(SWITCHES).filter(([name, each]) => available(model, name) && each.isOn(state))
+    .map(([, { label, off }]) => [label, off, `Turn off ${label}`]);
+  for (const [label, off, words] of [...on, ...others(model, state)]) {
+    const next = { ...state, ...off }, cured = judged(model, next, see(model, next, 0)).tone;
+    if (cured === 'ok' || (tone === 'bad' && cured === 'warn')) return { label, off, words };
+  }
+  return undefined;
+}

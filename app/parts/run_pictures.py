@@ -1,0 +1,94 @@
+"""The pictures of runs: the one that is looked at, those beside it, and its discounts."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+import streamlit as st
+
+from app import explain, state, training_runs
+from app.chart import chart
+from app.controls import world_title
+from app.figures.theme import action_colour, to_json
+from app.figures.training import TALL, Line, discount_errors, learning_curves, values_by_discount
+from app.training_form import MOST_AT_ONCE, NOTHING, algorithm_title, names_in
+from laplace_core.training.queue import Run
+
+_MOST_OFFERED = 24
+
+
+def looked_at(runs: Sequence[Run]) -> Run | None:
+    """The run that was chosen, else the newest that can be read."""
+    readable = [run for run in runs if run.settings is not None]
+    named = [run for run in readable if run.name == state.chosen().get("run")]
+    return (named or readable or [None])[0]
+
+
+def family(runs: Sequence[Run], run: Run) -> list[Run]:
+    """Runs of the same environment, the oldest first: their returns mean the same."""
+    same = [other for other in runs if other.settings and other.settings.environment == run.settings.environment]
+    return same[::-1]
+
+
+def colour_of(runs: Sequence[Run], run: Run) -> str:
+    return action_colour([other.name for other in family(runs, run)].index(run.name))
+
+
+def label(run: Run) -> str:
+    """Short words for a run among those of its environment."""
+    usual = f"{run.settings.ALGORITHM}_{run.settings.environment.replace(':', '-')}_{run.settings.seed}"
+    rest = run.name.removeprefix(usual).strip("_") if run.name.startswith(usual) else run.name
+    return f"{algorithm_title(run.settings.ALGORITHM)}, seed {run.settings.seed}" + (f" ({rest})" if rest else "")
+
+
+def pictures(runs: Sequence[Run], run: Run) -> None:
+    same = family(runs, run)
+    drawn = _beside(same, run)
+    discounts = getattr(run.settings, "discounts", None)
+    row = st.container(key="run_pictures")  # its height is kept free while a browser still loads what draws
+    places = row.columns([1.35, 1, 1] if discounts else 1, gap="small")
+    lines = [Line(label(one), colour_of(runs, one), training_runs.curves(one)) for one in drawn]
+    with places[0]:
+        steps = max(one.settings.steps for one in drawn)
+        figure = learning_curves(f"{world_title(run.settings.environment)}: return", lines, steps)
+        alt = f"Return over steps of {len(drawn)} runs: while training, and in evaluation with standard errors."
+        chart(to_json(figure), "training", alt, TALL, f"{run.settings.environment} {steps}")
+    if discounts is None:
+        return
+    mine = training_runs.curves(run)
+    gammas, first = np.asarray(discounts()), min(run.settings.evaluate_every, run.settings.steps)
+    with places[1]:
+        alt = f"How far the values of {label(run)} at the start lie from what came, a line a discount."
+        chart(to_json(discount_errors(mine, gammas, run.settings.steps, first)), "discounts", alt, TALL, run.name)
+    with places[2]:
+        alt = f"Expected and real discounted return of {label(run)} from the start, over the discounts."
+        figure = values_by_discount(mine, gammas, colour_of(runs, run), first)
+        chart(to_json(figure), "value at the start", alt, TALL, run.name)
+
+
+def _beside(same: Sequence[Run], run: Run) -> list[Run]:
+    """Which runs are drawn: those that were picked, by default the newest; the one that is looked at always."""
+    others = [one.name for one in same if one.name != run.name]
+    picked = state.chosen().get("beside")
+    names = others[-MOST_AT_ONCE + 1 :] if picked is None else [name for name in names_in(picked) if name in others]
+    choice, words = st.columns([5, 1], vertical_alignment="center")
+    if others:
+        titles = {one.name: label(one) for one in same}
+        with choice:
+            options = [name for name in others if name in others[-_MOST_OFFERED:] or name in names]
+            st.pills(
+                f"Beside {label(run)}", options, selection_mode="multi", key=state.put("beside", names),
+                format_func=lambda name: titles.get(name, name), on_change=_pick,
+            )  # fmt: skip
+    else:
+        choice.html(f'<div class="panel-title">{label(run)}</div>')
+    popover = words.popover("How to read this", width="stretch", on_change="rerun", key="reading")
+    if popover.open:
+        popover.markdown(explain.TRAINING)
+    return [one for one in same if one.name == run.name or one.name in names]
+
+
+def _pick() -> None:
+    """Callback: nothing beside it is a choice as well, not the lack of one."""
+    state.choose("beside", ",".join(st.session_state["beside"][: MOST_AT_ONCE - 1]) or NOTHING)

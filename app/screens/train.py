@@ -1,0 +1,57 @@
+"""Training: agents of any algorithm on any environment, each run a process of its own that outlives the page."""
+
+from __future__ import annotations
+
+import streamlit as st
+
+from app import state, training_runs
+from app.parts import run_cards, run_pictures, train_form
+from app.training_form import parse_query
+from laplace_core import InputError
+from laplace_core.training.queue import Run
+
+LOOK_EVERY = 1.0  # seconds between two looks at the runs, while one is going
+
+
+def page() -> None:
+    state.load_url("train", {}, parse_query)
+    state.settled()
+    for note in state.notes():
+        st.warning(note)
+    with st.sidebar:
+        st.html('<div class="brand">Laplace code workbench</div>')
+        train_form.form()
+    try:
+        going = _going(training_runs.queue().runs())
+    except InputError as error:
+        st.error(str(error))
+        return
+    st.fragment(_view, run_every=LOOK_EVERY if going else None)(going)
+
+
+def _going(runs: list[Run]) -> bool:
+    return any(run.going or (run.settings is not None and training_runs.behind(run)) for run in runs)
+
+
+def _view(going: bool) -> None:
+    state.write_url()
+    runs = training_runs.queue().runs()
+    if not runs:
+        st.info("No run is here yet. A run trains in a process of its own: this page may be closed meanwhile.")
+        st.button("Train Laplace DQN on CartPole", type="primary", on_click=_first)
+        return
+    looked = run_pictures.looked_at(runs)
+    if looked is not None:
+        run_pictures.pictures(runs, looked)
+    run_cards.cards(runs, looked)
+    if _going(runs) != going:  # a run began or the last one ended: look oftener, or no more
+        st.rerun()
+
+
+def _first() -> None:
+    """Callback: the small default."""
+    state.replace_all({})
+    train_form.start()
+
+
+page()

@@ -1,0 +1,276 @@
+"""Runs of one folder, each trained by a process of its own: a few at a time, the others wait.
+
+All that matters is on disk, so that another queue on the same folder, after a restart or beside this one, sees the
+same: who waits and in which order (``job.json`` in the folder of each run), who trains (``process.json``), why one
+failed (``errors.txt``). A process outlives the queue that started it, and the next queue finds it again.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import fcntl
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import threading
+import time
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import laplace_core
+from laplace_core.agents.settings import LoopSettings
+from laplace_core.errors import InputError
+from laplace_core.training.command import name_of
+from laplace_core.training.job import Job, born_at, error_in, is_run, read_job, run_folders, settings_in, write_job
+from laplace_core.training.process import PATIENCE, Process, read_process, write_process
+from laplace_core.training.run_folder import RUN_NAME, new_run
+
+MOST_TRAINING = 2
+MOST_WAITING = 20
+EVERY = 0.4
+"""Seconds between two looks at the runs, while one trains or waits."""
+_MOST_BUFFER = 2_000_000_000
+_ASKED_TO_END = (-signal.SIGTERM, -signal.SIGINT, 128 + signal.SIGTERM, 128 + signal.SIGINT)
+_ONE_THREAD = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"), "1")
+
+WAITING, TRAINING, FINISHED, STOPPED, FAILED = "waiting", "training", "finished", "stopped", "failed"
+
+
+@dataclass(frozen=True)
+class Run:
+    """One run as it stands.
+
+    Attributes:
+        settings: None if its folder holds none that can be read.
+        place: in the waiting line, from 1; 0 if it does not wait.
+        error: one sentence if it failed.
+        born: when it was made, in seconds.
+    """
+
+    name: str
+    folder: Path
+    settings: LoopSettings | None
+    state: str
+    place: int = 0
+    error: str | None = None
+    born: float = 0.0
+
+    @property
+    def going(self) -> bool:
+        return self.state in (WAITING, TRAINING)
+
+
+class Queue:
+    """The runs in ``folder``.
+
+    Raises:
+        InputError: a folder that cannot be made or written to.
+    """
+
+    def __init__(self, folder: str | Path, most: int = MOST_TRAINING):
+        self.folder, self._most = Path(folder), most
+        self._children: dict[str, subprocess.Popen] = {}
+        self._new = True
+        self._turn = threading.RLock()
+        self._thread: threading.Thread | None = None
+        try:
+            self.folder.mkdir(parents=True, exist_ok=True)
+            with self._locked():
+                pass
+        except OSError as error:
+            raise InputError(f"no run can be kept in {self.folder}: {(error.strerror or 'unknown').lower()}.") from None
+
+    @contextlib.contextmanager
+    def _locked(self) -> Iterator[None]:
+        """One at a time, among threads and among servers on the same folder."""
+        with self._turn:
+            handle = os.open(self.folder / ".lock", os.O_RDWR | os.O_CREAT | os.O_NOFOLLOW, 0o600)
+            try:
+                fcntl.flock(handle, fcntl.LOCK_EX)
+                yield
+            finally:
+                os.close(handle)
+
+    def runs(self) -> list[Run]:
+        """Every run, the newest first."""
+        found = [self._look(path) for path in run_folders(self.folder)]
+        line = sorted((job.ticket, run.name) for run, job in found if run.state == WAITING)
+        places = {name: place for place, (_, name) in enumerate(line, 1)}
+        runs = [replace(run, place=places.get(run.name, 0)) for run, _ in found]
+        return sorted(runs, key=lambda run: (-run.born, run.name))
+
+    def get(self, name: str) -> Run:
+        """One run by its name.
+
+        Raises:
+            InputError: there is none of that name.
+        """
+        if RUN_NAME.fullmatch(name) and is_run(self.folder / name):
+            return next((run for run in self.runs() if run.name == name), None) or self._look(self.folder / name)[0]
+        raise InputError(f"there is no run {name[:60]!r} here.")
+
+    def _look(self, path: Path) -> tuple[Run, Job]:
+        job, process = read_job(path), read_process(path)
+        born, error = born_at(path), job.error
+        settings, refused = settings_in(path / "config.json", born)
+        if settings is None:
+            return Run(path.name, path, None, FAILED, 0, f"its settings cannot be read: {refused}", born), job
+        if process is not None and process.alive:
+            state = TRAINING
+        elif (path / "last.safetensors").is_file():
+            state = FINISHED
+        else:
+            state = {"run": WAITING, "fail": FAILED}.get(job.wanted, STOPPED)
+        return Run(path.name, path, settings, state, 0, error if state == FAILED else None, born), job
+
+    def add(self, settings: LoopSettings) -> str:
+        """A new run, which begins when there is a place; returns its name.
+
+        Raises:
+            InputError: settings that no agent can be made of, the very run that is here already, or too many that wait.
+        """
+        check_trainable(settings)
+        with self._locked():
+            runs = self.runs()
+            for run in runs:
+                if run.settings == settings:
+                    raise InputError(f"this very run is here already, as {run.name}: take another seed, or resume it.")
+            _check_line(runs)
+            path, taken = self.folder / name_of(settings), 1
+            while path.exists() or path.is_symlink():
+                taken += 1
+                path = self.folder / f"{name_of(settings)}_{taken}"
+            new_run(path, settings)
+            write_job(path, Job("run", time.time_ns()))
+        self.wake()
+        return path.name
+
+    def resume(self, name: str) -> None:
+        """Let a run that was stopped or failed go on when there is a place."""
+        with self._locked():
+            run = self.get(name)
+            if run.state in (STOPPED, FAILED) and run.settings is not None:
+                _check_line(self.runs())
+                write_job(run.folder, Job("run", time.time_ns()))
+        self.wake()
+
+    def stop(self, name: str) -> None:
+        """End a run within some two seconds, or take it out of the line; it stays and can be resumed."""
+        with self._locked():
+            run = self.get(name)
+            if run.going:
+                write_job(run.folder, Job("stop", 0))
+            process = read_process(run.folder)
+        if process is not None:
+            process.end()
+        child = self._children.pop(name, None)
+        if child is not None:
+            with contextlib.suppress(subprocess.TimeoutExpired):
+                child.wait(PATIENCE)
+        self.wake()
+
+    def remove(self, name: str) -> None:
+        """End a run and delete its files."""
+        run = self.get(name)
+        self.stop(name)
+        with self._locked():
+            away = self.folder / f".removed-{time.time_ns()}"  # gone at once for whoever looks
+            os.rename(run.folder, away)
+            shutil.rmtree(away, ignore_errors=True)
+
+    def wake(self) -> None:
+        """See to it that runs begin as places become free, until none waits or trains any more."""
+        with self._turn:
+            if self._thread is None:
+                self._thread = threading.Thread(target=self._attend, name="training queue", daemon=True)
+                self._thread.start()
+
+    def _attend(self) -> None:
+        while True:
+            with self._turn:
+                try:
+                    going = self.tick()
+                except OSError:  # the folder is full or gone for the moment
+                    going = self.folder.is_dir()
+                if not going:
+                    self._thread = None
+                    return
+            time.sleep(EVERY)
+
+    def tick(self) -> bool:
+        """Note who has ended, and start who is next; whether anything is left to attend to."""
+        with self._locked():
+            for path in run_folders(self.folder):
+                self._settle(path)
+            self._new = False
+            runs = self.runs()
+            free = self._most - sum(run.state == TRAINING for run in runs)
+            for run in sorted((run for run in runs if run.state == WAITING), key=lambda run: run.place)[: max(0, free)]:
+                self._start(run)
+        return any(run.going for run in runs)
+
+    def _settle(self, path: Path) -> None:
+        """Note the end of a process: failed by itself, or, where nobody watched, cut off and to be begun again."""
+        child = self._children.get(path.name)
+        status = None if child is None else child.poll()
+        if child is not None and status is not None:
+            del self._children[path.name]
+        run, job = self._look(path)
+        if job.wanted == "later" and self._new:
+            write_job(path, Job("run", job.ticket))
+        if run.state != WAITING or not job.begun:
+            return
+        if status in _ASKED_TO_END:
+            write_job(path, Job("later", job.ticket))
+            return
+        error = error_in(path)
+        if child is not None:
+            if error is None and status < 0:
+                error = f"its process was killed (signal {-status}); resume it, smaller if memory was short."
+            error = error or f"its process ended too early, with status {status}; resume it."
+        write_job(path, Job("run", job.ticket) if error is None else Job("fail", 0, error=error))
+
+    def _start(self, run: Run) -> None:
+        write_job(run.folder, Job("run", read_job(run.folder).ticket, begun=True))
+        (run.folder / "errors.txt").unlink(missing_ok=True)
+        with open(run.folder / "errors.txt", "xb") as errors:
+            child = subprocess.Popen(
+                _command(run.folder.resolve()),
+                stdin=subprocess.DEVNULL,
+                stdout=subprocess.DEVNULL,
+                stderr=errors,
+                cwd=Path(laplace_core.__file__).parents[1],  # where -m finds this very package
+                env=os.environ | _ONE_THREAD,
+                start_new_session=True,
+            )
+        self._children[run.name] = child
+        write_process(run.folder, Process.of(child.pid))
+
+
+def _command(folder: Path) -> list[str]:
+    """To resume a run that has not begun is to begin it."""
+    return [sys.executable, "-m", "laplace_core", "train", "--resume", str(folder)]
+
+
+def check_trainable(settings: LoopSettings) -> None:
+    """Refuse at once what training would refuse later; loads torch.
+
+    Raises:
+        InputError: settings that do not fit the environment, or an environment whose physics is not installed.
+    """
+    from laplace_core.training import environments
+    from laplace_core.training.checkpoint import new_agent
+
+    environments.make(settings.environment).close()
+    new_agent(settings)
+    size = settings.buffer * (8 * environments.spec(settings.environment).observation + 18)
+    if size > _MOST_BUFFER:
+        raise InputError(f"these settings ask for a replay buffer of {size / 1e9:.1f} GB: lower buffer.")
+
+
+def _check_line(runs: list[Run]) -> None:
+    if sum(run.state == WAITING for run in runs) >= MOST_WAITING:
+        raise InputError(f"{MOST_WAITING} runs wait already: cancel some, or come back when they have begun.")

@@ -1,0 +1,88 @@
+"""Figures of training: valid plotly, the numbers of the run in them, and words where there is nothing yet."""
+
+from __future__ import annotations
+
+import json
+
+import numpy as np
+import plotly.graph_objects as go
+import pytest
+
+from app.figures import to_json
+from app.figures.training import Line, discount_errors, learning_curves, values_by_discount
+from laplace_core.training.curves import Curves
+from tests.pages import numbers
+
+GAMMAS = np.array([0.5, 0.9, 0.99])
+NONE = np.zeros(0)
+
+
+def curves(evaluations: int = 4, episodes: int = 50, heads: int = 3) -> Curves:
+    random = np.random.default_rng(0)
+    return Curves(
+        np.arange(1.0, episodes + 1), random.normal(size=episodes), random.normal(size=episodes),
+        100 * np.arange(1, evaluations + 1), random.normal(size=evaluations), random.random(evaluations),
+        *random.normal(size=(3, evaluations, heads)), episodes, evaluations - 1 if evaluations else None,
+    )  # fmt: skip
+
+
+def drawn(figure: dict) -> dict:
+    sent = json.loads(to_json(figure))
+    go.Figure(sent)  # raises on any property or value that plotly does not know
+    return sent
+
+
+@pytest.mark.parametrize("heads", [0, 3])
+@pytest.mark.parametrize("episodes", [0, 1, 50])
+@pytest.mark.parametrize("evaluations", [0, 1, 40])
+def test_plotly_accepts_every_figure(evaluations, episodes, heads):
+    found = curves(evaluations, episodes, heads)
+    drawn(learning_curves("title", [Line("one", "#0072B2", found), Line("two", "#E69F00", found)], 4000))
+    drawn(discount_errors(found, GAMMAS, 4000, 100))
+    drawn(values_by_discount(found, GAMMAS, "#0072B2", 100))
+
+
+def test_each_run_has_its_returns_their_average_and_its_scores():
+    one, two = curves(), curves(2, 7)
+    traces = drawn(learning_curves("title", [Line("one", "#0072B2", one), Line("two", "#E69F00", two)], 4000))["data"]
+    wanted = [one.returns, two.returns, one.smooth, two.smooth, one.scores, two.scores]
+    for trace, values in zip(traces, wanted, strict=True):
+        np.testing.assert_allclose(numbers(trace["y"]), values, rtol=1e-6)
+    assert [trace["name"] for trace in traces if trace["showlegend"]] == ["one", "two"]
+    np.testing.assert_allclose(traces[4]["error_y"]["array"], one.errors)
+
+
+def test_each_discount_has_a_line_of_its_error_in_reward_a_step():
+    found = curves()
+    traces = drawn(discount_errors(found, GAMMAS, 4000, 100))["data"]
+    for index, gamma in enumerate(GAMMAS):
+        wanted = (1 - gamma) * (found.values[:, index] - found.discounted[:, index])
+        np.testing.assert_allclose(numbers(traces[index]["y"]), wanted, rtol=1e-6)
+    assert traces[-1]["marker"]["colorbar"]["ticktext"] == ["0.5", "0.9", "0.99"]
+    assert len({trace["line"]["color"] for trace in traces[:-1]}) == 3
+
+
+def test_evaluations_that_told_no_values_are_left_out():
+    found = curves()
+    found.values[0] = np.nan
+    traces = drawn(discount_errors(found, GAMMAS, 4000, 100))["data"]
+    assert traces[0]["x"] == [200, 300, 400]
+
+
+def test_the_last_evaluation_is_drawn_over_the_discounts():
+    found = curves()
+    came, expected = drawn(values_by_discount(found, GAMMAS, "#0072B2", 100))["data"]
+    np.testing.assert_allclose(came["y"], found.discounted[-1])
+    np.testing.assert_allclose(expected["y"], found.values[-1])
+    np.testing.assert_allclose(came["x"], [2, 10, 100])
+    np.testing.assert_allclose(came["error_y"]["array"], found.discounted_errors[-1])
+
+
+def test_before_the_first_evaluation_the_picture_says_when_it_comes():
+    for figure in (
+        discount_errors(curves(0), GAMMAS, 4000, 100),
+        values_by_discount(curves(0), GAMMAS, "#0072B2", 100),
+    ):
+        assert "step 100" in drawn(figure)["layout"]["annotations"][0]["text"]
+    old = drawn(discount_errors(curves(heads=0), GAMMAS, 4000, 100))  # of an earlier version
+    assert "no values" in old["layout"]["annotations"][0]["text"]

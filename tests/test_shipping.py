@@ -1,0 +1,58 @@
+"""What ships is what its manifest says, and the seed that ships is the one in the middle."""
+
+from __future__ import annotations
+
+import hashlib
+from pathlib import Path
+
+import pytest
+
+from laplace_core import InputError
+from laplace_core.experiments.shipping import MOST_BYTES, MOST_TOGETHER, manifest, ship
+from laplace_core.training.checkpoint import load_checkpoint
+from laplace_core.training.command import settings_of
+from laplace_core.training.loop import train
+
+SHIPPED = Path(__file__).resolve().parent.parent / "checkpoints"
+
+
+@pytest.mark.parametrize("entry", manifest(SHIPPED), ids=lambda entry: entry["file"])
+def test_every_shipped_checkpoint_is_what_the_manifest_says(entry):
+    path = SHIPPED / entry["file"]
+    data = path.read_bytes()
+    assert hashlib.sha256(data).hexdigest() == entry["sha256"]
+    assert len(data) <= MOST_BYTES
+    loaded = load_checkpoint(path)
+    assert entry["command"].endswith(f"train {loaded.algorithm} {loaded.environment} --seed {loaded.seed}")
+    assert loaded.settings == settings_of(loaded.algorithm, loaded.environment, {"seed": loaded.seed})
+    scores = entry["scores"]
+    assert entry["score"] == scores[entry["seed"]] == sorted(scores)[(len(scores) - 1) // 2]
+
+
+def test_nothing_ships_that_the_manifest_does_not_name_and_all_of_it_is_small():
+    files = {path.name: path.stat().st_size for path in SHIPPED.glob("*.safetensors")}
+    tabular = {name for name in files if name.endswith("_td.safetensors")}
+    assert set(files) - tabular == {entry["file"] for entry in manifest(SHIPPED)}
+    assert sum(files.values()) <= MOST_TOGETHER
+
+
+def test_the_median_of_three_runs_ships(tmp_path, monkeypatch):
+    from laplace_core.experiments import shipping, training
+
+    quick = {"steps": 200, "learning_starts": 100, "evaluate_every": 200, "hidden": 8, "features": 4}
+    for module in (shipping, training):
+        monkeypatch.setattr(module, "settings_of", lambda a, e, given: settings_of(a, e, quick | given))
+    monkeypatch.setattr(training, "EPISODES", 4)
+    for seed in range(3):
+        for _ in train(
+            settings_of("laplace", "two_branch", quick | {"seed": seed}), tmp_path / f"laplace_two_branch_{seed}"
+        ):
+            pass
+    folder = tmp_path / "out"
+    folder.mkdir()
+    entry = ship("laplace", "two_branch", 3, tmp_path, folder)
+    assert manifest(folder) == [entry]
+    assert entry["score"] == sorted(entry["scores"])[1]
+    assert load_checkpoint(folder / entry["file"]).seed == entry["seed"]
+    with pytest.raises(InputError, match="not finished"):
+        ship("laplace", "two_branch", 4, tmp_path, folder)
