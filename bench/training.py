@@ -7,7 +7,7 @@ from dataclasses import replace
 from importlib.util import find_spec
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from time import perf_counter
+from time import perf_counter, process_time
 
 import gymnasium
 import numpy as np
@@ -23,6 +23,7 @@ from laplace_core.inverse import decode
 from laplace_core.training.events import Episode
 from laplace_core.training.loop import train
 from laplace_core.training.replay import Replay
+from laplace_core.training.rollout import roll_out
 
 OBSERVATION, ACTIONS, BATCH, QUANTILES = 8, 4, 128, 170
 STANDARD = LaplaceSettings(
@@ -38,6 +39,7 @@ def figures() -> Iterator[Figure]:
     yield from _variants()
     yield from _experience()
     yield from _reading()
+    yield from _rollouts()
 
 
 def agent(settings: LoopSettings) -> Agent:
@@ -225,6 +227,27 @@ def _reading() -> Iterator[Figure]:
         Goal("<", 5),
     )  # fmt: skip
     yield Figure(SUBJECT, "gamma-space of 500 states in one batch", spread(seconds["many"]), "s", sizes, Goal("<", 0.5))
+
+
+def _rollouts() -> Iterator[Figure]:
+    learned, seconds, busy, megabytes = agent(STANDARD), [], [], []
+    for first in (0, 1_000, 2_000):
+        steps = size = 0
+        began, before = perf_counter(), process_time()
+        while steps < 1_000:  # an untrained agent falls early: several episodes
+            found = roll_out(
+                learned, "LunarLander-v3", first + steps, "readout", horizon=1_000 - steps, pictures=True
+            )  # fmt: skip
+            steps, size = steps + len(found), size + found.bytes
+        seconds.append(perf_counter() - began)
+        busy.append(process_time() - before)
+        megabytes.append(size / 1e6)
+    sizes = f"LunarLander, {ACTIONS} actions x 15 discounts x 100 sensitivities, readout"
+    yield Figure(SUBJECT, "1,000 steps rolled out, pictures and spaces", spread(seconds), "s", sizes, Goal("<", 15))
+    yield Figure(
+        SUBJECT, "the same, time of the processor", spread(busy), "s", sizes, note="beside other work it waits"
+    )
+    yield Figure(SUBJECT, "the same in memory", spread(megabytes), "MB", sizes)
 
 
 def main() -> Iterator[Figure]:

@@ -49,8 +49,11 @@ class Spec(NamedTuple):
     time_limit: int | None
 
 
-def make(name: str) -> gymnasium.Env:
+def make(name: str, pictures: bool = False) -> gymnasium.Env:
     """One environment of the list.
+
+    Args:
+        pictures: whether it is asked for them by ``render()``; a tabular world has none.
 
     Raises:
         InputError: a name that is not on it, or one whose physics is not installed.
@@ -59,7 +62,7 @@ def make(name: str) -> gymnasium.Env:
     if name not in GYMNASIUM_ENVIRONMENTS:
         return TimeLimit(OneHot(TabularEnv(load_world(name))), WORLD_TIME_LIMIT)
     try:
-        return gymnasium.make(name, disable_env_checker=True)
+        return gymnasium.make(name, disable_env_checker=True, render_mode="rgb_array" if pictures else None)
     except gymnasium.error.DependencyNotInstalled:
         raise InputError(f"{name} needs packages that are not installed: pip install 'gymnasium[box2d]'.") from None
 

@@ -1,8 +1,8 @@
 """Rules of control: how an agent that knows values for many discounts acts when an episode ends after T steps.
 
 A rule is a function of the agent, of the length of the episode and of :class:`Options`, and returns what is asked at
-every step: a function from observations ``(B, O)`` and the step t, from 0, to actions ``(B,)``. T - t steps are to go.
-Another rule is one more such function and its name in ``RULES``.
+every step: a function from observations ``(B, O)`` and the step t, from 0, to the values of all actions ``(B, A)``, the
+best of which is taken. T - t steps are to go. Another rule is one more such function and its name in ``VALUES``.
 """
 
 from __future__ import annotations
@@ -22,7 +22,10 @@ from laplace_core.ties import greedy_action
 FADING_ALPHA = 1e-2
 """Interpolation between neighbouring discounts is well conditioned: this only keeps rounding out."""
 
+Judge = Callable[[np.ndarray, int], np.ndarray]
+"""From observations ``(B, O)`` and the step to the values of all actions ``(B, A)``."""
 Choose = Callable[[np.ndarray, int], np.ndarray]
+"""The same to actions ``(B,)``."""
 
 
 @dataclass(frozen=True)
@@ -33,31 +36,34 @@ class Options:
         softness: width of the deadline as a fraction of the time to go.
         alpha, steps: regularisation and length of the inverse; it is never shorter than the episode.
         stretch: time constant of a fading deadline over the time to go.
+        head: another one than the acting head to be greedy at.
     """
 
     softness: float = 0.2
     alpha: float = 1.0
     steps: int = 1000
     stretch: float = 1.5
+    head: int | None = None
 
 
-def greedy(agent: Agent, length: int | None, options: Options) -> Choose:
-    """The best action at the acting discount, whatever the time to go."""
-    return lambda observations, time: agent.greedy(observations)
+def greedy(agent: Agent, length: int | None, options: Options) -> Judge:
+    """Values at the acting discount, or at another one, whatever the time to go."""
+    head = agent.acting_head if options.head is None else options.head
+    return lambda observations, time: agent.action_values(observations, head)
 
 
-def matched(agent: Agent, length: int | None, options: Options) -> Choose:
-    """The best action at one trained discount: that whose time constant -1 / log gamma is nearest to the time to go.
+def matched(agent: Agent, length: int | None, options: Options) -> Judge:
+    """Values at one trained discount: that whose time constant -1 / log gamma is nearest to the time to go.
 
     Nearest in the logarithm; of two as near, the shorter.
     """
     gammas, length = _discounts(agent, length, "matched")
     left = np.arange(1, length + 1)
     heads = np.abs(np.log(left[:, None]) + np.log(-np.log(gammas))).argmin(axis=1)  # row T - 1 is for T steps to go
-    return lambda observations, time: greedy_action(agent.action_values(observations, int(heads[length - time - 1])))
+    return lambda observations, time: agent.action_values(observations, int(heads[length - time - 1]))
 
 
-def readout(agent: Agent, length: int | None, options: Options) -> Choose:
+def readout(agent: Agent, length: int | None, options: Options) -> Judge:
     """The values of all discounts, weighed for the time to go by :func:`laplace_core.horizon.readout_weights`."""
     gammas, length = _discounts(agent, length, "readout")
     acting, steps = float(gammas[agent.acting_head]), max(options.steps, length)
@@ -65,7 +71,7 @@ def readout(agent: Agent, length: int | None, options: Options) -> Choose:
     return _by_weights(agent, readout_weights(gammas, np.array(wanted), options.alpha), length)
 
 
-def fading(agent: Agent, length: int | None, options: Options) -> Choose:
+def fading(agent: Agent, length: int | None, options: Options) -> Judge:
     """A deadline that fades: a reward at tau counts exp(-tau / (stretch * time to go)), no more than gamma^tau allows.
 
     The edge of a deadline is what a gamma-space knows least about, and its weights multiply the noise of the values
@@ -81,14 +87,14 @@ def fading(agent: Agent, length: int | None, options: Options) -> Choose:
     return _by_weights(agent, weights, length)
 
 
-def _by_weights(agent: Agent, weights: np.ndarray, length: int) -> Choose:
-    """Greedy on sum_g w_g Q_g, where row T - 1 of the weights ``(length, G)`` is for T steps to go."""
-    return lambda observations, time: greedy_action(
-        np.einsum("bga,g->ba", agent.action_values(observations), weights[length - time - 1])
+def _by_weights(agent: Agent, weights: np.ndarray, length: int) -> Judge:
+    """sum_g w_g Q_g, where row T - 1 of the weights ``(length, G)`` is for T steps to go."""
+    return lambda observations, time: np.einsum(
+        "bga,g->ba", agent.action_values(observations), weights[length - time - 1]
     )
 
 
-def decoded(agent: Agent, length: int | None, options: Options) -> Choose:
+def decoded(agent: Agent, length: int | None, options: Options) -> Judge:
     """The same as ``readout`` through the tau-space, slowly."""
     gammas, length = _discounts(agent, length, "decoded")
     settings = Settings(
@@ -96,30 +102,43 @@ def decoded(agent: Agent, length: int | None, options: Options) -> Choose:
         acting_gamma=float(gammas[agent.acting_head]), softness=options.softness,
     )  # fmt: skip
 
-    def choose(observations: np.ndarray, time: int) -> np.ndarray:
+    def judge(observations: np.ndarray, time: int) -> np.ndarray:
         found = zip(*agent.gamma_spaces(observations), strict=True)
         values = [
             decode_and_read(GammaSpace(*one, gammas, agent.thetas), settings).horizon_values[:, length - time - 1]
             for one in found
         ]
-        return greedy_action(np.array(values))
+        return np.array(values)
 
-    return choose
+    return judge
 
 
-def own(agent: Agent, length: int | None, options: Options) -> Choose:
-    """The best action for the time to go, of an agent that has learned it; beyond its longest one, for that."""
+def own(agent: Agent, length: int | None, options: Options) -> Judge:
+    """Values for the time to go, of an agent that has learned it; beyond its longest one, for that."""
     if not hasattr(agent, "horizon"):
         raise InputError("rule 'own' needs an agent that takes the time to go as an input: train fixed_horizon.")
     longest = agent.horizon
-    return lambda observations, time: greedy_action(
-        agent.action_values(observations, min(longest, longest if length is None else length - time) - 1)
+    return lambda observations, time: agent.action_values(
+        observations, min(longest, longest if length is None else length - time) - 1
     )
 
 
-RULES: dict[str, Callable[[Agent, int | None, Options], Choose]] = {
+VALUES: dict[str, Callable[[Agent, int | None, Options], Judge]] = {
     "greedy": greedy, "matched": matched, "fading": fading, "readout": readout, "decoded": decoded, "own": own,
 }  # fmt: skip
+
+
+def _best(rule: Callable[[Agent, int | None, Options], Judge]) -> Callable[[Agent, int | None, Options], Choose]:
+    """The rule that takes the best action of these values."""
+
+    def best(agent: Agent, length: int | None, options: Options) -> Choose:
+        judge = rule(agent, length, options)
+        return lambda observations, time: greedy_action(judge(observations, time))
+
+    return best
+
+
+RULES: dict[str, Callable[[Agent, int | None, Options], Choose]] = {name: _best(rule) for name, rule in VALUES.items()}
 
 
 def suited(agent: Agent, horizon: int | None) -> str:

@@ -1,0 +1,74 @@
+"""Pictures of an episode: small JPEG files, as many as were asked for, and an animation of them.
+
+Needs pillow, and for most environments pygame: both come with the application, neither with the library.
+"""
+
+from __future__ import annotations
+
+import io
+import os
+from collections.abc import Sequence
+
+import gymnasium
+import numpy as np
+
+from laplace_core.errors import InputError
+
+HEIGHT = 180
+"""Pixels; the width follows."""
+QUALITY = 75
+_COLOURS = 64  # of an animation
+
+
+def encoded(picture: np.ndarray, height: int = HEIGHT) -> bytes:
+    """A picture ``(Y, X, 3)``, uint8, scaled to a height and packed as JPEG."""
+    image_of = _pillow()
+    found = image_of.fromarray(picture)
+    width = max(1, round(found.width * height / found.height))
+    file = io.BytesIO()
+    found.resize((width, height), image_of.Resampling.BILINEAR).save(file, "JPEG", quality=QUALITY)
+    return file.getvalue()
+
+
+def picture_of(env: gymnasium.Env) -> bytes | None:
+    """What an environment looks like now; None if it draws none.
+
+    Raises:
+        InputError: what it draws with is not installed.
+    """
+    if env.render_mode != "rgb_array":
+        return None
+    os.environ.setdefault("SDL_VIDEODRIVER", "dummy")  # no window is ever opened
+    try:
+        return encoded(env.render())
+    except gymnasium.error.DependencyNotInstalled:
+        raise InputError("pictures need pygame, which is not installed: ask for none.") from None
+
+
+def animation(pictures: Sequence[bytes], seconds: float, most: int = 500) -> bytes:
+    """An animated GIF of pictures, each shown for ``seconds``; of more than ``most`` every second or third is left out.
+
+    Raises:
+        InputError: no picture.
+    """
+    if not pictures:
+        raise InputError("this episode has no pictures to animate.")
+    stride = -(-len(pictures) // most)
+    image_of = _pillow()
+    opened = [image_of.open(io.BytesIO(each)).convert("RGB") for each in pictures[::stride]]
+    # One palette for all of them: with one of its own a still background would flicker.
+    palette = opened[len(opened) // 2].quantize(_COLOURS)
+    first, *others = [each.quantize(palette=palette, dither=image_of.Dither.NONE) for each in opened]
+    file = io.BytesIO()
+    # A GIF counts hundredths of a second, and viewers slow down what is faster than two of them.
+    duration = max(20, round(100 * seconds * stride) * 10)
+    first.save(file, "GIF", save_all=True, append_images=others, duration=duration, loop=0)
+    return file.getvalue()
+
+
+def _pillow():
+    try:
+        from PIL import Image
+    except ImportError:
+        raise InputError("pictures need pillow, which is not installed: pip install pillow.") from None
+    return Image
