@@ -31,6 +31,7 @@ MOST_STEPS = 2_000
 MOST_BYTES = 64_000_000
 """Most that the gamma-spaces of one rollout may take; pictures take some 3 kB each, everything else is small."""
 MOST_SEED = 2**31 - 1
+_USUAL = Options()
 _AT_ONCE = 100  # observations in one pass through the network
 
 
@@ -105,7 +106,7 @@ def longest(agent: Agent) -> int:
 
 def roll_out(
     agent: Agent, environment: str, seed: int, rule: str = "greedy", horizon: int | None = None,
-    gamma: float | None = None, options: Options = Options(), pictures: bool = False,
+    gamma: float | None = None, options: Options = _USUAL, pictures: bool = False,
     told: Callable[[int, int], None] | None = None,
 ) -> Rollout:  # fmt: skip
     """Act for one episode, from the start that a seed gives.
@@ -225,7 +226,7 @@ def _expected(
 
 
 def _spaces(agent: Agent, observations: np.ndarray):
-    """``spaces``, ``constants``, ``gammas`` and ``thetas``; the network computes in single precision: nothing is lost."""
+    """``spaces``, ``constants``, ``gammas``, ``thetas``; the network computes in single precision: nothing is lost."""
     if not hasattr(agent, "gamma_spaces"):
         return None, None, None, None
     parts = [
