@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from app import checkpoints
+from app import checkpoints, rolled
 from app.lens.state import VIEW as LENS
 from app.observations import Scene, scene_of
 from app.query import VIEW
@@ -40,7 +40,7 @@ def parse_query(query: Mapping[str, str]) -> tuple[dict[str, object], list[str]]
     if "checkpoint" not in found:
         return {}, []
     scene = scene_of(checkpoints.checkpoint(str(found["checkpoint"])).environment)
-    known = {**_READING, **_LOOKING}
+    known = {**_READING, **_LOOKING, **rolled.PARAMETERS}
     known |= {
         f"{OBSERVED}{i}": Parameter(component.name, component.start, component.low, component.high, "", float)
         for i, component in enumerate(scene.components)
@@ -74,13 +74,18 @@ def observation_of(scene: Scene, values: Mapping[str, object]) -> tuple[float, .
     return tuple(float(values.get(f"{OBSERVED}{i}", part.start)) for i, part in enumerate(scene.components))
 
 
-def view_of(loaded: Loaded, scene: Scene, values: Mapping[str, object]) -> View:
+def view_of(
+    loaded: Loaded, scene: Scene, values: Mapping[str, object], observation: tuple[float, ...] | None = None
+) -> View:
     """What the page shows.
+
+    Args:
+        observation: in place of the one that the values describe.
 
     Raises:
         InputError: values that do not fit each other.
     """
-    subject = checkpoints.observe(loaded, observation_of(scene, values), scene.actions)
+    subject = checkpoints.observe(loaded, observation or observation_of(scene, values), scene.actions)
     given = {name: value for name, value in values.items() if name in _READING and name != "state"}
     settings = resolve_for_gamma_space(Settings(world=loaded.environment, **(DEFAULTS | given)), loaded.agent.gammas)
     return View(subject, settings, action_of(scene, values), values.get("horizon"))

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import json
+import struct
+import time
 from pathlib import Path
 
 import numpy as np
@@ -9,11 +12,13 @@ import pytest
 from streamlit.testing.v1 import AppTest
 
 from app import checkpoints, compute, trained
+from app.lens.payload import unpacked
 from app.observations import scene_of
 from laplace_core import InputError
 from laplace_core.agents import ENVIRONMENTS, LaplaceSettings
 from laplace_core.training import environments
 from laplace_core.training.checkpoint import load_checkpoint, new_agent, save_checkpoint
+from laplace_core.training.rollout import roll_out
 
 MAIN = str(Path(__file__).resolve().parent.parent / "app" / "main.py")
 
@@ -119,3 +124,69 @@ def test_every_environment_has_its_words(environment):
     assert len(scene.states or scene.components) == spec.observation
     for part in scene.components:
         assert part.low <= part.start <= part.high
+
+
+def rolled_out(**query: str) -> AppTest:
+    """The page once its rollout is there."""
+    page = opened(**query)
+    for _ in range(200):
+        if not page.get("progress"):
+            return page
+        time.sleep(0.05)
+        page.run()
+        assert not page.exception
+    raise AssertionError("the rollout did not end")
+
+
+def told(page: AppTest, component: str) -> dict:
+    found = next(one.proto.bytes for one in page.get("bidi_component") if component in one.proto.component_name)
+    (size,) = struct.unpack("<I", found[:4])
+    return json.loads(found[4 : 4 + size])
+
+
+def test_a_rollout_by_its_link_shows_the_exact_space_of_the_step(shipped):
+    page = rolled_out(checkpoint="laplace_CartPole-v1", **{"r.shown": "yes", "r.seed": "5", "r.at": "4"})
+    loaded = load_checkpoint(shipped / "laplace_CartPole-v1.safetensors")
+    wanted = roll_out(loaded.agent, "CartPole-v1", 5)
+    assert told(page, "player")["at"] == 4
+    lens = told(page, "laplace_lens")
+    assert lens["lead"] == {"id": told(page, "player")["id"], "step": 4}
+    assert lens["followed"]["rewards"] == wanted.rewards[4:].tolist()
+    message = next(one.proto.bytes for one in page.get("bidi_component") if "laplace_lens" in one.proto.component_name)
+    (size,) = struct.unpack("<I", message[:4])
+    _, arrays = unpacked(message[4 + size :])
+    space = loaded.agent.gamma_space(wanted.observations[4])
+    np.testing.assert_array_equal(arrays["differences"], space.differences)
+    assert not [slider for slider in page.slider if "pole angle" in slider.label]
+
+
+def test_the_button_rolls_out_and_the_way_back_leads_to_sliders(shipped):
+    page = opened(checkpoint="laplace_CartPole-v1")
+    next(button for button in page.button if button.label == "Roll out").click().run()
+    for _ in range(200):
+        if "player" in str([one.proto.component_name for one in page.get("bidi_component")]):
+            break
+        time.sleep(0.05)
+        page.run()
+    assert page.query_params["r.shown"] in ("yes", ["yes"])
+    next(button for button in page.button if button.label.startswith("Edit the state")).click().run()
+    assert not page.exception
+    assert next(slider for slider in page.slider if "pole velocity" in slider.label).value != 0.0
+    assert "r.shown" not in page.query_params
+
+
+@pytest.mark.parametrize(
+    "query",
+    [{"r.seed": "-1"}, {"r.rule": "own"}, {"r.rule": "best"}, {"r.horizon": "0"}, {"r.at": "1e9"}, {"r.gamma": "2"},
+     {"r.shown": "perhaps"}],
+)  # fmt: skip
+def test_a_bad_link_to_a_rollout_opens_with_a_note(shipped, query):
+    page = rolled_out(**{"r.shown": "yes"} | query)
+    assert page.warning
+    assert not page.error
+
+
+def test_a_step_beyond_the_end_is_the_last_one(shipped):
+    page = rolled_out(checkpoint="laplace_two_branch", **{"r.shown": "yes", "r.at": "900", "r.rule": "random"})
+    assert told(page, "player")["at"] < 10
+    assert not page.exception

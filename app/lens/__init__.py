@@ -78,6 +78,8 @@ def lens(
     pinnable: bool = False,
     pinned: bool = False,
     pin: Mapping[str, object] | None = None,
+    lead: Mapping[str, object] | None = None,
+    followed: Mapping[str, object] | None = None,
 ) -> Released | None:
     """Draw the lens and return what was released just now, if anything; pass its state through :func:`checked`.
 
@@ -92,6 +94,8 @@ def lens(
         world: drawn in the first place; without it the fit over the discounts stands there.
         pinnable, pinned: whether a view can be kept as A, and whether one is.
         pin: the state of A, where it can be drawn from the same payload.
+        lead: ``id`` and ``step`` of the episode whose player (:mod:`app.player`) the lens follows.
+        followed: what came, to be drawn on the timeline; see :func:`app.rolled.followed`.
     """
     known = st.session_state.setdefault(f"_lens {key}", {"revision": 0, "held": []})
     digest = _digest(data)
@@ -110,6 +114,8 @@ def lens(
         "pinnable": pinnable,
         "pinned": pinned,
         "pin": None if pin is None else dict(pin),
+        "lead": None if lead is None else dict(lead),
+        "followed": None if followed is None else dict(followed),
     }
     widget = f"lens {key}"
 
@@ -182,7 +188,12 @@ def _text(name: str) -> str:
 @cache
 def script(*more: str) -> str:
     """The modules of the lens as one, ``more`` at the end: their imports from each other fall away."""
-    return chart.script("plot") + chart.joined("\n".join(_text(f"{name}.js") for name in (*_MODULES, *more)))
+    return chart.script("plot") + modules(*_MODULES, *more)
+
+
+def modules(*names: str) -> str:
+    """Some modules of the lens as one."""
+    return chart.joined("\n".join(_text(f"{name}.js") for name in names))
 
 
 def standalone(data: bytes, state: Mapping[str, object], base: Mapping[str, object] | None = None) -> str:
@@ -220,6 +231,7 @@ __all__ = [
     "checked",
     "lens",
     "lens_js",
+    "modules",
     "opening_state",
     "payload",
     "presets_for",

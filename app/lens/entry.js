@@ -19,12 +19,20 @@ function modelOf(id, bytes) {
   return model;
 }
 
+// The player of an episode may have moved on since the server was told of a step: then its step is shown.
+function led(model, told) {
+  const lead = globalThis.laplaceLead;
+  if (!told.lead || lead?.id !== told.lead.id || lead.step === told.lead.step) return [model, told];
+  const [shown, news] = lead.over(model);
+  return [shown, { ...told, ...news }];
+}
+
 export default function ({ data, parentElement, setTriggerValue }) {
   const view = new DataView(data.buffer, data.byteOffset), length = view.getUint32(0, true);
   const message = JSON.parse(new TextDecoder().decode(data.subarray(4, 4 + length))), { name, id, revision } = message;
-  const kept = mounted.get(parentElement), model = modelOf(id, data.subarray(4 + length));
-  if (!model) { setTriggerValue('released', { missing: id }); return; }
-  const told = { ...message, live: true, template: globalThis.laplaceLensTemplate }, shape = shapeOf(model) + !message.world;
+  const kept = mounted.get(parentElement), given = modelOf(id, data.subarray(4 + length));
+  if (!given) { setTriggerValue('released', { missing: id }); return; }
+  const [model, told] = led(given, { ...message, live: true, template: globalThis.laplaceLensTemplate }), shape = shapeOf(model) + !message.world;
   if (kept && kept.lens.host.isConnected && kept.shape === shape) {
     kept.report = setTriggerValue;
     const moved = kept.revision !== revision;

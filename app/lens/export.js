@@ -96,5 +96,5 @@ export function htmlOf({ told, scene: { model, state } }, still) {
   return told.template.replace(['"__HELD', '__"'].join(''), () => JSON.stringify(held).replace(/</g, '\\u003c'));
 }
 
-export const saveHtml = async (lens) =>
-  save(htmlOf(lens, (await worldOf(lens, 'svg'))[0]), `${nameOf(lens)}.html`, 'text/html');
+export const saveHtml = async (lens) => lens.scene.model.bytes // none while a player runs through an episode
+  && save(htmlOf(lens, (await worldOf(lens, 'svg'))[0]), `${nameOf(lens)}.html`, 'text/html');

@@ -168,7 +168,7 @@ export function mount(root, model, told, report) {
     }
     if (told.pin && scene.pinnedOf !== told.pin) Object.assign(scene, { pinnedOf: told.pin, pinned: see(model, told.pin, AT_REST) });
     lastState = state;
-    Object.assign(scene, { model, state, seen, at: scene.hover.tau ?? seen.readRow, pinned: told.pin ? scene.pinned : undefined });
+    Object.assign(scene, { model, state, seen, followed: told.followed, at: scene.hover.tau ?? seen.readRow, pinned: told.pin ? scene.pinned : undefined });
     scene.kernel = kernel(model, state, seen);
     scene.resolution = resolution(model, state, seen, scene.at);
   }
@@ -239,7 +239,7 @@ export function mount(root, model, told, report) {
       scene.world?.show(told.world);
       draw();
     },
-    get state() { return state; }, get seen() { return seen; }, get hover() { return scene.hover; },
+    get model() { return model; }, get state() { return state; }, get seen() { return seen; }, get hover() { return scene.hover; },
     get kept() { return { zoom: scene.zoom, camera: scene.camera }; },
   };
 }

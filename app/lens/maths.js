@@ -95,6 +95,9 @@ function open(header, arrays) {
   return model;
 }
 
+// The same model of another gamma-space: differences (A, G, H-1) and constant channel (A, G).
+export const remade = ({ header, arrays }, differences, constant) => open(header, { ...arrays, differences, constant });
+
 // Columns of gamma-space (one a reward, or one a pair of sensitivities) in the components of the transform.
 function channels(grid, values, A, width) {
   const { G, r, Ut } = grid, each = Array.from({ length: A }, (_, a) => values.subarray(a * G * width, (a + 1) * G * width));

@@ -149,7 +149,7 @@ export const tauPanel = {
     const scale = drawSpace(pen, w, h, scene, { values, n: seen.n, rows: K, limit, labels, title: 'tau-space',
       yTitle: 'future step τ', margin: { right: 84 }, image: 'tau', version: seen.tau,
       note: cell && hover.tau !== undefined
-        ? `θ ${short(hover.theta)} · τ ${short(hover.tau * dt)} · p ${short(seen.tau[hover.tau * seen.H + columnAt(seen, hover.theta)] / dt)}` : 'probability' });
+        ? `θ ${short(hover.theta)} · τ ${short(hover.tau * dt)} · p ${short(seen.tau[hover.tau * seen.H + columnAt(seen, hover.theta)] / dt)}` : scene.followed ? 'white: what came' : 'probability' });
     const { box, X, Y } = scale;
     if (seen.truth && seen.masses) {
       const points = outline(scene).map((point) => point && [X(point[0]), Y(point[1])]);
@@ -157,6 +157,14 @@ export const tauPanel = {
         pen.path(points, HALO);
         pen.path(points, K <= 16 ? TRUTH : { ...TRUTH, width: 1 });
       });
+    }
+    if (scene.followed) {
+      const found = scene.followed.rewards.slice(0, Math.ceil(K * dt)), size = found.length > 60 ? 1.6 : 2.6;
+      pen.clip(box.x, box.y, box.w, box.h, () => found.forEach((reward, k) => {
+        const [x, y] = [X(reward), Y(k / dt)];
+        pen.path([[x - size, y - size], [x + size, y - size], [x + size, y + size], [x - size, y + size]],
+          { fill: '#ffffff', stroke: '#111111', width: 0.8, close: true });
+      }));
     }
     const deadline = Y(seen.readRow + 0.5), ruler = { x: box.x + box.w + 6, w: 38 };
     pen.clip(box.x, box.y - 1, box.w, box.h + 2, () => {
@@ -354,6 +362,10 @@ export const kernelPanel = {
   },
 };
 
+const CAME = 'rgba(138,143,152,0.55)';
+const cameNote = ({ model, state, followed }) => (followed.action === state.action ? 'grey: what came'
+  : `grey: what came after ${model.header.actions[followed.action]}`);
+
 export const rewardsPanel = {
   name: 'rewards',
   draw(pen, w, h, scene) {
@@ -361,10 +373,12 @@ export const rewardsPanel = {
     const upper = { ...box, h: box.h * 0.62 }, lower = { ...box, y: box.y + box.h * 0.74, h: box.h * 0.26 };
     const rewards = Array.from(seen.rewards[a], (value) => value / dt),
       true_ = seen.truth && Array.from(seen.truth.rewards[a], (value) => value / dt);
-    const ghost = scene.pinned && Array.from(scene.pinned.rewards[a], (value) => value / dt), all = [0, ...rewards, ...(true_ ?? []), ...(ghost ?? [])];
+    const ghost = scene.pinned && Array.from(scene.pinned.rewards[a], (value) => value / dt);
+    const { followed } = scene, came = followed ? followed.rewards.slice(0, Math.ceil(K * dt)) : [];
+    const all = [0, ...rewards, ...(true_ ?? []), ...(ghost ?? []), ...came];
     const low = Math.min(...all), high = Math.max(...all), x = [-0.5 * dt, (K - 0.5) * dt];
     titled(pen, w, 'expected reward and survival',
-      hover.tau < seen.n ? `τ ${short(hover.tau * dt)}: ${short(rewards[hover.tau])}, alive ${short(seen.survival[a][hover.tau] / dt)}` : Math.max(...seen.survival[a]) / dt > 1.05 ? 'alive above 1: impossible' : seen.truth ? 'grey: true' : '', scene);
+      hover.tau < seen.n ? `τ ${short(hover.tau * dt)}: ${short(rewards[hover.tau])}, alive ${short(seen.survival[a][hover.tau] / dt)}` : Math.max(...seen.survival[a]) / dt > 1.05 ? 'alive above 1: impossible' : seen.truth ? 'grey: true' : followed ? cameNote(scene) : '', scene);
     const span = 1e-3 * (seen.thetas[seen.H] - seen.thetas[0]),
       scale = axes(pen, upper, { x, y: rounded(low, high, span), xTicks: [], yTitle: 'E[r]', colours });
     const few = K <= 8 ? Array.from({ length: K }, (_, k) => k * dt) : undefined;
@@ -376,12 +390,19 @@ export const rewardsPanel = {
       true_?.forEach((value, k) => value
         && pen.path([[xs[k] - bar, Y(0)], [xs[k] - bar, Y(value)], [xs[k] + bar, Y(value)], [xs[k] + bar, Y(0)]],
         { fill: 'rgba(138,143,152,0.45)', close: true }));
+      came.forEach((value, k) => pen.path([[scale.X(k - 0.35), Y(0)], [scale.X(k - 0.35), Y(value)], [scale.X(k + 0.35), Y(value)],
+        [scale.X(k + 0.35), Y(0)]], { fill: CAME, close: true }));
       if (ghost) line(pen, xs, ghost.map(Y), { ...GHOST, stroke: actionColour(a) });
       line(pen, xs, rewards.map(Y), { stroke: actionColour(a), width: 2.2 });
       if (K <= 40) rewards.forEach((value, k) => pen.path(disc(xs[k], Y(value), 2.8), { fill: actionColour(a), close: true }));
     });
     pen.clip(lower.x, lower.y, lower.w, lower.h, () => {
       if (seen.truth) line(pen, xs, seen.truth.survival[a].map((value) => alive.Y(value / dt)), { stroke: NEUTRAL, width: 5 });
+      if (followed) { // 1 until it was over; what is not known is not drawn
+        const end = followed.over ?? came.length;
+        pen.path([[alive.X(-0.5), alive.Y(1)], [alive.X(end - 0.5), alive.Y(1)],
+          ...(followed.over === null ? [] : [[alive.X(end - 0.5), alive.Y(0)], [alive.X(K * dt), alive.Y(0)]])], { stroke: NEUTRAL, width: 4 });
+      }
       line(pen, xs, seen.survival[a].map((value) => alive.Y(value / dt)), { stroke: colours.text, width: 1.6 });
     });
     for (const each of [scale, alive]) if (hover.tau !== undefined) marked(pen, each, { x: hover.tau * dt }, colours);

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from html import escape
 
 import streamlit as st
@@ -25,11 +25,15 @@ def shown_state(view: View) -> dict[str, object]:
     return state_of(state.chosen(), view.settings, horizon, view.action)
 
 
-def pictures(view: View, base: View, presets: Sequence[Preset] = ()) -> None:
+def pictures(
+    view: View, base: View, presets: Sequence[Preset] = (), lead: Mapping[str, object] | None = None,
+    followed: Mapping[str, object] | None = None,
+) -> None:  # fmt: skip
     """Draw the lens; what is let go of in it is set by hand.
 
     Args:
         base: the view that Reset leads to.
+        lead, followed: the episode that the lens follows, and what came in it; see :func:`app.lens.lens`.
     """
     found, shown, judged = compute.study_for(view), shown_state(view), compute.verdict_for(view)
 
@@ -64,6 +68,8 @@ def pictures(view: View, base: View, presets: Sequence[Preset] = ()) -> None:
         pinnable=view.world is not None,
         pinned=compare.is_pinned(),
         pin=compare.pinned_state(view),
+        lead=lead,
+        followed=followed,
     )
 
 

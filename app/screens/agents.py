@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import streamlit as st
 
-from app import checkpoints, compute, state
+from app import checkpoints, compute, rolled, state
 from app.lens import LIVE
 from app.observations import Scene, scene_of
-from app.parts import export, panels
+from app.parts import export, panels, rolling
+from app.rollouts import Rolling
 from app.trained import OBSERVED, opening, parse_query, view_of
 from laplace_core import InputError
 from laplace_core.training.checkpoint import Loaded
@@ -32,8 +33,16 @@ def page() -> None:
             return
         scene = scene_of(loaded.environment)
         _card(loaded, scene)
-        _observation(scene)
-    _view(loaded, scene)
+        asked = rolling.asked(loaded)
+        rolling.form(loaded)
+        if asked is not None:
+            rolling.beside(asked, scene)
+        if asked is None:
+            _observation(scene)
+    if asked is not None and asked.going:
+        st.fragment(rolling.progress, run_every=rolling.LOOK_EVERY)(asked)
+        return
+    _view(loaded, scene, asked)
 
 
 def _choose() -> None:
@@ -90,16 +99,22 @@ def _observation(scene: Scene) -> None:
 
 
 @st.fragment
-def _view(loaded: Loaded, scene: Scene) -> None:
+def _view(loaded: Loaded, scene: Scene, asked: Rolling | None) -> None:
     state.write_url()
+    observation, follow = None, {}
     try:
-        view = view_of(loaded, scene, state.chosen())
-        base = view_of(loaded, scene, state.without(*LIVE))
+        if asked is not None:
+            rollout = asked.rollout()
+            at = rolling.show(rollout, scene)
+            observation = rolled.observation_at(rollout, at)
+            follow = {"lead": rolling.lead(rollout, at), "followed": rolled.followed(rollout, at)}
+        view = view_of(loaded, scene, state.chosen(), observation)
+        base = view_of(loaded, scene, state.without(*LIVE), observation)
         compute.study_for(view)
     except InputError as error:
         st.error(str(error))
         return
-    panels.pictures(view, base)
+    panels.pictures(view, base, **follow)
     panels.artefacts(view)
     export.agent_footer(view)
 

@@ -1,0 +1,97 @@
+"""The player: an episode under a cursor that moves in the browser, and the lens beside it follows.
+
+The browser gets the episode once (:mod:`app.player.payload`). While the cursor moves, the player hands the lens the
+gamma-space of each step; when it comes to rest Python hears the step, and the lens gets the exact one from there.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import struct
+from collections.abc import Callable, Mapping, Sequence
+from functools import cache
+from pathlib import Path
+
+import streamlit as st
+
+from app import chart
+from app.lens import modules
+from app.player.payload import payload
+from app.served import served
+
+_HERE = Path(__file__).resolve().parent
+_HELD = 2
+"""Episodes that a browser keeps (player.js)."""
+
+
+def player(
+    data: bytes, at: int, key: str, names: Sequence[tuple[str, str]], action_names: Sequence[str],
+    on_step: Callable[[int], None] | None = None, seconds: float = 0.05,
+) -> None:  # fmt: skip
+    """Draw the player.
+
+    Args:
+        data: from :func:`payload`.
+        at: the step under the cursor.
+        names: of the numbers of an observation, with their units; none for a tabular world.
+        on_step: called with the step at which the cursor came to rest, before the rerun, as a widget's callback.
+        seconds: that a step is shown for while it plays.
+    """
+    known = st.session_state.setdefault(f"_player {key}", {"revision": 0, "held": []})
+    digest = name_of(data)
+    if known.get("id") != digest or known.get("at") != at:
+        known.update(id=digest, at=at, revision=known["revision"] + 1)
+    widget = f"player {key}"
+
+    def heard() -> None:
+        found = st.session_state[widget].rested
+        if not isinstance(found, Mapping):
+            return
+        if "missing" in found:
+            known["held"] = []
+            return
+        known["held"] = [digest, *(each for each in known["held"] if each != digest)][:_HELD]
+        step = found.get("step")
+        whole = isinstance(step, int | float) and not isinstance(step, bool) and 0 <= step < 1e6
+        if whole and found.get("id") == digest:
+            known["at"] = int(step)
+            if on_step is not None:
+                on_step(int(step))
+
+    told = {
+        "id": digest, "revision": known["revision"], "at": at, "names": list(names), "actions": list(action_names),
+        "seconds": seconds,
+    }  # fmt: skip
+    text = json.dumps(told).encode()
+    text += b" " * (-(len(text) + 4) % 8)
+    sent = b"" if digest in known["held"] else data
+    message = struct.pack("<I", len(text)) + text + sent
+    _component()(key=widget, data=message, on_rested_change=heard, height="content")
+
+
+def name_of(data: bytes) -> str:
+    """What the browser knows an episode by."""
+    return hashlib.sha256(data).hexdigest()[:16]
+
+
+@cache
+def _component() -> Callable:
+    stub = (_HERE / "stub.js").read_text(encoding="utf-8").replace("__ADDRESS__", player_js())
+    css = (_HERE / "style.css").read_text(encoding="utf-8")
+    return st.components.v2.component("laplace_player", js=stub, css=css, isolate_styles=False)
+
+
+@cache
+def player_js() -> str:
+    """The address of the player as one module."""
+    return served("player.js", script().encode())
+
+
+@cache
+def script() -> str:
+    own = "\n".join((_HERE / f"{name}.js").read_text(encoding="utf-8") for name in ("reel", "player"))
+    return modules("maths", "drawing", "controls") + chart.joined(own)
+
+
+__all__ = ["name_of", "payload", "player", "player_js", "script"]

@@ -1,0 +1,205 @@
+// The player inside Streamlit: the frame, a timeline to drag over, buttons, and the numbers of the step under the cursor.
+import { element } from './controls.js';
+import { NEUTRAL, actionColour, axes, canvasPen, line, rounded, short } from './drawing.js';
+import { bySurprise, followedAt, frameAt, modelAt, nextMarked, openReel } from './reel.js';
+
+const REST = 250; // ms without a move before the server hears the step
+const reels = globalThis.laplaceReels ??= new Map(), HELD = 2; // by payload; Python counts on as many
+const mounted = new WeakMap();
+const MEANINGS = {
+  expected: 'discounted return that the agent expected of the action taken',
+  came: 'discounted return that came; where the episode was cut off, the best value of the last observation stands for the rest',
+  surprise: 'reward + γ best value of the next observation − value of the action taken',
+};
+const lensOf = () => document.querySelector('.laplace-lens')?.lens;
+
+async function reelOf(id, bytes) {
+  const reel = bytes.length && !reels.has(id) ? { ...await openReel(bytes), id } : reels.get(id);
+  if (!reel) return undefined;
+  reels.delete(id);
+  reels.set(id, reel);
+  while (reels.size > HELD) reels.delete(reels.keys().next().value);
+  return reel;
+}
+
+export default async function ({ data, parentElement, setTriggerValue }) {
+  const view = new DataView(data.buffer, data.byteOffset), length = view.getUint32(0, true);
+  const told = JSON.parse(new TextDecoder().decode(data.subarray(4, 4 + length)));
+  const reel = await reelOf(told.id, data.subarray(4 + length));
+  if (!reel) { setTriggerValue('rested', { missing: told.id }); return; }
+  let kept = mounted.get(parentElement);
+  if (kept && kept.id === told.id && kept.host.isConnected) {
+    kept.report = setTriggerValue;
+    if (kept.revision !== told.revision) kept.go(told.at);
+    kept.revision = told.revision;
+    return;
+  }
+  kept?.stop();
+  const host = element('div', { class: 'laplace-player' });
+  parentElement.querySelectorAll('.laplace-player').forEach((old) => old.remove());
+  parentElement.append(host);
+  kept = mount(host, reel, told, (heard) => kept.report('rested', heard));
+  Object.assign(kept, { id: told.id, revision: told.revision, report: setTriggerValue });
+  mounted.set(parentElement, kept);
+}
+
+function mount(host, reel, told, report) {
+  const last = reel.steps - 1, order = bySurprise(reel), differ = reel.differs.reduce((a, b) => a + b, 0);
+  let step = Math.min(told.at, last), playing, resting, url, reported = step, since, rank = -1;
+  const returns = Float64Array.from(reel.rewards);
+  for (let t = 1; t <= last; t++) returns[t] += returns[t - 1];
+  host.times = [];
+
+  const frame = element('img', { class: 'frame', alt: 'the environment before this step' });
+  const canvas = element('canvas', { class: 'reel', role: 'img', 'aria-label': 'rewards and surprise of the episode' });
+  const bar = element('input', { type: 'range', min: 0, max: last, step: 1, 'aria-label': 'step of the episode', name: 'step' });
+  const button = (words, title, does) => element('button', { type: 'button', title, 'aria-label': title, onclick: does }, words);
+  const play = button('▶', 'play', () => (playing ? stop() : begin()));
+  const differs = button(differ ? `not greedy › ${differ}` : 'always greedy', 'next step whose action is not the greedy one', () => go(nextMarked(reel.differs, step)));
+  differs.disabled = !differ;
+  const surprise = button('surprise ›', 'largest surprise; again for the next largest', () => { // on from the last one, while it is still shown
+    rank = order[rank] === step ? (rank + 1) % Math.min(order.length, 10) : 0;
+    go(order[rank]);
+  });
+  const where = element('b', {});
+  const values = element('table', { class: 'values' }), seen = element('table', { class: 'seen' });
+  const buttons = element('div', { class: 'buttons' },
+    button('|‹', 'first step', () => go(0)), button('‹', 'one step back', () => go(step - 1)), play,
+    button('›', 'one step on', () => go(step + 1)), button('›|', 'last step', () => go(last)), differs, surprise);
+  const facts = element('table', { class: 'facts' }), numbers = element('div', { class: 'numbers' },
+    element('div', {}, values, facts), ...(told.names.length ? [seen] : []));
+  const middle = element('div', { class: 'middle' }, element('div', { class: 'line' }, where), canvas, bar, buttons);
+  host.append(...(reel.ends.length ? [frame] : []), middle, numbers);
+
+  const cell = (words, kind = '') => element('td', { class: kind }, words);
+  const valueRows = told.actions.map((name, a) => {
+    const cells = [cell('', 'mark'), cell(name), cell('', 'number'), cell('', 'number')];
+    cells[0].style.color = actionColour(a);
+    values.append(element('tr', {}, ...cells));
+    return cells;
+  });
+  values.prepend(element('tr', {}, cell(''), cell('action'), cell('by the rule', 'number'), cell('greedy', 'number')));
+  const gamma = `(γ ${short(reel.acting_gamma)})`;
+  const factCells = ['reward', 'return so far', `expected ${gamma}`, `came ${gamma}`, 'surprise'].map((name) => {
+    const value = cell('', 'number');
+    facts.append(element('tr', { title: MEANINGS[name.split(' (')[0]] }, cell(name), value));
+    return value;
+  });
+  const seenCells = told.names.map(([name, unit]) => {
+    const value = cell('', 'number');
+    seen.append(element('tr', {}, cell(name), value, cell(unit)));
+    return value;
+  });
+
+  const lead = globalThis.laplaceLead = { id: told.id, get step() { return step; }, over(model) {
+    return [modelAt(reel, step, model), { said: null, followed: followedAt(reel, step) }];
+  } };
+
+  function go(next) {
+    next = Math.max(0, Math.min(last, next));
+    if (next === step) return;
+    step = next;
+    show();
+    clearTimeout(resting);
+    if (!playing) resting = setTimeout(rest, REST);
+  }
+
+  function rest() {
+    if (!host.isConnected || step === reported) return;
+    reported = step;
+    report({ step, id: told.id });
+  }
+
+  function show() {
+    const began = performance.now(), lens = lensOf();
+    if (lens && globalThis.laplaceLead === lead) {
+      const [model, news] = lead.over(lens.model);
+      lens.show(model, news, false);
+    }
+    draw();
+    host.times.push(performance.now() - began);
+    if (host.times.length > 500) host.times.shift();
+  }
+
+  function draw() {
+    const picture = frameAt(reel, step);
+    if (picture) {
+      const old = url;
+      frame.src = url = URL.createObjectURL(new Blob([picture], { type: 'image/jpeg' }));
+      if (old) setTimeout(() => URL.revokeObjectURL(old), 500);
+    }
+    bar.value = step;
+    where.textContent = `step ${step} of ${last}`;
+    [reel.rewards[step], returns[step], reel.predicted[step], reel.received[step], reel.surprise[step]].forEach((value, i) => {
+      factCells[i].textContent = short(value, 4);
+    });
+    const A = reel.actions;
+    valueRows.forEach(([mark, , rule, greedy], a) => {
+      const taken = reel.taken[step] === a;
+      mark.textContent = taken ? '●' : '○';
+      mark.parentElement.classList.toggle('taken', taken);
+      rule.textContent = short(reel.values[step * A + a], 4);
+      greedy.textContent = short(reel.greedy_values[step * A + a], 4);
+    });
+    seenCells.forEach((value, i) => { value.textContent = short(reel.observations[step * told.names.length + i]); });
+    drawReel();
+  }
+
+  function drawReel() {
+    const w = canvas.clientWidth, h = canvas.clientHeight, dense = Math.min(2, devicePixelRatio);
+    if (!w) return;
+    const size = { width: Math.round(w * dense), height: Math.round(h * dense) };
+    if (canvas.width !== size.width || canvas.height !== size.height) Object.assign(canvas, size);
+    const context = canvas.getContext('2d'), style = getComputedStyle(host), pen = canvasPen(context, style.fontFamily);
+    const colours = { text: style.color, soft: NEUTRAL }, x = [-0.5, last + 0.5];
+    context.setTransform(dense, 0, 0, dense, 0, 0);
+    context.clearRect(0, 0, w, h);
+    const range = (all) => rounded(all.reduce((a, b) => Math.min(a, b), 0), all.reduce((a, b) => Math.max(a, b), 0));
+    const half = (h - 24) / 2, upper = { x: 46, y: 4, w: w - 56, h: half - 4 }, lower = { ...upper, y: half + 8, h: half - 4 };
+    const top = axes(pen, upper, { x, y: range(reel.rewards), yTicks: range(reel.rewards), xTicks: [], yTitle: 'reward', colours });
+    const low = axes(pen, lower, { x, y: range(reel.surprise), yTicks: range(reel.surprise), yTitle: 'surprise', colours });
+    const bars = [];
+    reel.rewards.forEach((reward, t) => bars.push([top.X(t), top.Y(0)], [top.X(t), top.Y(reward)], null));
+    pen.path(bars, { stroke: NEUTRAL, width: Math.max(1, Math.min(6, (0.7 * upper.w) / (last + 1))) });
+    line(pen, Array.from(reel.surprise, (_, t) => low.X(t)), reel.surprise.map(low.Y), { stroke: '#d6336c', width: 1.3 });
+    reel.differs.forEach((mark, t) => {
+      if (mark) pen.path([[low.X(t), upper.y + upper.h], [low.X(t), lower.y]], { stroke: actionColour(reel.taken[t]), width: 2 });
+    });
+    pen.path([[top.X(step), upper.y], [top.X(step), lower.y + lower.h]], { stroke: '#ff9f1c', width: 2 });
+    canvas.toStep = (px) => Math.round(((px - upper.x) / upper.w) * (last + 1) - 0.5);
+  }
+
+  function begin() {
+    if (step === last) go(0);
+    clearTimeout(resting);
+    since = undefined;
+    const tick = (now) => {
+      if (!playing || !host.isConnected) return;
+      since ??= now;
+      const steps = Math.floor((now - since) / (1000 * told.seconds));
+      if (steps) { since += steps * 1000 * told.seconds; go(step + steps); }
+      if (step >= last) { stop(); return; }
+      playing = requestAnimationFrame(tick);
+    };
+    playing = requestAnimationFrame(tick);
+    play.textContent = '❚❚';
+    play.title = 'pause';
+  }
+
+  function stop() {
+    if (!playing) return;
+    cancelAnimationFrame(playing);
+    playing = undefined;
+    play.textContent = '▶';
+    play.title = 'play';
+    resting = setTimeout(rest, REST);
+  }
+
+  bar.oninput = () => { stop(); go(+bar.value); };
+  canvas.onpointerdown = (event) => { canvas.setPointerCapture(event.pointerId); stop(); go(canvas.toStep(event.offsetX)); };
+  canvas.onpointermove = (event) => { if (event.buttons) go(canvas.toStep(event.offsetX)); };
+  new ResizeObserver(drawReel).observe(host);
+  host.addEventListener('transitionend', (event) => { if (event.target === host) drawReel(); }); // its colour follows the theme
+  show();
+  return { host, stop, go(next) { stop(); go(next); reported = step; clearTimeout(resting); } };
+}

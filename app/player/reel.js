@@ -1,0 +1,62 @@
+// An episode as the server packs it: everything of each step, and the model that the lens shows for one. Knows no page.
+import { remade } from './maths.js';
+
+const KINDS = { f4: Float32Array, f8: Float64Array, u1: Uint8Array };
+
+async function inflated(block) {
+  const stream = new Blob([block]).stream().pipeThrough(new DecompressionStream('deflate'));
+  return new Uint8Array(await new Response(stream).arrayBuffer());
+}
+
+// Levels of all steps from 16-bit changes, whose low bytes come before their high ones; sums wrap around.
+export function levelsOf(halves, steps) {
+  const count = halves.length / 2, width = count / steps, out = new Int16Array(count);
+  for (let i = 0; i < count; i++) {
+    const change = halves[i] | (halves[count + i] << 8);
+    out[i] = i < width ? change : out[i - width] + change;
+  }
+  return out;
+}
+
+export async function openReel(bytes) {
+  const view = new DataView(bytes.buffer, bytes.byteOffset), length = view.getUint32(0, true);
+  const header = JSON.parse(new TextDecoder().decode(bytes.subarray(4, 4 + length))), reel = { ...header };
+  for (const [name, [kind, at, size]] of Object.entries(header.blocks)) {
+    const block = bytes.slice(4 + length + at, 4 + length + at + size);
+    if (name === 'differences') reel.levels = levelsOf(await inflated(block), header.steps);
+    else if (name === 'constant') reel.constant = new Float32Array((await inflated(block)).buffer);
+    else reel[name === 'actions' ? 'taken' : name] = new KINDS[kind](block.buffer);
+  }
+  return reel;
+}
+
+// Gamma-space of a step: differences (A, G, H-1), and the constant channel (A, G).
+export function spaceAt({ levels, constant, scales, steps, actions }, step) {
+  const size = levels.length / steps, G = scales.length, width = size / actions / G, from = step * size;
+  const differences = Float64Array.from({ length: size }, (_, i) => levels[from + i] * scales[((i / width) | 0) % G]);
+  const one = constant.length / steps;
+  return { differences, constant: Float64Array.from(constant.subarray(step * one, (step + 1) * one)) };
+}
+
+// The lens's model of a step, by the factors of the one that it has.
+export function modelAt(reel, step, base) {
+  const { differences, constant } = spaceAt(reel, step);
+  return { ...remade(base, differences, constant), id: `${reel.id} ${step}` };
+}
+
+export const frameAt = ({ frames, ends }, step) =>
+  (ends.length ? frames.subarray(step ? ends[step - 1] : 0, ends[step]) : null);
+
+// What the lens draws on the timeline of a step: see app/rolled.py.
+export function followedAt({ rewards, taken, steps, terminated }, step) {
+  return { rewards: Array.from(rewards.subarray(step)), action: taken[step], over: terminated ? steps - step : null };
+}
+
+// The next step after this one that is marked; around the end to the first.
+export function nextMarked(marks, step) {
+  for (let i = 1; i <= marks.length; i++) if (marks[(step + i) % marks.length]) return (step + i) % marks.length;
+  return -1;
+}
+
+// Steps in the order of how much they surprise, the largest first.
+export const bySurprise = ({ surprise }) => [...surprise.keys()].sort((a, b) => Math.abs(surprise[b]) - Math.abs(surprise[a]));

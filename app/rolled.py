@@ -1,0 +1,64 @@
+"""The rollout that a page shows, as values of its link: the control, and the step under the cursor."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from app.rollouts import Control
+from laplace_core.parameters import Parameter
+from laplace_core.training.rollout import MOST_SEED, MOST_STEPS, RULES, Rollout
+
+SHOWN, SEED, RULE, HORIZON, GAMMA, AT = "r.shown", "r.seed", "r.rule", "r.horizon", "r.gamma", "r.at"
+TITLES = {
+    "greedy": "greedy at a discount",
+    "fading": "for T: fading deadline",
+    "readout": "for T: readout of all discounts",
+    "decoded": "for T: decoded tau-space (slow)",
+    "matched": "for T: nearest discount",
+    "random": "random",
+}
+"""Rules that an agent with a gamma-space can act by."""
+VIEW = (
+    Parameter(SHOWN, "no", 0, 0, "Whether a rollout is shown.", str, ("no", "yes")),
+    Parameter(SEED, 0, 0, MOST_SEED, "Seed of the start, and of random actions."),
+    Parameter(RULE, "greedy", 0, 0, "Control rule.", str, tuple(name for name in RULES if name in TITLES)),
+    Parameter(HORIZON, None, 1, MOST_STEPS, "Deadline T of the episode, in steps.", int),
+    Parameter(GAMMA, None, 1e-6, 0.999999, "Discount to be greedy at.", float),
+    Parameter(AT, 0, 0, MOST_STEPS, "Step under the cursor."),
+)
+PARAMETERS = {parameter.name: parameter for parameter in VIEW}
+ADAPTED = ("fading", "readout", "decoded", "matched")
+
+
+def shown(values: Mapping[str, object]) -> bool:
+    return values.get(SHOWN) == "yes"
+
+
+def control_of(values: Mapping[str, object], limit: int) -> Control:
+    """The control that a page's values describe; ``limit`` is T where an adapted rule is told none."""
+    rule = str(values.get(RULE, "greedy"))
+    horizon = values.get(HORIZON)
+    if rule in ADAPTED:
+        return Control(int(values.get(SEED, 0)), rule, min(limit, int(horizon or limit)))
+    gamma = values.get(GAMMA) if rule == "greedy" else None
+    return Control(int(values.get(SEED, 0)), rule, None, gamma)
+
+
+def step_of(values: Mapping[str, object], rollout: Rollout) -> int:
+    return min(int(values.get(AT, 0)), len(rollout) - 1)
+
+
+def observation_at(rollout: Rollout, step: int) -> tuple[float, ...]:
+    return tuple(float(value) for value in rollout.observations[step])
+
+
+def followed(rollout: Rollout, step: int) -> dict[str, object]:
+    """What the lens draws on the timeline: rewards from a step on, the action there, and how it went on.
+
+    ``over`` is how many steps were left if the episode then was over, None if it was only cut off.
+    """
+    rewards = np.asarray(rollout.rewards[step:], dtype=float)
+    over = len(rollout) - step if rollout.terminated else None
+    return {"rewards": rewards.tolist(), "action": int(rollout.actions[step]), "over": over}

@@ -1,0 +1,130 @@
+"""A trained agent in a real browser: roll out, scrub, change alpha, take along; the numbers against the library."""
+
+from __future__ import annotations
+
+import csv
+import io
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from laplace_core.encoding import theta_midpoints
+from laplace_core.horizon import expected_rewards
+from laplace_core.inverse import decode
+from laplace_core.training.checkpoint import load_checkpoint
+from laplace_core.training.rollout import roll_out
+
+pytestmark = pytest.mark.browser
+CHECKPOINT = Path(__file__).resolve().parents[2] / "checkpoints" / "laplace_CartPole-v1.safetensors"
+SEED, STEP = 3, 17
+
+
+@pytest.fixture(scope="module")
+def wanted():
+    """The same episode by the library."""
+    loaded = load_checkpoint(CHECKPOINT)
+    return loaded, roll_out(loaded.agent, "CartPole-v1", SEED, "fading", horizon=60)
+
+
+def rolled_out(page, address):
+    page.goto(f"{address}/agents?checkpoint=laplace_CartPole-v1&r.rule=fading&r.horizon=60&r.seed={SEED}")
+    page.get_by_role("button", name="Roll out").click()
+    page.locator(".laplace-player canvas").wait_for()
+    page.locator("canvas.tau-space").wait_for()
+    page.wait_for_function("() => document.querySelector('.laplace-lens').frames.length > 1")
+
+
+def shown(page) -> np.ndarray:
+    """Differences of the model that the lens shows, (A, G, H-1)."""
+    return np.array(page.evaluate(
+        "() => { const { model } = document.querySelector('.laplace-lens').lens;"
+        " return model.grids.own.columns.shared.values.map((one) => Array.from(one)); }"
+    ))  # fmt: skip
+
+
+def scrub(page, step: int) -> None:
+    page.locator("input[name=step]").evaluate(
+        "(input, step) => { input.value = step; input.dispatchEvent(new Event('input')); }", step
+    )
+
+
+def saved(page, name: str) -> bytes:
+    with page.expect_download() as download:
+        page.get_by_role("button", name=name, exact=True).click()
+    return Path(download.value.path()).read_bytes()
+
+
+def test_the_whole_path_and_its_numbers(page, address, wanted):
+    loaded, rollout = wanted
+    rolled_out(page, address)
+    scrub(page, STEP)
+    page.wait_for_url(f"**r.at={STEP}*")
+    alpha = page.locator("input[name=alpha]")
+    alpha.focus()
+    for _ in range(12):
+        page.keyboard.press("ArrowLeft")
+    page.wait_for_url("**alpha=*")
+    page.wait_for_timeout(800)
+
+    lines = saved(page, "save CSV").decode().splitlines()
+    rows = [[float(x) for x in row] for row in csv.reader(io.StringIO("\n".join(lines[2:])))]
+    found, head = np.array(rows), next(csv.reader([lines[1]]))
+    told = page.evaluate("() => document.querySelector('.laplace-lens').lens.state")
+    assert told["alpha"] < 0.6
+    space = loaded.agent.gamma_space(rollout.observations[STEP])
+    tau_space = decode(space.differences, space.gammas, len(found), told["alpha"], 1.0)[told["action"]]
+    first = next(i for i, name in enumerate(head) if name.startswith("P at"))
+    np.testing.assert_allclose(found[:, first:], tau_space, atol=1e-6)
+    np.testing.assert_allclose(found[:, 1], expected_rewards(tau_space, theta_midpoints(space.thetas)), atol=1e-5)
+
+    file = np.load(io.BytesIO(saved(page, "NPZ")))
+    np.testing.assert_array_equal(file["actions"], rollout.actions)
+    np.testing.assert_allclose(file["gamma_space"][STEP], space.values, rtol=1e-5, atol=1e-5)
+    np.testing.assert_array_equal(file["observations"], rollout.observations)
+
+
+def test_scrubbing_needs_no_server_and_shows_the_next_step_at_once(page, address, wanted):
+    _, rollout = wanted
+    rolled_out(page, address)
+    sent = []
+    page.context.route("**/*", lambda route: route.abort())  # whatever is not there by now does not come
+    page.on("websocket", lambda socket: sent.append(socket))
+    page.evaluate("() => { document.querySelector('.laplace-player').times.length = 0; }")
+    exact = rollout.spaces[..., :-1] - rollout.spaces[..., 1:]
+    for step in (1, 2, 30, 59):
+        scrub(page, step)  # sooner than it comes to rest
+        found = shown(page).reshape(exact.shape[1:])
+        level = np.abs(exact).max(axis=(0, 1, 3)) / 32767
+        assert (np.abs(found - exact[step]).max(axis=(0, 2)) <= 0.51 * level + 1e-6).all()
+        assert page.locator(".laplace-player .line b").inner_text() == f"step {step} of 59"
+    times = page.evaluate("() => document.querySelector('.laplace-player').times")
+    assert len(times) == 4
+    assert np.median(times) < 33
+
+
+def test_jumps_lead_to_what_is_marked(page, address, wanted):
+    _, rollout = wanted
+    rolled_out(page, address)
+    page.get_by_role("button", name="largest surprise; again for the next largest").click()
+    page.wait_for_url(f"**r.at={int(np.abs(rollout.surprise).argmax())}*")
+    differs = page.get_by_role("button", name="next step whose action is not the greedy one")
+    if not rollout.differs.any():
+        assert differs.is_disabled()
+        return
+    differs.click()
+    page.wait_for_timeout(1500)
+    step = int(page.locator("input[name=step]").input_value())
+    assert rollout.differs[step]
+
+
+def test_it_plays_and_pauses(page, address):
+    rolled_out(page, address)
+    page.get_by_role("button", name="play").click()
+    page.wait_for_function("() => document.querySelector('input[name=step]').value > 5")
+    page.get_by_role("button", name="play").click()
+    page.wait_for_timeout(600)
+    at = page.locator("input[name=step]").input_value()
+    page.wait_for_timeout(400)
+    assert page.locator("input[name=step]").input_value() == at
+    page.wait_for_url(f"**r.at={at}*")

@@ -1,0 +1,72 @@
+"""The cache of rollouts: one thread, a few kept, and cancelled where nobody waits."""
+
+from __future__ import annotations
+
+import threading
+
+import pytest
+
+from app import rollouts
+from app.rollouts import MOST_KEPT, Control, rolling
+from laplace_core import InputError
+from laplace_core.agents import LaplaceSettings
+from laplace_core.training.checkpoint import Loaded, load_checkpoint, new_agent, save_checkpoint
+from tests.quick_runs import until
+
+
+@pytest.fixture
+def loaded(tmp_path) -> Loaded:
+    settings = LaplaceSettings(environment="two_branch", hidden=4, features=4, gammas=3, thetas=5, theta_max=12.0)
+    save_checkpoint(tmp_path / "a.safetensors", new_agent(settings), 0, None)
+    return load_checkpoint(tmp_path / "a.safetensors")
+
+
+@pytest.fixture(autouse=True)
+def empty():
+    rollouts._kept.clear()
+    yield
+    for one in rollouts._kept.values():
+        one.cancel()
+    rollouts._kept.clear()
+
+
+def finished(loaded, control):
+    one = rolling(loaded, control)
+    until(lambda: not one.going)
+    return one
+
+
+def test_the_same_control_is_the_same_rollout(loaded):
+    one = finished(loaded, Control(seed=1))
+    assert rolling(loaded, Control(seed=1)).rollout() is one.rollout()
+    assert one.done == len(one.rollout())
+
+
+def test_fifty_rollouts_leave_a_few(loaded):
+    for seed in range(50):
+        finished(loaded, Control(seed=seed))
+    assert len(rollouts._kept) == MOST_KEPT
+    assert [control.seed for _, control in rollouts._kept] == [47, 48, 49]
+
+
+def test_one_that_is_refused_says_why(loaded):
+    with pytest.raises(InputError, match="own"):
+        finished(loaded, Control(rule="own")).rollout()
+
+
+def test_a_cancelled_one_ends_at_the_next_step_and_is_begun_anew(loaded, monkeypatch):
+    held, steps = threading.Event(), []
+
+    def slow(agent, environment, *rest, told, **options):
+        for i in range(1000):
+            held.wait(30)
+            told(i + 1, 1000)
+            steps.append(i)
+
+    monkeypatch.setattr(rollouts, "roll_out", slow)
+    one = rolling(loaded, Control())
+    one.cancel()
+    held.set()
+    until(lambda: not one.going)
+    assert len(steps) == 0
+    assert rolling(loaded, Control()) is not one
