@@ -11,13 +11,14 @@ from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass
 from functools import cache
 
+from app.player.payload import payload
 from laplace_core.agents.agent import Agent
 from laplace_core.agents.settings import GYMNASIUM_ENVIRONMENTS
 from laplace_core.training.checkpoint import Loaded
 from laplace_core.training.rollout import Rollout, longest, roll_out
 
-MOST_KEPT = 3
-"""Rollouts; with the bounds of :mod:`laplace_core.training.rollout` some 75 MB each at the very most."""
+MOST_KEPT, MOST_BYTES = 16, 200_000_000
+"""Rollouts, and their memory together; the one that is asked for stays whatever its size, some 90 MB at the most."""
 
 
 class _Cancelled(Exception):
@@ -42,13 +43,14 @@ class Rolling:
         self._agent: Agent = loaded.agent
         self._environment = loaded.environment
         self._cancelled = threading.Event()
-        self._future: Future[Rollout] = _worker().submit(self._work)
+        self._future: Future[tuple[Rollout, bytes]] = _worker().submit(self._work)
 
-    def _work(self) -> Rollout:
+    def _work(self) -> tuple[Rollout, bytes]:
         c, pictures = self.control, self._environment in GYMNASIUM_ENVIRONMENTS
-        return roll_out(
+        found = roll_out(
             self._agent, self._environment, c.seed, c.rule, c.horizon, c.gamma, pictures=pictures, told=self._hear
         )
+        return found, payload(found)
 
     def _hear(self, done: int, of: int) -> None:
         if self._cancelled.is_set():
@@ -74,7 +76,18 @@ class Rolling:
         Raises:
             InputError: it was refused.
         """
-        return self._future.result()
+        return self._future.result()[0]
+
+    def packed(self) -> bytes:
+        """The same for the player."""
+        return self._future.result()[1]
+
+    @property
+    def bytes(self) -> int:
+        """Memory that it holds; nothing before it is done."""
+        if self.going or self._future.cancelled() or self._future.exception():
+            return 0
+        return self.rollout().bytes + len(self.packed())
 
 
 @cache
@@ -93,7 +106,7 @@ def rolling(loaded: Loaded, control: Control) -> Rolling:
         if key not in _kept or _kept[key].gone:
             _kept[key] = Rolling(loaded, control)
         _kept.move_to_end(key)
-        while len(_kept) > MOST_KEPT:
+        while len(_kept) > 1 and (len(_kept) > MOST_KEPT or sum(one.bytes for one in _kept.values()) > MOST_BYTES):
             _kept.popitem(last=False)[1].cancel()
         return _kept[key]
 

@@ -60,7 +60,7 @@ def test_everything_else_is_exact(rollout):
 def test_a_space_of_zeros_does_not_divide_by_zero():
     levels, scales = rounded(np.zeros((2, 1, 3, 4), np.float32))
     assert not levels.any()
-    assert np.isfinite(scales).all()
+    assert (scales > 0).all()
 
 
 def test_a_thousand_steps_of_the_lander_are_less_than_ten_megabytes():

@@ -46,7 +46,18 @@ def test_fifty_rollouts_leave_a_few(loaded):
     for seed in range(50):
         finished(loaded, Control(seed=seed))
     assert len(rollouts._kept) == MOST_KEPT
-    assert [control.seed for _, control in rollouts._kept] == [47, 48, 49]
+    assert [control.seed for _, control in rollouts._kept] == list(range(50 - MOST_KEPT, 50))
+
+
+def test_large_ones_make_room_sooner(loaded, monkeypatch):
+    size = finished(loaded, Control(seed=0)).bytes
+    assert size > 100
+    monkeypatch.setattr(rollouts, "MOST_BYTES", int(2.5 * size))
+    for seed in range(1, 9):
+        finished(loaded, Control(seed=seed, rule="random"))
+    rolling(loaded, Control(seed=8, rule="random"))
+    assert 1 <= len(rollouts._kept) <= 3
+    assert sum(one.bytes for one in rollouts._kept.values()) <= 2.5 * size
 
 
 def test_one_that_is_refused_says_why(loaded):
@@ -55,9 +66,10 @@ def test_one_that_is_refused_says_why(loaded):
 
 
 def test_a_cancelled_one_ends_at_the_next_step_and_is_begun_anew(loaded, monkeypatch):
-    held, steps = threading.Event(), []
+    begun, held, steps = threading.Event(), threading.Event(), []
 
     def slow(agent, environment, *rest, told, **options):
+        begun.set()
         for i in range(1000):
             held.wait(30)
             told(i + 1, 1000)
@@ -65,6 +77,7 @@ def test_a_cancelled_one_ends_at_the_next_step_and_is_begun_anew(loaded, monkeyp
 
     monkeypatch.setattr(rollouts, "roll_out", slow)
     one = rolling(loaded, Control())
+    assert begun.wait(30)
     one.cancel()
     held.set()
     until(lambda: not one.going)

@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-from functools import lru_cache
-
 import streamlit as st
 
 from app import rolled, rollouts, state
 from app.observations import Scene
-from app.player import name_of, payload, player
+from app.player import name_of, player
 from app.rolled import ADAPTED, AT, GAMMA, HORIZON, PARAMETERS, RULE, SEED, SHOWN, TITLES
 from app.rollouts import Rolling
 from app.trained import OBSERVED
@@ -131,8 +129,9 @@ def _cancel(rolling: Rolling) -> None:
     _close()
 
 
-def show(rollout: Rollout, scene: Scene) -> int:
+def show(rolling: Rolling, scene: Scene) -> int:
     """The player; returns the step under the cursor."""
+    rollout = rolling.rollout()
     at = rolled.step_of(state.chosen(), rollout)
 
     def heard(step: int) -> None:
@@ -140,15 +139,10 @@ def show(rollout: Rollout, scene: Scene) -> int:
 
     names = [(part.name, part.unit) for part in scene.components]
     seconds = max(_SLOWEST, _SECONDS.get(rollout.environment, _SLOWEST))
-    player(_packed(rollout), at, state.page_name(), names, scene.actions, heard, seconds)
+    player(rolling.packed(), at, state.page_name(), names, scene.actions, heard, seconds)
     return rolled.step_of(state.chosen(), rollout)
 
 
-def lead(rollout: Rollout, step: int) -> dict[str, object]:
+def lead(rolling: Rolling, step: int) -> dict[str, object]:
     """The episode and the step that the lens is told of."""
-    return {"id": name_of(_packed(rollout)), "step": step}
-
-
-@lru_cache(maxsize=rollouts.MOST_KEPT)
-def _packed(rollout: Rollout) -> bytes:
-    return payload(rollout)
+    return {"id": name_of(rolling.packed()), "step": step}

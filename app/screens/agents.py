@@ -105,9 +105,9 @@ def _view(loaded: Loaded, scene: Scene, asked: Rolling | None) -> None:
     try:
         if asked is not None:
             rollout = asked.rollout()
-            at = rolling.show(rollout, scene)
+            at = rolling.show(asked, scene)
             observation = rolled.observation_at(rollout, at)
-            follow = {"lead": rolling.lead(rollout, at), "followed": rolled.followed(rollout, at)}
+            follow = {"lead": rolling.lead(asked, at), "followed": rolled.followed(rollout, at)}
         view = view_of(loaded, scene, state.chosen(), observation)
         base = view_of(loaded, scene, state.without(*LIVE), observation)
         compute.study_for(view)
