@@ -1,16 +1,12 @@
-"""Rollouts in the making and the last few that were made: one cache for all sessions of this server.
-
-One thread works through them; a rollout takes seconds. The page asks again and again and reads how far it is.
-"""
+"""Rollouts in the making and those made last: one cache for all sessions of this server."""
 
 from __future__ import annotations
 
 import threading
 from collections import OrderedDict
-from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass
-from functools import cache
 
+from app.background import Told, Work
 from app.player.payload import payload
 from laplace_core.agents.agent import Agent
 from laplace_core.agents.settings import GYMNASIUM_ENVIRONMENTS
@@ -19,10 +15,6 @@ from laplace_core.training.rollout import Rollout, longest, roll_out
 
 MOST_KEPT, MOST_BYTES = 16, 200_000_000
 """Rollouts, and their memory together; the one that is asked for stays whatever its size, some 90 MB at the most."""
-
-
-class _Cancelled(Exception):
-    """Nobody waits for it any more."""
 
 
 @dataclass(frozen=True)
@@ -35,64 +27,36 @@ class Control:
     gamma: float | None = None
 
 
-class Rolling:
-    """One rollout: under way, done, or refused."""
+class Rolling(Work[tuple[Rollout, bytes]]):
+    """One rollout, and the same packed for the player."""
 
     def __init__(self, loaded: Loaded, control: Control):
-        self.control, self.done, self.of = control, 0, 0
-        self._agent: Agent = loaded.agent
-        self._environment = loaded.environment
-        self._cancelled = threading.Event()
-        self._future: Future[tuple[Rollout, bytes]] = _worker().submit(self._work)
+        pictures = loaded.environment in GYMNASIUM_ENVIRONMENTS
+        c = self.control = control
 
-    def _work(self) -> tuple[Rollout, bytes]:
-        c, pictures = self.control, self._environment in GYMNASIUM_ENVIRONMENTS
-        found = roll_out(
-            self._agent, self._environment, c.seed, c.rule, c.horizon, c.gamma, pictures=pictures, told=self._hear
-        )
-        return found, payload(found)
+        def make(told: Told) -> tuple[Rollout, bytes]:
+            found = roll_out(
+                loaded.agent, loaded.environment, c.seed, c.rule, c.horizon, c.gamma, pictures=pictures, told=told
+            )
+            return found, payload(found)
 
-    def _hear(self, done: int, of: int) -> None:
-        if self._cancelled.is_set():
-            raise _Cancelled
-        self.done, self.of = done, of
-
-    def cancel(self) -> None:
-        self._cancelled.set()
-        self._future.cancel()
-
-    @property
-    def going(self) -> bool:
-        return not self._future.done()
-
-    @property
-    def gone(self) -> bool:
-        """Whether it was cancelled: it has to be asked for anew."""
-        return self._cancelled.is_set()
+        super().__init__(make)
 
     def rollout(self) -> Rollout:
-        """What came of it, once it is no longer going.
+        """What came of it.
 
         Raises:
-            InputError: it was refused.
+            InputError: as of :meth:`result`.
         """
-        return self._future.result()[0]
+        return self.result()[0]
 
     def packed(self) -> bytes:
-        """The same for the player."""
-        return self._future.result()[1]
+        return self.result()[1]
 
     @property
     def bytes(self) -> int:
         """Memory that it holds; nothing before it is done."""
-        if self.going or self._future.cancelled() or self._future.exception():
-            return 0
-        return self.rollout().bytes + len(self.packed())
-
-
-@cache
-def _worker() -> ThreadPoolExecutor:
-    return ThreadPoolExecutor(max_workers=1, thread_name_prefix="rollout")
+        return self.rollout().bytes + len(self.packed()) if self.worked else 0
 
 
 _kept: OrderedDict[tuple[Agent, Control], Rolling] = OrderedDict()

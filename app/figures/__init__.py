@@ -3,15 +3,18 @@
 from app.figures.comparison import comparison
 from app.figures.graph import world_graph
 from app.figures.learning import learning_curve, return_laws, reward_bands
+from app.figures.simulated import calibration_plot, simulated_timeline
 from app.figures.theme import to_json
 from app.figures.timelines import rewards_and_survival, values_over_horizon
 
 __all__ = [
+    "calibration_plot",
     "comparison",
     "learning_curve",
     "return_laws",
     "reward_bands",
     "rewards_and_survival",
+    "simulated_timeline",
     "to_json",
     "values_over_horizon",
     "world_graph",

@@ -7,7 +7,7 @@ import streamlit as st
 from app import checkpoints, compute, rolled, state
 from app.lens import LIVE
 from app.observations import Scene, scene_of
-from app.parts import export, panels, rolling
+from app.parts import export, panels, rolling, truth
 from app.rollouts import Rolling
 from app.trained import OBSERVED, opening, parse_query, view_of
 from laplace_core import InputError
@@ -115,6 +115,8 @@ def _view(loaded: Loaded, scene: Scene, asked: Rolling | None) -> None:
         st.error(str(error))
         return
     panels.pictures(view, base, **follow)
+    if asked is not None:
+        truth.section(view, loaded, asked.rollout(), at)
     panels.artefacts(view)
     export.agent_footer(view)
 

@@ -49,20 +49,25 @@ class Spec(NamedTuple):
     time_limit: int | None
 
 
-def make(name: str, pictures: bool = False) -> gymnasium.Env:
+def make(name: str, pictures: bool = False, limited: bool = True) -> gymnasium.Env:
     """One environment of the list.
 
     Args:
         pictures: whether it is asked for them by ``render()``; a tabular world has none.
+        limited: whether episodes are cut off at the environment's time limit.
 
     Raises:
         InputError: a name that is not on it, or one whose physics is not installed.
     """
     _check_listed(name)
     if name not in GYMNASIUM_ENVIRONMENTS:
-        return TimeLimit(OneHot(TabularEnv(load_world(name))), WORLD_TIME_LIMIT)
+        world = OneHot(TabularEnv(load_world(name)))
+        return TimeLimit(world, WORLD_TIME_LIMIT) if limited else world
+    mode = "rgb_array" if pictures else None
     try:
-        return gymnasium.make(name, disable_env_checker=True, render_mode="rgb_array" if pictures else None)
+        return gymnasium.make(
+            name, disable_env_checker=True, render_mode=mode, max_episode_steps=None if limited else -1
+        )
     except gymnasium.error.DependencyNotInstalled:
         raise InputError(f"{name} needs packages that are not installed: pip install 'gymnasium[box2d]'.") from None
 
@@ -83,6 +88,12 @@ def spec(name: str) -> Spec:
         return _SPECS[name]
     world = load_world(name)
     return Spec(world.n_states, world.n_actions, WORLD_TIME_LIMIT)
+
+
+def chance(name: str) -> bool:
+    """Whether the same action in the same state may lead to different things."""
+    _check_listed(name)
+    return name not in _INNER
 
 
 def _check_listed(name: str) -> None:

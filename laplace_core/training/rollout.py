@@ -106,8 +106,8 @@ def longest(agent: Agent) -> int:
 
 def roll_out(
     agent: Agent, environment: str, seed: int, rule: str = "greedy", horizon: int | None = None,
-    gamma: float | None = None, options: Options = _USUAL, pictures: bool = False,
-    told: Callable[[int, int], None] | None = None,
+    gamma: float | None = None, options: Options = _USUAL, pictures: bool = False, limited: bool = True,
+    spaces: bool = True, told: Callable[[int, int], None] | None = None,
 ) -> Rollout:  # fmt: skip
     """Act for one episode, from the start that a seed gives.
 
@@ -117,6 +117,8 @@ def roll_out(
         horizon: T; the episode is stopped after so many steps. None leaves it to the environment's own limit.
         gamma: a discount for ``greedy``; the nearest one that was trained is taken. None is the acting discount.
         pictures: whether to keep a frame of every step.
+        limited: whether the environment's own time limit cuts the episode off.
+        spaces: whether to keep gamma-spaces, which an agent must have.
         told: hears how many steps are done and how many there may be; what it raises ends the rollout.
 
     Raises:
@@ -137,14 +139,14 @@ def roll_out(
     acting = _acting_gamma(agent)
     with one_thread():
         observations, values, actions, rewards, terminated, frames = _act(
-            agent, environment, seed, judge, length, pictures, told or (lambda done, of: None)
+            agent, environment, seed, judge, length, pictures, limited, told or (lambda done, of: None)
         )
         greedy_values = _in_parts(lambda some: agent.action_values(some, agent.acting_head), observations)
-        spaces = _spaces(agent, observations[:-1])
+        kept = _spaces(agent, observations[:-1]) if spaces else (None,) * 4
     return Rollout(
         environment, seed, rule, horizon, gamma, acting, observations, actions, rewards,
         greedy_values[:-1] if judge is None else values, greedy_values[:-1],
-        *_expected(greedy_values, actions, rewards, terminated, acting), terminated, *spaces, frames,
+        *_expected(greedy_values, actions, rewards, terminated, acting), terminated, *kept, frames,
     )  # fmt: skip
 
 
@@ -181,10 +183,10 @@ def _acting_gamma(agent: Agent) -> float:
 
 def _act(
     agent: Agent, environment: str, seed: int, judge: Judge | None, length: int, pictures: bool,
-    told: Callable[[int, int], None],
+    limited: bool, told: Callable[[int, int], None],
 ):  # fmt: skip
     """Observations ``(N + 1, O)``, values, actions, rewards, whether it terminated, and frames."""
-    env, random = environments.make(environment, pictures), np.random.default_rng(seed)
+    env, random = environments.make(environment, pictures, limited), np.random.default_rng(seed)
     try:
         seen = [env.reset(seed=seed)[0].ravel()]
         values, actions, rewards = [], [], []

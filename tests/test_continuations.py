@@ -1,0 +1,127 @@
+"""Truth by simulation: continuations from a state, outcomes of many states, and calibration."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+import torch
+
+from laplace_core import load_world
+from laplace_core.agents import LaplaceSettings
+from laplace_core.errors import InputError
+from laplace_core.training import environments
+from laplace_core.training.checkpoint import new_agent
+from laplace_core.training.continuations import calibration, continue_from, outcomes_of_states
+from laplace_core.training.rollout import roll_out
+
+torch.set_num_threads(1)
+SMALL = {"hidden": 8, "features": 4, "gammas": 4, "thetas": 5, "theta_min": -3.0, "theta_max": 12.0, "seed": 3}
+
+
+def made(environment: str):
+    return new_agent(LaplaceSettings(environment=environment, **SMALL))
+
+
+class Pushing:
+    """An agent of CartPole that pushes to and fro by the pole's velocity, and holds it for long."""
+
+    n_observations, n_actions, acting_head, gammas = 4, 2, 0, np.array([0.9])
+
+    def action_values(self, observations, head):
+        push = observations[:, 2] + 0.5 * observations[:, 3] + 0.02 * observations[:, 0] + 0.05 * observations[:, 1]
+        return np.stack([-push, push], axis=1)
+
+
+@pytest.mark.parametrize("name", ["CartPole-v1", "Acrobot-v1", "MountainCar-v0"])
+def test_without_chance_all_continuations_are_the_episode_itself(name):
+    agent = made(name)
+    rollout = roll_out(agent, name, 7, horizon=30)
+    assert not environments.chance(name)
+    found = continue_from(agent, rollout, 3, count=4, steps=20)
+    wanted = rollout.rewards[3:23]
+    assert (found.rewards[:, : len(wanted)] == wanted).all()
+    assert (found.alive.sum(axis=1) == found.alive[0].sum()).all()
+
+
+def test_the_lander_has_chance_and_the_same_past():
+    agent = made("LunarLander-v3")
+    rollout = roll_out(agent, "LunarLander-v3", 7)
+    assert environments.chance("LunarLander-v3")
+    found = continue_from(agent, rollout, 5, action=2, count=6, steps=60)
+    assert len(np.unique(found.rewards.sum(axis=1))) == 6  # each its own future
+    np.testing.assert_array_equal(found.rewards, continue_from(agent, rollout, 5, 2, 6, 60).rewards)
+    found = continue_from(agent, rollout, 5, action=0, count=6, steps=60)
+    # The same past: without an engine nothing is left to chance in the first step.
+    np.testing.assert_allclose(found.rewards[:, 0], found.rewards[0, 0], atol=1e-9)
+
+
+def test_chances_of_a_world_are_met():
+    """P(alive at tau) on the ice by counting, against products of the world's own transition matrix."""
+    name = "gym:FrozenLake-v1"
+    world, agent = load_world(name), made(name)
+    rollout = roll_out(agent, name, 0, "random")
+    start, first = int(rollout.observations[0].argmax()), int(rollout.actions[0])
+    policy = agent.greedy(np.eye(world.n_states))
+    moves = world.transition_matrix.toarray().reshape(world.n_states, world.n_actions, world.n_states)
+    state, wanted = moves[start, first], [1.0]
+    for _ in range(11):
+        wanted.append(state.sum())
+        state = state @ moves[np.arange(world.n_states), policy]
+    found, error = continue_from(agent, rollout, 0, count=600, steps=12).survival
+    assert wanted[-1] < 0.999  # chance is at work
+    assert (np.abs(found - wanted) <= 4 * np.maximum(error, 1e-3)).all()
+
+
+def test_the_time_limit_does_not_end_a_continuation():
+    agent = Pushing()
+    rollout = roll_out(agent, "CartPole-v1", 1, spaces=False)
+    assert len(rollout) == 500
+    found = continue_from(agent, rollout, 495, count=2, steps=40)
+    assert found.alive.all()
+
+
+def test_tails_are_counted_and_die_with_the_episode():
+    agent = made("CartPole-v1")
+    rollout = roll_out(agent, "CartPole-v1", 7)
+    found = continue_from(agent, rollout, 0, count=3, steps=60)
+    above, error = found.exceeds(np.array([-1.0, 0.5, 1.5]))
+    np.testing.assert_array_equal(above[:, 0], found.survival[0])
+    np.testing.assert_array_equal(above[:, 1], found.survival[0])
+    assert not above[:, 2].any()
+    assert not error.any()
+
+
+def test_outcomes_of_many_states_are_what_came_after_each():
+    agent = Pushing()
+    found = outcomes_of_states(agent, "CartPole-v1", episodes=3, each=5, steps=30)
+    assert found.observations.shape == (15, 4)
+    assert found.alive.shape == (15, 30)
+    assert (found.rewards == found.alive).all()  # one a step
+    rollout = roll_out(agent, "CartPole-v1", 0, horizon=60, spaces=False)
+    np.testing.assert_array_equal(found.observations[1], rollout.observations[np.linspace(0, 29, 5).astype(int)[1]])
+
+
+def test_calibration_by_hand():
+    """Of four said to come with .2, one came; of two said with .9, both; one said with 1.3, none."""
+    found = calibration(np.array([0.2, 0.2, 0.2, 0.2, 0.85, 0.85, 1.3]), np.array([1, 0, 0, 0, 1, 1, 0]), bins=5)
+    np.testing.assert_allclose(found.predicted, [0.2, 1.0])
+    np.testing.assert_allclose(found.observed, [0.25, 2 / 3])
+    np.testing.assert_array_equal(found.counts, [4, 3])
+    np.testing.assert_allclose(found.errors, [np.sqrt(0.25 * 0.75 / 4), np.sqrt(2 / 9 / 3)])
+
+
+def test_honest_predictions_are_calibrated():
+    rng = np.random.default_rng(0)
+    chances = rng.random(20_000)
+    found = calibration(chances, rng.random(20_000) < chances)
+    assert (np.abs(found.predicted - found.observed) < 4 * found.errors + 1e-3).all()
+
+
+@pytest.mark.parametrize(
+    "wrong", [{"step": -1}, {"step": 10**6}, {"count": 0}, {"count": 10**4}, {"steps": 0}, {"action": 2}]
+)
+def test_what_does_not_fit_is_refused(wrong):
+    agent = made("CartPole-v1")
+    rollout = roll_out(agent, "CartPole-v1", 7, horizon=5)
+    with pytest.raises(InputError):
+        continue_from(agent, rollout, **{"step": 0} | wrong)
