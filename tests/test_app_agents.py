@@ -11,14 +11,16 @@ import numpy as np
 import pytest
 from streamlit.testing.v1 import AppTest
 
-from app import checkpoints, compute, trained
+from app import checkpoints, compute, simulations, trained
 from app.lens.payload import unpacked
 from app.observations import scene_of
+from app.parts import truth
 from laplace_core import InputError
 from laplace_core.agents import ENVIRONMENTS, LaplaceSettings
 from laplace_core.training import environments
 from laplace_core.training.checkpoint import load_checkpoint, new_agent, save_checkpoint
 from laplace_core.training.rollout import roll_out
+from tests.pages import charts
 
 MAIN = str(Path(__file__).resolve().parent.parent / "app" / "main.py")
 
@@ -190,3 +192,27 @@ def test_a_step_beyond_the_end_is_the_last_one(shipped):
     page = rolled_out(checkpoint="laplace_two_branch", **{"r.shown": "yes", "r.at": "900", "r.rule": "random"})
     assert told(page, "player")["at"] < 10
     assert not page.exception
+
+
+@pytest.mark.parametrize(
+    ("name", "words_of_it"), [("CartPole-v1", "no chance in it"), ("two_branch", "2 continuations")]
+)
+def test_truth_by_simulation_is_begun_watched_and_shown(shipped, monkeypatch, name, words_of_it):
+    for bound, small in (("COUNT", 2), ("EPISODES", 2), ("EACH", 3), ("STEPS", 20)):
+        monkeypatch.setattr(simulations, bound, small)
+    monkeypatch.setattr(truth, "COUNT", 2)
+    page = rolled_out(checkpoint=f"laplace_{name}", **{"r.shown": "yes", "r.seed": "5", "r.rule": "random"})
+    assert "does the decoded timeline come true" in " ".join(html.proto.body for html in page.get("html"))
+    next(button for button in page.button if button.label == "Simulate").click().run()
+    for _ in range(200):
+        if "two standard errors" in words(page):
+            break
+        time.sleep(0.05)
+        page.run()
+        assert not page.exception
+    assert words_of_it in words(page)
+    assert {"simulated", "calibration"} <= set(charts(page))
+
+
+def test_where_no_rollout_is_shown_nothing_is_simulated(shipped):
+    assert "Simulate" not in [button.label for button in opened().button]

@@ -1,0 +1,37 @@
+"""Figures of what comes beside what is decoded: valid for plotly, and holding the numbers they are given."""
+
+from __future__ import annotations
+
+import json
+
+import numpy as np
+import plotly.graph_objects as go
+import pytest
+
+from app.figures import calibration_plot, simulated_timeline, to_json
+from laplace_core.training.continuations import Calibration
+from laplace_core.training.simulated_truth import Confronted
+
+
+@pytest.fixture
+def found() -> Confronted:
+    line = np.linspace(1.0, 0.0, 50)
+    bins = Calibration(np.array([0.1, 0.9]), np.array([0.0, 1.0]), np.array([0.0, 0.1]), np.array([400, 3]))
+    return Confronted(9, line, line / 10, line + 0.1, line / 2, line / 20, line / 2, line**2, bins)
+
+
+@pytest.mark.parametrize("draw", [simulated_timeline, calibration_plot])
+def test_plotly_takes_the_figure(found, draw):
+    go.Figure(draw(found))
+    json.loads(to_json(draw(found)))
+
+
+def test_bands_are_two_standard_errors_wide(found):
+    band = simulated_timeline(found)["data"][0]["y"]
+    np.testing.assert_allclose(band[:50] - band[50:][::-1], 4 * found.reward_error)
+
+
+def test_a_bin_stands_where_it_was_said_and_came(found):
+    points = calibration_plot(found)["data"][1]
+    np.testing.assert_array_equal(points["x"], [0.1, 0.9])
+    np.testing.assert_array_equal(points["error_y"]["array"], [0.0, 0.2])
