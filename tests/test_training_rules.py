@@ -80,7 +80,7 @@ def test_only_an_agent_that_has_one_acts_by_its_own_time_to_go():
         evaluate(new_agent(SETTINGS["dqn"](**TINY)), "two_branch", 1, horizon=2, rule="own")
 
 
-@pytest.mark.parametrize(("algorithm", "rule"), [("laplace", "readout"), ("fixed_horizon", "own"), ("c51", "greedy")])
+@pytest.mark.parametrize(("algorithm", "rule"), [("laplace", "fading"), ("fixed_horizon", "own"), ("c51", "greedy")])
 def test_the_rule_that_is_not_named_suits_the_agent(algorithm, rule, tmp_path, capsys):
     agent = new_agent(SETTINGS[algorithm](**TINY))
     assert suited(agent, 2) == rule
