@@ -102,7 +102,7 @@ def test_evaluate_prints_what_the_library_finds(run, capsys):
     np.testing.assert_array_equal(told["returns"], found.returns)
     assert told["mean"] == found.mean
     assert main(["evaluate", checkpoint, "--episodes", "5", "--horizon", "2"]) == 0
-    assert "readout, T = 2" in capsys.readouterr().out
+    assert "fading, T = 2" in capsys.readouterr().out
 
 
 @pytest.mark.parametrize(
