@@ -58,8 +58,10 @@ class C51Settings(DqnSettings):
 
     def check(self) -> None:
         super().check()
-        if self.v_min >= self.v_max:
-            raise InputError("v_min must be below v_max.")
+        # Closer than this, neighbouring atoms are the same in single precision.
+        least = 1e-5 * max(1.0, abs(self.v_min), abs(self.v_max))
+        if (self.v_max - self.v_min) / (self.atoms - 1) < least:
+            raise InputError(f"v_min must be below v_max, and neighbouring atoms at least {least:g} apart.")
 
 
 @dataclass(frozen=True)
