@@ -14,6 +14,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
+import plotly
 
 from app.lens import opening_state, payload, script, seen, structure
 from app.lens.payload import unpacked
@@ -95,7 +96,7 @@ def bare_page(browser, held: dict[str, tuple[bytes, Settings]]):
     """A page with nothing but the mathematics of the lens."""
     page = browser.new_page()
     page.goto("about:blank")
-    names = "read, see, gammaSpace, kernel, resolution, effect, SWITCHES, available"
+    names = "read, see, gammaSpace, kernel, resolution, effect, SWITCHES, available, judged"
     page.add_script_tag(type="module", content=f"{script()}\nObject.assign(window, {{ {names} }});")
     page.evaluate(
         "(held) => { window.payloads = held; }", {n: base64.b64encode(d).decode() for n, (d, _) in held.items()}
@@ -195,9 +196,41 @@ def releases(page, pid: int, count: int) -> Iterator[tuple[int, float, float]]:
         page.wait_for_function(f"() => document.body.innerText.includes('runs {runs + 1},')", polling=20)
 
 
+_PLOTLY = """
+async () => {
+  const x = Array.from({ length: 200 }, (_, i) => i);
+  const layout = { width: 265, height: 204, margin: { l: 40, r: 8, t: 24, b: 32 } };
+  const boxes = [0, 1, 2, 3].map(() => document.body.appendChild(document.createElement('div'))), work = [];
+  for (let k = 0; k < 60; k += 1) {
+    const began = performance.now();
+    for (const box of boxes) {
+      const y = (phase) => x.map((i) => Math.sin(i / 20 + k / 10 + phase));
+      await Plotly.react(box, [0, 1, 2].map((phase) => ({ x, y: y(phase), mode: 'lines' })), layout);
+    }
+    work.push(performance.now() - began);
+    await new Promise((next) => requestAnimationFrame(next));
+  }
+  return work.slice(5);
+}
+"""
+
+
+def _plotly(browser) -> None:
+    """What the four line pictures would cost a frame if plotly.js drew them: why the lens draws on canvases."""
+    page = browser.new_page()
+    page.goto("about:blank")
+    page.add_script_tag(path=str(Path(plotly.__file__).parent / "package_data" / "plotly.min.js"))
+    work = page.evaluate(_PLOTLY)
+    page.close()
+    print(
+        f"four line pictures by plotly.js: work {statistics.median(work):.1f} ms a frame, 95% "
+        f"{np.percentile(work, 95):.1f}; the whole lens has {GOALS['frame']:g}"
+    )
+
+
 def main() -> None:
     parser = argparse.ArgumentParser(prog="python -m bench.lens", description=__doc__.split("\n")[0])
-    parser.add_argument("--only", choices=("agreement", "drags", "releases"), help="run one part")
+    parser.add_argument("--only", choices=("agreement", "drags", "releases", "plotly"), help="run one part")
     parser.add_argument("--cases", type=int, default=200)
     parser.add_argument("--releases", type=int, default=1000)
     parser.add_argument("--world", default="two_decisions")
@@ -214,6 +247,8 @@ def main() -> None:
         browser = playwright.chromium.launch(executable_path=chromium, args=flags)
         if options.only in (None, "agreement"):
             _agreement(browser, options.cases)
+        if options.only in (None, "plotly"):
+            _plotly(browser)
         page = browser.new_page(viewport={"width": 1440, "height": 900})
         if options.only in (None, "drags"):
             _drags(page, f"{address}/?world={options.world}")

@@ -14,6 +14,7 @@ import numpy as np
 from laplace_core.agents.settings import SETTINGS
 from laplace_core.errors import InputError
 from laplace_core.experiments.command import add_report
+from laplace_core.experiments.search_command import add_search
 from laplace_core.learned.command import add_learn, study_of_file
 from laplace_core.learned.settings import LEARN_SCHEMA
 from laplace_core.pipeline import Study, study, study_of_gamma_space
@@ -91,6 +92,7 @@ def _parser() -> argparse.ArgumentParser:
     add_train(verbs)
     add_evaluate(verbs)
     add_report(verbs)
+    add_search(verbs)
     return parser
 
 

@@ -358,6 +358,8 @@ def test_heads_of_a_fixed_horizon_are_its_times_to_go():
     ("algorithm", "given", "named"),
     [
         ("c51", {"v_min": 1.0, "v_max": 1.0}, "v_min"),
+        ("c51", {"v_min": 0.0, "v_max": 1e-40}, "apart"),
+        ("c51", {"v_min": 999_999.0, "v_max": 1e6, "atoms": 1000}, "apart"),
         ("c51", {"atoms": 1}, "atoms"),
         ("qrdqn", {"quantiles": 0}, "quantiles"),
         ("expectile", {"expectiles": 4}, "odd"),

@@ -34,7 +34,7 @@ def image(tmp_path_factory) -> Path:
         if keyword == "COPY":
             source, target = rest.split()
             if (ROOT / source).is_dir():
-                ignored = shutil.ignore_patterns("__pycache__", "static")  # which the image makes for itself
+                ignored = shutil.ignore_patterns("__pycache__", "plotly.min.js", "laplace-*.js")
                 shutil.copytree(ROOT / source, folder / target, ignore=ignored)
             else:
                 shutil.copy(ROOT / source, folder / target)

@@ -177,7 +177,7 @@ def _component() -> Callable:
 def lens_js() -> str:
     """The address of the lens as one module."""
     template = f"globalThis.laplaceLensTemplate = {json.dumps(_template())};\n"
-    return served("lens.js", (template + script("entry")).encode())
+    return served("laplace-lens.js", (template + script("entry")).encode())
 
 
 @cache

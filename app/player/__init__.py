@@ -85,7 +85,7 @@ def _component() -> Callable:
 @cache
 def player_js() -> str:
     """The address of the player as one module."""
-    return served("player.js", script().encode())
+    return served("laplace-player.js", script().encode())
 
 
 @cache

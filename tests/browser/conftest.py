@@ -21,7 +21,9 @@ def address():
 
 @pytest.fixture(scope="session")
 def chromium(address):
-    from playwright.sync_api import sync_playwright
+    from playwright.sync_api import expect, sync_playwright
+
+    expect.set_options(timeout=30_000)  # a machine that does other work, too
 
     with sync_playwright() as playwright:
         browser = playwright.chromium.launch(executable_path=find_chromium(), args=FLAGS)

@@ -43,7 +43,7 @@ def test_pin_change_and_see_three_maps(page, address):
     page.reload()
     page.wait_for_selector(".js-plotly-plot[data-name='compare B - A'] .main-svg")
     np.testing.assert_allclose(drawn(page, MAPS[2]), found.difference, rtol=1e-4, atol=1e-5)
-    page.get_by_role("button", name="Unpin").click()
+    page.get_by_role("button", name="Unpin", exact=True).click()
     expect(page.locator(".js-plotly-plot[data-name='compare A']")).to_have_count(0)
     expect(page).not_to_have_url(re.compile("pin="))
 

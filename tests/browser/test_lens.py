@@ -9,8 +9,11 @@ import numpy as np
 import pytest
 from playwright.sync_api import expect
 
+from app.lens import opening_state, payload, structure
 from bench.browser import served
 from bench.lens import PAGE, agreement, bare_page, drag, payloads, random_cases
+from laplace_core import PRESETS, Settings, load_world, study
+from laplace_core.verdict import judge
 
 pytestmark = pytest.mark.browser
 OPENING = "world=two_branch&normalise=paper"
@@ -55,6 +58,37 @@ def test_javascript_agrees_with_the_library(chromium):
     assert left < 0.05 * entries
     assert found.pop("other action") == 0
     assert max(found.values()) <= 1e-4, found
+
+
+_JUDGED = """({ payload, state }) => {
+  const model = read(Uint8Array.from(atob(window.payloads[payload]), (sign) => sign.charCodeAt(0)));
+  return judged(model, state, see(model, state));
+}"""
+
+
+def test_the_verdict_of_the_lens_is_the_library_s(chromium):
+    # Rescaled rows of long worlds hold nothing but rounding, which is not the same in a browser.
+    views = [(name, how) for name in PRESETS for how in ("none", "survival")]
+    views += [("two_branch", "paper"), ("two_decisions", "paper")]
+    held, found = {}, {}
+    for name, how in views:
+        world = load_world(name)
+        found[name, how] = study(world, Settings(world=name, normalise=how, alpha=0.05))
+        settings = structure(found[name, how].settings, world)
+        held[f"{name} {how}"] = payload(study(world, settings))[0], settings
+    page = bare_page(chromium, held)
+    tones = {"right": "ok", "lucky": "warn", "wrong": "bad"}
+    for name, how in views:
+        each = found[name, how]
+        row = len(each.horizons) // 2
+        state = opening_state(each.settings, float(each.horizons[row]))
+        said = page.evaluate(_JUDGED, {"payload": f"{name} {how}", "state": state})
+        told = judge(each, row)
+        assert said["tone"] == tones[told.kind], (name, how, said, told.sentence)
+        # The lens adds what is lost, the library causes and other horizons.
+        begin = re.split(r", and [\d.e-]+ is lost|\. Cause|\. But", said["sentence"].rstrip("."))[0]
+        assert told.sentence.startswith(begin), (name, how)
+    page.close()
 
 
 def test_the_first_view_and_each_remedy_by_one_switch(page, demo):

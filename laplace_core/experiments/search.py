@@ -1,0 +1,119 @@
+"""A search over settings: which values of some of them score best over several seeds, and what each one is worth.
+
+Every combination of the values is trained with every seed, or, one at a time, every value by itself against the
+settings of the file. Trainings are runs in a folder: a search that was interrupted goes on with them, and a search that
+asks for more uses what is there. Scores come from start seeds of their own, so that those of the reports stay unseen.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import itertools
+import json
+import time
+from collections.abc import Iterator, Mapping, Sequence
+from pathlib import Path
+
+import numpy as np
+
+from laplace_core.agents.settings import LoopSettings
+from laplace_core.errors import InputError
+from laplace_core.training.checkpoint import load_checkpoint
+from laplace_core.training.command import settings_of
+from laplace_core.training.evaluation import evaluate
+from laplace_core.training.loop import train
+from laplace_core.training.run_folder import read_config
+from laplace_core.training.tensor_file import write_whole
+
+EPISODES = 100
+START_SEEDS = 500_000
+"""Evaluations of searches take start seeds from here on; reports take those of the training seed, far below."""
+RESULTS = "search.json"
+
+Trial = dict[str, object]
+"""Settings that a trial changes against the file's, by name."""
+
+
+def trials(varied: Mapping[str, Sequence[str]], one_at_a_time: bool) -> list[Trial]:
+    """All combinations, or the unchanged settings and then each value by itself."""
+    if one_at_a_time:
+        return [{}, *({name: value} for name, values in varied.items() for value in values)]
+    return [dict(zip(varied, values, strict=True)) for values in itertools.product(*varied.values())]
+
+
+def settings_for(algorithm: str, environment: str, common: Trial, trial: Trial, seed: int) -> LoopSettings:
+    """Settings of one training.
+
+    Raises:
+        InputError: values that the schema refuses, or that do not fit each other.
+    """
+    return settings_of(algorithm, environment, {**common, **trial, "seed": seed})
+
+
+def budget(planned: Sequence[LoopSettings], folder: Path) -> str:
+    """What the search will cost at most, before anything is trained."""
+    left = [settings for settings in planned if not _finished(folder / _name(settings))]
+    steps = sum(settings.steps for settings in left)
+    return (
+        f"{len(planned)} trainings, {len(planned) - len(left)} of them finished already; at most {steps:,} steps and "
+        f"{sum(s.steps // s.update_every * s.updates for s in left):,} updates to go"
+    )
+
+
+def search(
+    algorithm: str,
+    environment: str,
+    common: Trial,
+    varied: Mapping[str, Sequence[str]],
+    seeds: int,
+    folder: Path,
+    one_at_a_time: bool = False,
+) -> Iterator[dict[str, object]]:
+    """Train and score, trial by trial; ``search.json`` in the folder always holds what is known.
+
+    Yields:
+        a trial's settings, scores of its seeds, their median, and the seconds that this search spent on it.
+    """  # fmt: skip
+    found: list[dict[str, object]] = []
+    for trial in trials(varied, one_at_a_time):
+        began, scores = time.monotonic(), []
+        for seed in range(seeds):
+            scores.append(_score(settings_for(algorithm, environment, common, trial, seed), folder))
+        row = {"trial": trial, "scores": scores, "median": float(np.median(scores))}
+        found.append(row | {"seconds": round(time.monotonic() - began, 1)})
+        about = {"algorithm": algorithm, "environment": environment, "common": common, "seeds": seeds, "trials": found}
+        write_whole(folder / RESULTS, (json.dumps(about, indent=1) + "\n").encode())
+        yield found[-1]
+
+
+def table(rows: Sequence[dict[str, object]], one_at_a_time: bool) -> str:
+    """The best first; one at a time, against the unchanged settings."""
+    base = rows[0]["median"] if one_at_a_time else None
+    change = "" if base is None else f"{'change':>8}  "
+    lines = [f"{'median':>8}  {'lowest':>8}  {change}settings"]
+    for row in sorted(rows, key=lambda row: -row["median"]):
+        words = ", ".join(f"{name} {value}" for name, value in row["trial"].items()) or "as in the file"
+        change = "" if base is None else f"{row['median'] - base:>+8.1f}  "
+        lines.append(f"{row['median']:>8.1f}  {min(row['scores']):>8.1f}  {change}{words}")
+    return "\n".join(lines)
+
+
+def _name(settings: LoopSettings) -> str:
+    digest = hashlib.sha256(json.dumps(settings.as_dict(), sort_keys=True).encode()).hexdigest()[:10]
+    return f"{settings.ALGORITHM}_{settings.environment.replace(':', '-')}_{digest}_{settings.seed}"
+
+
+def _finished(run: Path) -> bool:
+    return (run / "last.safetensors").exists()
+
+
+def _score(settings: LoopSettings, folder: Path) -> float:
+    run = folder / _name(settings)
+    there = (run / "config.json").exists()
+    if there and read_config(run / "config.json") != settings:
+        raise InputError(f"{run} was made with other settings: name another folder.")
+    if not _finished(run):
+        for _ in train(None if there else settings, run, resume=there):
+            pass
+    agent = load_checkpoint(run / "best.safetensors").agent
+    return round(evaluate(agent, settings.environment, EPISODES, START_SEEDS + settings.seed).mean, 3)

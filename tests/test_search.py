@@ -1,0 +1,59 @@
+"""The search over settings: what it trains, what it costs, and that it goes on where it was."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+
+from laplace_core.cli import main
+from laplace_core.experiments import search
+
+QUICK = ["--set", "steps=200", "--set", "learning_starts=100", "--set", "hidden=8", "--set", "features=4",
+         "--set", "evaluate_every=200"]  # fmt: skip
+
+
+def run(folder, *more: str) -> int:
+    return main(["search", "laplace", "two_branch", *QUICK, "--seeds", "2", "--runs", str(folder), *more])
+
+
+def test_combinations_and_one_at_a_time():
+    varied = {"a": ["1", "2"], "b": ["3"]}
+    assert search.trials(varied, False) == [{"a": "1", "b": "3"}, {"a": "2", "b": "3"}]
+    assert search.trials(varied, True) == [{}, {"a": "1"}, {"a": "2"}, {"b": "3"}]
+
+
+def test_a_search_ranks_and_is_not_repeated(tmp_path, capsys, monkeypatch):
+    monkeypatch.setattr(search, "EPISODES", 3)
+    vary = ("--vary", "learning_rate=0.001,0.01", "--one-at-a-time")
+    assert run(tmp_path, *vary, "--budget") == 0
+    assert "6 trainings, 0 of them finished already; at most 1,200 steps" in capsys.readouterr().out
+    assert not list(tmp_path.iterdir())
+    assert run(tmp_path, *vary) == 0
+    out = capsys.readouterr().out
+    assert "as in the file" in out
+    assert "learning_rate 0.01" in out
+    kept = json.loads((tmp_path / search.RESULTS).read_text())
+    assert [row["trial"] for row in kept["trials"]] == [{}, {"learning_rate": "0.001"}, {"learning_rate": "0.01"}]
+    assert all(len(row["scores"]) == 2 for row in kept["trials"])
+    monkeypatch.setattr(search, "train", lambda *args, **kwargs: pytest.fail("trained again"))
+    assert run(tmp_path, *vary, "--json") == 0
+    again = json.loads(capsys.readouterr().out)
+    assert [row["scores"] for row in again] == [row["scores"] for row in kept["trials"]]
+
+
+@pytest.mark.parametrize(
+    "more",
+    [
+        ("--vary", "learning_rat=1"),
+        ("--vary", "learning_rate=fast"),
+        ("--vary", "learning_rate"),
+        ("--vary", "seed=1,2"),
+        ("--seeds", "0"),
+        ("--vary", "epsilon_final=2"),
+    ],
+)
+def test_bad_input_is_one_sentence_and_nothing_is_trained(more, tmp_path, capsys):
+    assert run(tmp_path, *more) == 2
+    assert len(capsys.readouterr().err.splitlines()) == 1
+    assert not list(tmp_path.iterdir())
