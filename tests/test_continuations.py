@@ -125,3 +125,9 @@ def test_what_does_not_fit_is_refused(wrong):
     rollout = roll_out(agent, "CartPole-v1", 7, horizon=5)
     with pytest.raises(InputError):
         continue_from(agent, rollout, **{"step": 0} | wrong)
+
+
+def test_nor_does_it_end_what_comes_after_many_states():
+    """Steps 0 and 299 of an episode that nothing ends, and 300 steps after each: past the limit of 500."""
+    found = outcomes_of_states(Pushing(), "CartPole-v1", episodes=1, each=2, steps=300)
+    assert found.alive.all()
