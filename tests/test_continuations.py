@@ -101,6 +101,16 @@ def test_outcomes_of_many_states_are_what_came_after_each():
     np.testing.assert_array_equal(found.observations[1], rollout.observations[np.linspace(0, 29, 5).astype(int)[1]])
 
 
+def test_outcomes_begin_at_their_own_states():
+    agent = made("LunarLander-v3")
+    found = outcomes_of_states(agent, "LunarLander-v3", episodes=1, each=3, steps=40)
+    whole = roll_out(agent, "LunarLander-v3", 0, horizon=80, limited=False).rewards
+    last = min(40, len(whole)) if len(whole) < 80 else 40
+    for row, at in zip(found.rewards, np.unique(np.linspace(0, last - 1, 3).astype(int)), strict=True):
+        wanted = whole[at : at + 40]
+        np.testing.assert_allclose(row[: len(wanted)], wanted)
+
+
 def test_calibration_by_hand():
     """Of four said to come with .2, one came; of two said with .9, both; one said with 1.3, none."""
     found = calibration(np.array([0.2, 0.2, 0.2, 0.2, 0.85, 0.85, 1.3]), np.array([1, 0, 0, 0, 1, 1, 0]), bins=5)
@@ -131,3 +141,6 @@ def test_nor_does_it_end_what_comes_after_many_states():
     """Steps 0 and 299 of an episode that nothing ends, and 300 steps after each: past the limit of 500."""
     found = outcomes_of_states(Pushing(), "CartPole-v1", episodes=1, each=2, steps=300)
     assert found.alive.all()
+    whole = roll_out(Pushing(), "CartPole-v1", 0, horizon=600, limited=False, spaces=False)
+    assert len(whole) == 600
+    np.testing.assert_array_equal(found.observations[1], whole.observations[299])

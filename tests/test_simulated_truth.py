@@ -20,11 +20,11 @@ GAMMAS, THETAS, K = np.linspace(0.05, 0.98, 40), np.array([-1.0, 0.5, 1.5, 2.5])
 
 
 def exact_space(rewards: np.ndarray, alive: np.ndarray) -> GammaSpace:
-    """The gamma-space of hard thresholds that these continuations stand for, of two actions that are alike."""
+    """The gamma-space of hard thresholds that these continuations stand for, for action 1; action 0 is worth nothing."""
     powers = GAMMAS[:, None] ** np.arange(K)
     tails = (alive[..., None] & (rewards[..., None] > THETAS)).mean(axis=0)
     values, constant = powers @ tails, powers @ alive.mean(axis=0)
-    return GammaSpace(np.stack([values, values]), np.stack([constant, constant]), GAMMAS, THETAS)
+    return GammaSpace(np.stack([0 * values, values]), np.stack([0 * constant, constant]), GAMMAS, THETAS)
 
 
 @pytest.fixture
@@ -50,7 +50,7 @@ def test_a_gamma_space_that_is_true_is_not_far_off(simulated):
 def test_one_that_is_a_step_late_is_off_by_what_it_misses(simulated):
     """Tau 0 decoded from nothing: P(r > -1) and P(r > .5) are missed by 1 each; trapezoids over theta give 1.5 + .5."""
     late = Continuations(np.roll(simulated.rewards, 1, axis=1), np.roll(simulated.alive, 1, axis=1))
-    found = confront(exact_space(late.rewards, late.alive), 0, simulated, 1e-9)
+    found = confront(exact_space(late.rewards, late.alive), 1, simulated, 1e-9)
     assert found.distance[0] == pytest.approx(2.0, abs=1e-3)
     assert found.decoded_survival[0] == pytest.approx(0.0, abs=1e-3)
 

@@ -41,7 +41,7 @@ def page() -> None:
             _observation(scene)
     if asked is not None and asked.going:
         st.fragment(rolling.progress, run_every=rolling.LOOK_EVERY)(asked)
-        return
+        asked = None  # until it is done, the pictures stay as they are
     _view(loaded, scene, asked)
 
 
