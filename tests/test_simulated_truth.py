@@ -20,7 +20,7 @@ GAMMAS, THETAS, K = np.linspace(0.05, 0.98, 40), np.array([-1.0, 0.5, 1.5, 2.5])
 
 
 def exact_space(rewards: np.ndarray, alive: np.ndarray) -> GammaSpace:
-    """The gamma-space of hard thresholds that these continuations stand for, for action 1; action 0 is worth nothing."""
+    """The gamma-space of hard thresholds that these continuations stand for, of action 1; of action 0, nothing."""
     powers = GAMMAS[:, None] ** np.arange(K)
     tails = (alive[..., None] & (rewards[..., None] > THETAS)).mean(axis=0)
     values, constant = powers @ tails, powers @ alive.mean(axis=0)
