@@ -33,7 +33,18 @@ def test_nothing_ships_that_the_manifest_does_not_name_and_all_of_it_is_small():
     files = {path.name: path.stat().st_size for path in SHIPPED.glob("*.safetensors")}
     tabular = {name for name in files if name.endswith("_td.safetensors")}
     assert set(files) - tabular == {entry["file"] for entry in manifest(SHIPPED)}
-    assert sum(files.values()) <= MOST_TOGETHER
+    everything = [path.stat().st_size for path in SHIPPED.rglob("*.safetensors")]
+    assert sum(everything) <= MOST_TOGETHER
+    assert max(everything) <= MOST_BYTES
+
+
+def test_the_agents_of_the_horizon_report_are_one_family():
+    agents = [
+        load_checkpoint(path) for path in sorted((SHIPPED / "seeds").glob("laplace_LunarLander-v3_*.safetensors"))
+    ]
+    assert [agent.seed for agent in agents] == [0, 1, 2, 3, 4]
+    wanted = [settings_of("laplace", "LunarLander-v3", {"seed": seed}) for seed in range(5)]
+    assert [agent.settings for agent in agents] == wanted
 
 
 def test_the_median_of_three_runs_ships(tmp_path, monkeypatch):
