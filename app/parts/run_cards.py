@@ -25,6 +25,8 @@ SHOWN = 12
 """Cards before the button for all."""
 _MOST_DOWNLOAD = 200_000_000  # bytes
 
+_WISH = "_open_in_agents"
+
 
 def cards(runs: Sequence[Run], looked: Run | None) -> None:
     """All of them, two in a row."""
@@ -140,9 +142,18 @@ def _open(run: Run) -> None:
     why = None if training_runs.best(run) else "After the first evaluation."
     if not training_runs.has_discounts(run):
         why = "That page shows the values of many discounts, which this algorithm has not."
-    pressed = st.button("Open in Trained agents", key=f"open {run.name}", disabled=why is not None, help=why)
-    if pressed:
+    st.button(
+        "Open in Trained agents", key=f"open {run.name}", disabled=why is not None, help=why, on_click=_wish_to_open,
+        args=(run.name,),
+    )  # fmt: skip
+    if st.session_state.get(_WISH) == run.name:
+        del st.session_state[_WISH]
         st.switch_page("screens/agents.py", query_params={"checkpoint": f"run:{run.name}"})
+
+
+def _wish_to_open(name: str) -> None:
+    """Callback. The wish is kept until a run of the page sees it: one that polls may come between click and answer."""
+    st.session_state[_WISH] = name
 
 
 def _more(run: Run, curves: Curves | None) -> None:

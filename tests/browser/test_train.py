@@ -77,8 +77,9 @@ def test_a_run_moves_is_found_again_stops_goes_on_and_is_opened(page, chromium, 
     card(page).get_by_role("button", name="Cancel").click()
     expect(state(page)).to_have_text("stopped", timeout=30_000)
 
+    page.wait_for_timeout(1_500)  # the last look of the poll
     card(page).get_by_role("button", name="Open in Trained agents").click()
-    expect(page).to_have_url(re.compile(f"agents.*checkpoint=run%3A{RUN}"), timeout=30_000)
+    expect(page).to_have_url(re.compile(f"agents.*checkpoint=run%3A{RUN}"), timeout=60_000)
     expect(page.locator(".laplace-lens .verdict")).to_be_visible(timeout=60_000)
     expect(page.get_by_text("laplace, seed 7")).to_be_visible(timeout=60_000)
 
