@@ -60,12 +60,15 @@ def test_the_whole_path_and_its_numbers(page, address, wanted):
     rolled_out(page, address)
     scrub(page, STEP)
     page.wait_for_url(f"**r.at={STEP}*")
-    alpha = page.locator("input[name=alpha]")
-    alpha.focus()
-    for _ in range(12):
-        page.keyboard.press("ArrowLeft")
-    page.wait_for_url("**alpha=*")
-    page.wait_for_timeout(800)
+    for _ in range(4):  # the answer to the step, that observation's exact gamma-space, may come between the keys
+        page.wait_for_timeout(2_000)
+        page.locator("input[name=alpha]").focus()
+        for _ in range(12):
+            page.keyboard.press("ArrowLeft")
+        page.wait_for_timeout(2_000)
+        if "alpha=" in page.url:
+            break
+    assert "alpha=" in page.url
 
     lines = saved(page, "save CSV").decode().splitlines()
     rows = [[float(x) for x in row] for row in csv.reader(io.StringIO("\n".join(lines[2:])))]

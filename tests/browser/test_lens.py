@@ -160,7 +160,7 @@ def test_a_lens_put_back_shows_what_was_let_go_of(page, demo):
     expect(page.locator("canvas.tau-space")).to_have_count(0)
     toggle.click()
     page.locator("canvas.tau-space").wait_for()
-    assert page.locator("input[name=alpha]").get_attribute("aria-valuetext") == "10"
+    expect(page.locator("input[name=alpha]")).to_have_attribute("aria-valuetext", "10")
 
 
 def test_one_place_is_marked_in_every_picture(page, demo):
