@@ -27,7 +27,8 @@ FLAGS = ["--no-sandbox", "--disable-gpu", "--disable-background-networking", "--
 # Resolves with the milliseconds until the next redraw of the lens, and until the address bar, which the server writes,
 # has changed.
 _RELEASED = """
-() => new Promise((done) => {
+() => new Promise((done, fail) => {
+  setTimeout(() => fail(new Error('no answer to a release within 20 s')), 20_000);
   const { frames } = document.querySelector('.laplace-lens'), link = location.href, start = performance.now();
   let drawn, before = frames.length;
   const tick = () => {
@@ -40,7 +41,8 @@ _RELEASED = """
 """
 # The same for the bare app: until the text that follows its slider has changed.
 _ANSWERED = """
-() => new Promise((done) => {
+() => new Promise((done, fail) => {
+  setTimeout(() => fail(new Error('no answer of the bare app within 20 s')), 20_000);
   const text = () => document.querySelector('[data-testid="stMarkdown"]').textContent, before = text();
   const start = performance.now(), tick = () => {
     if (text() !== before) done(performance.now() - start);
