@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import json
+import statistics
+from pathlib import Path
 
 import pytest
 
 from laplace_core.cli import main
 from laplace_core.experiments import search
 
+KEPT = sorted((Path(__file__).parent.parent / "docs" / "searches").glob("*.json"))
 QUICK = ["--set", "steps=200", "--set", "learning_starts=100", "--set", "hidden=8", "--set", "features=4",
          "--set", "evaluate_every=200"]  # fmt: skip
 
@@ -36,6 +39,9 @@ def test_a_search_ranks_and_is_not_repeated(tmp_path, capsys, monkeypatch):
     kept = json.loads((tmp_path / search.RESULTS).read_text())
     assert [row["trial"] for row in kept["trials"]] == [{}, {"learning_rate": "0.001"}, {"learning_rate": "0.01"}]
     assert all(len(row["scores"]) == 2 for row in kept["trials"])
+    words = " ".join(QUICK)
+    expected = f"search laplace two_branch {words} {' '.join(vary)} --seeds 2"
+    assert kept["command"] == f"python -m laplace_core {expected}"
     monkeypatch.setattr(search, "train", lambda *args, **kwargs: pytest.fail("trained again"))
     assert run(tmp_path, *vary, "--json") == 0
     again = json.loads(capsys.readouterr().out)
@@ -57,3 +63,12 @@ def test_bad_input_is_one_sentence_and_nothing_is_trained(more, tmp_path, capsys
     assert run(tmp_path, *more) == 2
     assert len(capsys.readouterr().err.splitlines()) == 1
     assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize("path", KEPT, ids=lambda path: path.stem)
+def test_a_kept_search_is_of_settings_that_there_are(path):
+    kept = json.loads(path.read_text(encoding="utf-8"))
+    assert main([*kept["command"].split()[3:], "--budget"]) == 0
+    for row in kept["trials"]:
+        assert len(row["scores"]) == kept["seeds"]
+        assert row["median"] == pytest.approx(statistics.median(row["scores"]))

@@ -81,9 +81,31 @@ def search(
             scores.append(_score(settings_for(algorithm, environment, common, trial, seed), folder))
         row = {"trial": trial, "scores": scores, "median": float(np.median(scores))}
         found.append(row | {"seconds": round(time.monotonic() - began, 1)})
-        about = {"algorithm": algorithm, "environment": environment, "common": common, "seeds": seeds, "trials": found}
+        about = {
+            "command": command(algorithm, environment, common, varied, seeds, one_at_a_time),
+            "algorithm": algorithm,
+            "environment": environment,
+            "common": common,
+            "seeds": seeds,
+            "trials": found,
+        }
         write_whole(folder / RESULTS, (json.dumps(about, indent=1) + "\n").encode())
         yield found[-1]
+
+
+def command(
+    algorithm: str,
+    environment: str,
+    common: Trial,
+    varied: Mapping[str, Sequence[str]],
+    seeds: int,
+    one_at_a_time: bool,
+) -> str:
+    """The command line of a search, without the folder that its runs are in."""
+    words = [f"--set {name}={value}" for name, value in common.items()]
+    words += [f"--vary {name}={','.join(map(str, values))}" for name, values in varied.items()]
+    words += ["--one-at-a-time"] if one_at_a_time else []
+    return " ".join(["python -m laplace_core search", algorithm, environment, *words, f"--seeds {seeds}"])
 
 
 def table(rows: Sequence[dict[str, object]], one_at_a_time: bool) -> str:
