@@ -16,19 +16,23 @@ from laplace_core.training.checkpoint import load_checkpoint
 from laplace_core.training.rollout import roll_out
 
 pytestmark = pytest.mark.browser
-CHECKPOINT = Path(__file__).resolve().parents[2] / "checkpoints" / "laplace_CartPole-v1.safetensors"
+CHECKPOINTS = Path(__file__).resolve().parents[2] / "checkpoints"
 SEED, STEP = 3, 17
+
+
+def by_the_library(environment):
+    loaded = load_checkpoint(CHECKPOINTS / f"laplace_{environment}.safetensors")
+    return loaded, roll_out(loaded.agent, environment, SEED, "fading", horizon=60)
 
 
 @pytest.fixture(scope="module")
 def wanted():
     """The same episode by the library."""
-    loaded = load_checkpoint(CHECKPOINT)
-    return loaded, roll_out(loaded.agent, "CartPole-v1", SEED, "fading", horizon=60)
+    return by_the_library("CartPole-v1")
 
 
-def rolled_out(page, address):
-    page.goto(f"{address}/agents?checkpoint=laplace_CartPole-v1&r.rule=fading&r.horizon=60&r.seed={SEED}")
+def rolled_out(page, address, environment="CartPole-v1"):
+    page.goto(f"{address}/agents?checkpoint=laplace_{environment}&r.rule=fading&r.horizon=60&r.seed={SEED}")
     page.get_by_role("button", name="Roll out").click()
     page.locator(".laplace-player canvas").wait_for()
     page.locator("canvas.tau-space").wait_for()
@@ -55,9 +59,10 @@ def saved(page, name: str) -> bytes:
     return Path(download.value.path()).read_bytes()
 
 
-def test_the_whole_path_and_its_numbers(page, address, wanted):
-    loaded, rollout = wanted
-    rolled_out(page, address)
+@pytest.mark.parametrize("environment", ["CartPole-v1", "Acrobot-v1", "LunarLander-v3"])
+def test_the_whole_path_and_its_numbers(page, address, environment):
+    loaded, rollout = by_the_library(environment)
+    rolled_out(page, address, environment)
     scrub(page, STEP)
     page.wait_for_url(f"**r.at={STEP}*")
     for _ in range(4):  # the answer to the step, that observation's exact gamma-space, may come between the keys
