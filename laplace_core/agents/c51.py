@@ -23,6 +23,7 @@ class C51Agent(Peer):
     """
 
     settings_class: ClassVar[type[C51Settings]] = C51Settings
+    in_returns: ClassVar[bool] = False
 
     def __init__(self, settings: C51Settings, *sizes):
         self.atoms = torch.linspace(settings.v_min, settings.v_max, settings.atoms)

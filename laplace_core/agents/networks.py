@@ -149,12 +149,15 @@ class Single(nn.Module):
     of each action, whose mean over actions is taken away (Wang et al. 2016, Eq. 9).
 
     Args:
-        initial: outputs before training, ``(C,)``; the last weights begin small, so that all actions are near it.
+        initial: outputs before training over ``scale``, ``(C,)``; the last weights begin small, so that all actions are
+            near it.
+        scale: what the last layer's outputs are multiplied by.
     """
 
-    def __init__(self, observation: int, actions: int, initial: Tensor, settings: LoopSettings):
+    def __init__(self, observation: int, actions: int, initial: Tensor, settings: LoopSettings, scale: float = 1.0):
         super().__init__()
         hidden, self.shape, self.dueling = settings.hidden, (actions, initial.numel()), settings.dueling
+        self.scale = scale
         width = hidden * (2 if self.dueling else 1)
         self.trunk = nn.Sequential(nn.Linear(observation, hidden), nn.ReLU(), nn.Linear(hidden, width), nn.ReLU())
         self.head = nn.Linear(hidden, actions * initial.numel())
@@ -164,7 +167,10 @@ class Single(nn.Module):
             layer.bias.data = initial.repeat(layer.out_features // initial.numel())
 
     def forward(self, observations: Tensor) -> Tensor:
-        features = self.trunk(observations)
+        outputs = self._outputs(self.trunk(observations))
+        return outputs if self.scale == 1.0 else outputs * self.scale
+
+    def _outputs(self, features: Tensor) -> Tensor:
         if not self.dueling:
             return self.head(features).unflatten(-1, self.shape)
         stated, advantaged = features.chunk(2, dim=-1)

@@ -31,12 +31,26 @@ def discounted(batch: Batch, gamma: float, lengths: Tensor | None = None) -> tup
 
 
 class Peer(Agent):
-    """An agent that learns the return at one discount; C is the number of outputs of an action."""
+    """An agent that learns the return at one discount; C is the number of outputs of an action.
+
+    Attributes:
+        in_returns: whether the outputs are in units of reward; those of C51 are logarithms of probabilities.
+    """
 
     settings_class: ClassVar[type[DqnSettings]]
+    in_returns: ClassVar[bool] = True
+
+    @property
+    def scale(self) -> float:
+        """What an output of the last layer is multiplied by.
+
+        Outputs in units of reward are so many times a reward a step, 1 / (1 - gamma), which is of order one: a network
+        that begins at 0 would take long to reach returns of hundreds by steps of the size of the learning rate.
+        """
+        return 1.0 / (1.0 - self.settings.gamma) if self.in_returns else 1.0
 
     def _build(self) -> nn.Module:
-        return Single(self.n_observations, self.n_actions, self.initial(), self.settings)
+        return Single(self.n_observations, self.n_actions, self.initial(), self.settings, self.scale)
 
     @classmethod
     def network_numbers(cls, settings: DqnSettings, observation: int, actions: int) -> int:
@@ -75,7 +89,8 @@ class Peer(Agent):
 
     def losses(self, batch: Batch, locations: Tensor, masses: Tensor) -> Tensor:
         outputs = self.network(batch.observations)[torch.arange(len(locations)), 0, batch.actions[:, 0]]
-        return self.loss(outputs, locations, masses).unsqueeze(1)
+        # Over the scale: half way between that of the returns and that of the last layer.
+        return self.loss(outputs, locations, masses).unsqueeze(1) / self.scale
 
     def _action_values(self, network: nn.Module, observations: Tensor, head: int | None) -> Tensor:
         return self.means(network(observations))
