@@ -207,7 +207,12 @@ def field_verdict(summary: Mapping[str, object], control: Control) -> tuple[str,
     if low <= 0.0 <= high:
         return "level", f"{means}. The interval of the difference covers 0: these starts do not tell which is better."
     leader, tone = (right, "ahead") if mean > 0 else (left, "behind")
-    return tone, f"{means}. {_capital(leader)} is ahead by {abs(mean):.1f}."
+    return tone, f"{means}. {_capital(leader)} is ahead by {abs(mean):.1f} ({_range(low, high)})."
+
+
+def _range(low: float, high: float) -> str:
+    """The interval of a lead, whoever leads."""
+    return f"95% {min(abs(low), abs(high)):.1f} to {max(abs(low), abs(high)):.1f}"
 
 
 def _steps(count: int) -> str:
@@ -227,3 +232,21 @@ def inside(control: Control, side: str, seed: int, step: int) -> dict[str, str]:
     if side == "left" and control.gamma is not None:
         query["r.gamma"] = f"{control.gamma:.8g}"
     return query
+
+
+def command(values: Mapping[str, object], control: Control, count: int) -> str:
+    """The command that prints the figures of many races."""
+    words = ["laplace", "race", _file(str(values[AGENT])), "--horizon", str(control.horizon)]
+    words += ["--rule", control.right_rule, "--against", control.left_rule]
+    if AGAINST in values:
+        words += ["--against-agent", _file(str(values[AGAINST]))]
+    if control.gamma is not None:
+        words += ["--gamma", f"{control.gamma:.8g}"]
+    return " ".join([*words, "--seeds", str(count)])
+
+
+def _file(name: str) -> str:
+    """Where a checkpoint lies; of one that was opened only its owner knows."""
+    if name.startswith(checkpoints.RUN):
+        return f"runs/{name.removeprefix(checkpoints.RUN)}/best.safetensors"
+    return f"checkpoints/{name}.safetensors" if name in checkpoints.shipped() else "opened.safetensors"

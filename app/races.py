@@ -52,13 +52,15 @@ class Racing(Work[tuple[Race, bytes]]):
         super().__init__(make)
 
 
-class Field(Work[Races]):
-    """Races from many starts."""
+class Field(Work[tuple[Races, dict[str, object]]]):
+    """Races from many starts, and what they come to."""
 
     def __init__(self, control: Control, count: int):
-        super().__init__(
-            lambda told: races(control.environment, *control.entrants, control.horizon, count, told=told)
-        )  # fmt: skip
+        def make(told: Told) -> tuple[Races, dict[str, object]]:
+            found = races(control.environment, *control.entrants, control.horizon, count, told=told)
+            return found, found.summary()
+
+        super().__init__(make)
 
 
 _racing: OrderedDict[Hashable, Racing] = OrderedDict()

@@ -8,12 +8,14 @@ import streamlit as st
 
 from app import figures, raced, races, state
 from app.chart import chart
+from app.copy import copy_button
 from app.figures.theme import HEIGHT
 from app.parts import racing
 from app.raced import AT, COUNT, MANY, START
 from app.races import Control
 from app.track import COLOURS
-from laplace_core.training.race import Races, races_csv, races_npz
+from laplace_core.training.race import Races
+from laplace_core.training.race_file import races_csv, races_npz
 
 _KEY = "differences"
 
@@ -34,7 +36,7 @@ def section(control: Control) -> None:
         st.fragment(_progress, run_every=racing.LOOK_EVERY)(found)
         return
     if not racing.refused(found):
-        _shown(control, found.result())
+        _shown(control, *found.result())
 
 
 def _begin() -> None:
@@ -53,10 +55,12 @@ def _cancel(found: races.Field) -> None:
     state.choose(MANY, None)
 
 
-def _shown(control: Control, found: Races) -> None:
-    summary = found.summary()
+def _shown(control: Control, found: Races, summary: dict[str, object]) -> None:
     racing.said(*raced.field_verdict(summary, control))
     left, right = st.columns([2.4, 1], gap="medium")
+    if summary["equal"] == 1.0:  # a hundred dots in one place
+        _files(control, found)
+        return
     with left:
         _picture(found, summary)
     with right:
@@ -104,23 +108,24 @@ def _facts(control: Control, summary: dict[str, object]) -> None:
 
 
 def _starts(found: Races) -> None:
-    places = st.columns(3, gap="small")
-    for place, (name, start) in zip(places, found.notable().items(), strict=True):
-        place.button(
-            name, key=f"open {name}", width="stretch", on_click=_open, args=(start,),
-            help=f"Show the race from start {start}, the {name} for the right side.",
-        )  # fmt: skip
+    with st.container(horizontal=True, gap="small"):
+        for name, start in found.notable().items():
+            st.button(
+                name, key=f"open {name}", on_click=_open, args=(start,),
+                help=f"Show the race from start {start}, the {name} for the right side.",
+            )  # fmt: skip
 
 
 def _files(control: Control, found: Races) -> None:
     file = f"races_{found.environment}_T_{found.horizon}"
-    csv, npz = st.columns(2, gap="small")
-    csv.download_button(
-        "CSV", lambda: races_csv(found, *raced.sides(control)), file_name=f"{file}.csv", mime="text/csv",
-        width="stretch", on_click="ignore", help="A row a start: start seed, returns, difference, steps.",
-    )  # fmt: skip
     told = {"left": control.left_rule, "right": control.right_rule, "gamma": control.gamma}
-    npz.download_button(
-        "NPZ", lambda: races_npz(found, told), file_name=f"{file}.npz", mime="application/octet-stream",
-        width="stretch", on_click="ignore", help="The same as arrays, and how they came about.",
-    )  # fmt: skip
+    with st.container(horizontal=True, gap="small"):
+        st.download_button(
+            "CSV", lambda: races_csv(found, *raced.sides(control)), file_name=f"{file}.csv", mime="text/csv",
+            on_click="ignore", help="A row a start: start seed, returns, difference, steps.",
+        )  # fmt: skip
+        st.download_button(
+            "NPZ", lambda: races_npz(found, told), file_name=f"{file}.npz", mime="application/octet-stream",
+            on_click="ignore", help="The same as arrays, and how they came about.",
+        )  # fmt: skip
+    copy_button("Copy as command", raced.command(state.chosen(), control, len(found.starts)), "race command")

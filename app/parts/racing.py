@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import io
 from html import escape
 
 import numpy as np
@@ -17,7 +16,7 @@ from app.track import track
 from laplace_core import InputError
 from laplace_core.training.frames import animation, side_by_side
 from laplace_core.training.race import FIRST_START, MOST_RACES, MOST_START, Race
-from laplace_core.training.rollout_file import rollout_arrays
+from laplace_core.training.race_file import race_npz
 
 LOOK_EVERY = 0.4  # seconds between two looks at a race in the making
 PATIENCE = 2.5  # seconds that the page waits for a race before it speaks of progress
@@ -162,24 +161,24 @@ def show(control: Control, racing: races.Racing) -> None:
 
 
 def _footer(control: Control, race: Race, at: int) -> None:
-    left, right, gif, npz = st.columns([1.6, 1.6, 0.7, 0.7], vertical_alignment="center")
     agents = {"left": state.chosen().get(AGAINST, state.chosen()[AGENT]), "right": state.chosen()[AGENT]}
-    for place, side, name in zip((left, right), agents, raced.sides(control), strict=True):
-        query = {"checkpoint": str(agents[side])} | raced.inside(control, side, FIRST_START + race.start, at)
-        place.page_link(
-            "screens/agents.py", label=f"Look inside: {name}", icon=":material/frame_inspect:", query_params=query,
-            help="The same episode with gamma-space and tau-space of every step.",
-        )  # fmt: skip
     file = f"race_{race.left.environment}_T_{race.horizon}_start_{race.start}"
-    if race.left.frames and race.right.frames:
-        gif.download_button(
-            "GIF", lambda: _gif(race, raced.sides(control)), file_name=f"{file}.gif", mime="image/gif",
-            width="stretch", on_click="ignore", help="Both episodes side by side, moving.",
+    with st.container(horizontal=True, vertical_alignment="center", gap="small"):
+        for side, name in zip(agents, raced.sides(control), strict=True):
+            query = {"checkpoint": str(agents[side])} | raced.inside(control, side, FIRST_START + race.start, at)
+            st.page_link(
+                "screens/agents.py", label=f"Look inside: {name}", icon=":material/frame_inspect:", query_params=query,
+                help="The same episode with gamma-space and tau-space of every step.",
+            )  # fmt: skip
+        if race.left.frames and race.right.frames:
+            st.download_button(
+                "GIF", lambda: _gif(race, raced.sides(control)), file_name=f"{file}.gif", mime="image/gif",
+                on_click="ignore", help="Both episodes side by side, moving.",
+            )  # fmt: skip
+        st.download_button(
+            "NPZ", lambda: race_npz(race), file_name=f"{file}.npz", mime="application/octet-stream",
+            on_click="ignore", help="Observations, actions, rewards and values of every step of both episodes.",
         )  # fmt: skip
-    npz.download_button(
-        "NPZ", lambda: _npz(race), file_name=f"{file}.npz", mime="application/octet-stream", width="stretch",
-        on_click="ignore", help="Observations, actions, rewards and values of every step of both episodes.",
-    )  # fmt: skip
 
 
 def _gif(race: Race, names: tuple[str, str]) -> bytes:
@@ -192,16 +191,6 @@ def _gif(race: Race, names: tuple[str, str]) -> bytes:
         words = f"{names[0]}: {before:.1f}".replace("γ", "gamma"), f"{names[1]}: {after:.1f}"
         pictures.append(side_by_side(left, right, words))
     return animation(pictures, SECONDS)
-
-
-def _npz(race: Race) -> bytes:
-    """Arrays of both rollouts, their names after ``left_`` and ``right_``."""
-    file = io.BytesIO()
-    sides = {"left": race.left, "right": race.right}
-    np.savez_compressed(
-        file, **{f"{side}_{name}": array for side, one in sides.items() for name, array in rollout_arrays(one).items()}
-    )
-    return file.getvalue()
 
 
 def refused(work: Work) -> bool:

@@ -31,6 +31,7 @@ def page() -> None:
     one = racing.begun(control)
     if one.going:
         st.fragment(racing.progress, run_every=racing.LOOK_EVERY)(one, "Racing")
+        st.html('<div class="race-room"></div>')  # where the race will be
         return
     if racing.refused(one):
         return

@@ -151,7 +151,7 @@ function lane(race, side, name, colour, actions) {
   const picture = element('img', { class: 'frame', alt: `${name}: the environment after this step` });
   const total = element('output', {}), did = element('b', {}), got = element('b', {}), note = element('p', {});
   const facts = element('div', { class: 'facts' }, element('h4', {}, element('i', { style: `background: ${colour}` }), name),
-    element('div', { class: 'total' }, total, element('span', {}, 'return')),
+    element('div', { class: 'row total' }, element('span', {}, 'return'), total),
     element('div', { class: 'row' }, element('span', {}, 'action'), did),
     element('div', { class: 'row' }, element('span', {}, 'reward'), got), note);
   const box = element('div', { class: 'lane' }, ...(side.ends.length ? [picture] : []), facts);
@@ -178,7 +178,10 @@ function course(pen, w, h, { sides, horizon, parting, last }, told, step, colour
   const x = [0, horizon * 1.02], gap = 14, room = h - 44, high = Math.round(room * 0.64), left = 52, right = 10;
   const upper = { x: left, y: 6, w: w - left - right, h: high }, lower = { ...upper, y: 6 + high + gap, h: room - high - gap };
   const differences = Array.from({ length: last + 1 }, (_, t) => returnAfter(sides[1], t) - returnAfter(sides[0], t));
-  const range = (all) => rounded(Math.min(0, ...all), Math.max(0, ...all));
+  const range = (all) => {
+    const [from, to] = [Math.min(0, ...all), Math.max(0, ...all)];
+    return to - from > 1e-6 ? rounded(from, to) : [-1, 1];
+  };
   const whole = ticks(...x, Math.max(3, Math.min(10, w / 90))).filter((t) => Number.isInteger(t));
   const y = range(sides.flatMap((side) => side.returns)), below = range(differences);
   const top = axes(pen, upper, { x, y, xTicks: whole.map((t) => [t, '']), yTitle: 'return', colours });
@@ -191,14 +194,14 @@ function course(pen, w, h, { sides, horizon, parting, last }, told, step, colour
     pen.path([[top.X(parting + 1), upper.y], [top.X(parting + 1), lower.y + lower.h]], { stroke: NEUTRAL, width: 1, dash: [2, 3] });
   }
   sides.forEach((side, i) => {
-    line(pen, side.returns.map((_, t) => top.X(t)), side.returns.map(top.Y), { stroke: told.colours[i], width: 2 });
+    line(pen, side.returns.map((_, t) => top.X(t)), side.returns.map(top.Y), { stroke: told.colours[i], width: i ? 1.8 : 3.2 }); // one on the other, both are seen
     if (side.steps < horizon) {
       const after = top.Y(side.returns.at(-1));
       pen.path([[top.X(side.steps), after], [top.X(horizon), after]], { stroke: told.colours[i], width: 1.4, dash: [2, 4] });
     }
   });
   differences.slice(1).forEach((lead, i) => { // a bar a step, in the colour of the side that leads
-    const from = low.X(i + 0.5), to = low.X(i + 1.5);
+    const from = low.X(i + 0.5), to = low.X(Math.min(horizon, i + 1.5));
     pen.path([[from, low.Y(0)], [to, low.Y(0)], [to, low.Y(lead)], [from, low.Y(lead)]], { fill: told.colours[lead > 0 ? 1 : 0], close: true });
   });
   pen.path([[low.X(0), low.Y(0)], [low.X(x[1]), low.Y(0)]], { stroke: NEUTRAL });

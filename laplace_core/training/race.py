@@ -8,9 +8,6 @@ draw the same random numbers as long as they act alike.
 
 from __future__ import annotations
 
-import csv
-import io
-import json
 from collections.abc import Callable
 from dataclasses import dataclass
 
@@ -171,26 +168,3 @@ def _check_start(start: int) -> None:
 def _half(told: Told | None, which: int) -> Told | None:
     """What one of two equal halves tells."""
     return None if told is None else lambda done, of: told(which * of + done, 2 * of)
-
-
-def races_csv(found: Races, left: str, right: str) -> str:
-    """A row a start: start, start seed, both returns, their difference, and steps taken; sides by their names."""
-    file = io.StringIO()
-    rows = csv.writer(file, lineterminator="\n")
-    names = [f"return of {left}", f"return of {right}", "difference", f"steps of {left}", f"steps of {right}"]
-    rows.writerow(["start", "start seed", *names])
-    columns = (found.left, found.right, found.differences, found.left_lengths, found.right_lengths)
-    for i, start in enumerate(found.starts):
-        rows.writerow([start, FIRST_START + start, *(column[i] for column in columns)])
-    return file.getvalue()
-
-
-def races_npz(found: Races, settings: dict[str, object]) -> bytes:
-    """The same as arrays, and as ``settings`` a JSON string that says how they came about."""
-    file = io.BytesIO()
-    told = {"environment": found.environment, "horizon": found.horizon, "first_seed": FIRST_START} | settings
-    np.savez_compressed(
-        file, starts=found.starts, left=found.left, right=found.right, differences=found.differences,
-        left_lengths=found.left_lengths, right_lengths=found.right_lengths, settings=np.array(json.dumps(told)),
-    )  # fmt: skip
-    return file.getvalue()
