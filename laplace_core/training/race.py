@@ -15,7 +15,7 @@ import numpy as np
 
 from laplace_core.agents.agent import Agent
 from laplace_core.errors import InputError
-from laplace_core.training.bootstrap import interval
+from laplace_core.training.bootstrap import mean_interval
 from laplace_core.training.evaluation import evaluate
 from laplace_core.training.rollout import Rollout, nearest_head, one_thread, roll_out
 
@@ -92,7 +92,7 @@ class Races:
             "right": float(self.right.mean()),
             "difference": float(found.mean()),
             "standard_error": float(found.std(ddof=1) / np.sqrt(count)),
-            "interval": interval(found[None]),
+            "interval": mean_interval(found),
             "better": float((found > 0).mean()),
             "equal": float((found == 0).mean()),
             "worse": float((found < 0).mean()),
@@ -127,11 +127,11 @@ def race(
         hear = _half(told, i)
         sides.append(
             roll_out(
-                one.agent, environment, FIRST_START + start, one.rule, horizon, one.gamma, pictures=pictures,
+                one.agent, environment, FIRST_START + int(start), one.rule, horizon, one.gamma, pictures=pictures,
                 spaces=False, told=hear,
             )
         )  # fmt: skip
-    return Race(start, horizon, *sides)
+    return Race(int(start), horizon, *sides)
 
 
 def races(
