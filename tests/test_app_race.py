@@ -13,7 +13,9 @@ import pytest
 from streamlit.testing.v1 import AppTest
 
 from app import checkpoints, figures, raced, races
+from app.background import Work
 from app.figures.race import piles
+from app.parts import racing
 from app.races import Control
 from app.track import COLOURS
 from app.track.payload import payload
@@ -179,6 +181,7 @@ def test_the_words_are_those_of_who_leads(control):
     tone, sentence = raced.field_verdict(fields | {"interval": [-0.1, 4.0]}, control)
     assert tone == "level"
     assert "covers 0" in sentence
+    assert raced.field_verdict(fields | {"interval": [0.05, 4.0]}, control)[0] == "ahead"
     assert "same return" in raced.field_verdict(fields | {"equal": 1.0}, control)[1]
 
 
@@ -235,14 +238,19 @@ def test_dots_of_one_bin_are_piled_up_in_their_order():
     assert reach == 3
 
 
-def test_a_race_that_nobody_waits_for_any_more_is_cancelled(control, monkeypatch):
-    from app.parts import racing
+def test_a_race_that_nobody_waits_for_any_more_is_cancelled(monkeypatch):
+    def endless(told):
+        while True:
+            time.sleep(0.01)
+            told(1, 2)
 
     kept: dict[str, object] = {}
     monkeypatch.setattr(racing.st, "session_state", kept)
-    one, other = races.racing(control, 0), races.racing(control, 1)
+    one, other = Work(endless), Work(lambda told: "done")
     racing.only("race", one)
+    racing.only("race", one)
+    assert not one.gone
     racing.only("race", other)
     until(lambda: not one.going and not other.going)
-    assert other.worked
-    assert kept["_racing race"] is other
+    assert one.gone
+    assert other.result() == "done"

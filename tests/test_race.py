@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import json
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -19,7 +20,7 @@ from laplace_core.training import loop
 from laplace_core.training.bootstrap import interval, mean_interval
 from laplace_core.training.checkpoint import new_agent
 from laplace_core.training.evaluation import FIRST_SEED
-from laplace_core.training.race import FIRST_START, MOST_RACES, MOST_START, Entrant, Races, race, races
+from laplace_core.training.race import FIRST_START, MOST_RACES, MOST_START, Entrant, Race, Races, race, races
 from laplace_core.training.race_file import race_npz, races_csv, races_npz
 from laplace_core.training.rollout import MOST_SEED
 from tests.test_training_evaluation import Knowing
@@ -48,6 +49,14 @@ def test_who_knows_the_deadline_takes_what_can_be_had(knowing, horizon, left, ri
     assert (found.difference, found.parting) == (right - left, parting)
     many = races("two_branch", Entrant(knowing), Entrant(knowing, "matched"), horizon, 3)
     assert many.differences.tolist() == [right - left] * 3
+
+
+def test_sides_part_where_their_actions_differ_first(agent):
+    """What follows after the shorter of two episodes is no difference of actions."""
+    found = race("CartPole-v1", Entrant(agent), Entrant(agent), 0, 5)
+    for left, right, parting in (([0, 1, 1, 0], [0, 1, 0, 1], 2), ([1, 1], [1, 1, 0], None), ([1], [0, 1], 0)):
+        sides = (replace(found.left, actions=np.array(actions)) for actions in (left, right))
+        assert Race(0, 5, *sides).parting == parting
 
 
 def test_another_discount_of_the_left_side_counts(knowing):
