@@ -160,15 +160,23 @@ def control_of(values: Mapping[str, object]) -> Control:
     horizon = min(int(values.get(HORIZON, usual_horizon(right))), longest_horizon(right))
     left_rule = str(values.get(LEFT, rules_of(left.agent)[0]))
     right_rule = str(values.get(RIGHT, suited(right.agent, horizon)))
-    gamma = values.get(GAMMA) if left_rule == "greedy" and hasattr(left.agent, "gammas") else None
+    gamma = _trained_discount(left.agent, values.get(GAMMA)) if left_rule == "greedy" else None
     return Control(left, left_rule, gamma, right, right_rule, horizon)
+
+
+def _trained_discount(agent: Agent, gamma: object) -> float | None:
+    """The nearest one that the agent has learned; None for the acting one, or where there is no choice."""
+    if gamma is None or not hasattr(agent, "gammas"):
+        return None
+    head = int(abs(agent.gammas - float(gamma)).argmin())
+    return None if head == agent.acting_head else float(agent.gammas[head])
 
 
 def sides(control: Control) -> tuple[str, str]:
     """Names of the left and the right side, that tell them apart."""
     left, right = _NAMES[control.left_rule], _NAMES[control.right_rule]
     if control.gamma is not None:
-        left += f" at γ {control.gamma:.4g}"
+        left += f" (γ {control.gamma:.3g})"
     return (f"{left}, other agent", right) if control.left is not control.right else (left, right)
 
 

@@ -141,6 +141,32 @@ def test_cancel_leads_back_to_the_button(shipped, monkeypatch):
     assert "Over 3 starts" in verdicts(page)[1]
 
 
+def test_another_agent_can_be_the_left_side(shipped):
+    other = LaplaceSettings(environment="CartPole-v1", hidden=8, features=4, gammas=3, thetas=5, theta_max=3.0, seed=1)
+    saved(shipped / "laplace_CartPole-v1_other.safetensors", other)
+    checkpoints.shipped.cache_clear()
+    page = opened(checkpoint="laplace_CartPole-v1", d_T="30", d_gamma="0.5", d_at="2")
+    gammas = load_checkpoint(shipped / "laplace_CartPole-v1.safetensors").agent.gammas
+    assert told(page)[0]["names"][0] == f"greedy (γ {gammas[abs(gammas - 0.5).argmin()]:.3g})"
+    box = next(box for box in page.selectbox if box.label == "Agent of the left side")
+    assert box.options == ["the same agent", "laplace CartPole-v1 other"]
+    box.set_value("laplace_CartPole-v1_other")
+    settled(page)
+    assert link(page) == {"checkpoint": "laplace_CartPole-v1", "d.T": "30", "d.against": "laplace_CartPole-v1_other"}
+    left, right = (load_checkpoint(shipped / f"laplace_CartPole-v1{end}.safetensors").agent for end in ("_other", ""))
+    wanted = race("CartPole-v1", Entrant(left), Entrant(right, "fading"), 0, 30, pictures=True)
+    assert told(page)[1] == payload(wanted)
+    assert "greedy, other agent" in told(page)[0]["names"]
+
+
+def test_an_agent_of_a_world_races_as_far_as_suits_it(shipped):
+    """two_branch is over after at most 3 steps: T goes to 4 times that, and no picture is drawn."""
+    page = opened(checkpoint="laplace_two_branch")
+    assert "Within 3 steps" in verdicts(page)[0]
+    assert page.select_slider[0].options[-1] == "12"
+    assert "GIF" not in [button.label for button in page.get("download_button")]
+
+
 @pytest.mark.parametrize(
     "query",
     [{"checkpoint": "laplace_pong"}, {"d_T": "0"}, {"d_T": "9999"}, {"d_start": "-1"}, {"d_left": "best"},
@@ -225,7 +251,7 @@ def many(left, right) -> Races:
 @pytest.mark.parametrize("returns", [([1.0, 2.0, 3.0], [4.0, 2.0, 2.5]), ([1.0, 1.0], [1.0, 1.0])])
 def test_plotly_takes_the_picture_of_many_races(returns):
     found = many(*returns)
-    figure = figures.differences(found, 0.5, (-0.5, 1.5), 1, COLOURS)
+    figure = figures.differences(found, 0.5, (-0.5, 1.5), 1, COLOURS, ("greedy", "fading"))
     go.Figure(figure)
     figures.to_json(figure)
     assert [row[0] for row in figure["data"][2]["customdata"]] == found.starts.tolist()

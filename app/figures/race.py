@@ -16,20 +16,21 @@ _CURSOR = "#ff9f1c"
 
 
 def differences(
-    found: Races, mean: float, interval: tuple[float, float], start: int, colours: tuple[str, str]
-) -> Figure:
+    found: Races, mean: float, interval: tuple[float, float], start: int,
+    colours: tuple[str, str], names: tuple[str, str],
+) -> Figure:  # fmt: skip
     """A dot a start over its difference, right less left, piled up as a histogram; mean, interval, and zero.
 
     Args:
         start: the one that is shown above, ringed if it is among them.
-        colours: of the left side, whose starts lie below 0, and of the right side.
+        colours: of the left side, whose starts lie below 0, and of the right side; names: of both.
     """
     x = found.differences
     height, reach = piles(x)
     colour = np.where(x > 0, colours[1], np.where(x < 0, colours[0], NEUTRAL))
     size = float(np.clip(260.0 / reach, 4.0, 10.0))
     top = reach + 1.5
-    hover = "start %{customdata[0]}: %{customdata[1]:.1f} and %{customdata[2]:.1f}<br>difference %{x:+.1f}"
+    hover = "start %{customdata[0]}: %{customdata[1]:.1f} v %{customdata[2]:.1f}<br>difference %{x:+.1f}"
     traces = [
         {"type": "scatter", "x": [*interval, *interval[::-1]], "y": [0.0, 0.0, top, top], "fill": "toself",
          "mode": "lines", "line": {"width": 0}, "fillcolor": translucent(NEUTRAL), "hoverinfo": "skip",
@@ -56,7 +57,7 @@ def differences(
         margin={"t": 54},
         shapes=[zero],
         hovermode="closest",
-        xaxis=axis("return of the right side less the left, in units of reward"),
+        xaxis=axis(f"return of {names[1]} less that of {names[0]}, in units of reward"),
         yaxis=axis("starts", range=[0.0, top], rangemode="tozero"),
     )
 

@@ -62,16 +62,16 @@ def _shown(control: Control, found: Races, summary: dict[str, object]) -> None:
         _files(control, found)
         return
     with left:
-        _picture(found, summary)
+        _picture(found, summary, raced.sides(control))
     with right:
         _facts(control, summary)
         _starts(found)
         _files(control, found)
 
 
-def _picture(found: Races, summary: dict[str, object]) -> None:
+def _picture(found: Races, summary: dict[str, object], names: tuple[str, str]) -> None:
     mean, interval = float(summary["difference"]), tuple(summary["interval"])
-    figure = figures.differences(found, mean, interval, int(state.chosen().get(START, 0)), COLOURS)
+    figure = figures.differences(found, mean, interval, int(state.chosen().get(START, 0)), COLOURS, names)
     alt = f"Difference of return from {len(found.starts)} starts, on average {mean:.1f}, one dot a start."
     same = f"{found.environment} {found.horizon}"
     chart(figures.to_json(figure), _KEY, alt, HEIGHT, same, lambda: _clicked(found))
@@ -98,9 +98,9 @@ def _facts(control: Control, summary: dict[str, object]) -> None:
         (f'<i style="background:{COLOURS[1]}"></i>{right}', f"{summary['right']:.1f}"),
         ("difference", f"{summary['difference']:+.1f} ± {summary['standard_error']:.1f}"),
         ("95% interval", f"{low:+.1f} to {high:+.1f}"),
-        ("right better", f"{summary['better']:.0%}"),
-        ("equal", f"{summary['equal']:.0%}"),
-        ("right worse", f"{summary['worse']:.0%}"),
+        (f"{right} ahead", f"{summary['better']:.0%}"),
+        ("level", f"{summary['equal']:.0%}"),
+        (f"{left} ahead", f"{summary['worse']:.0%}"),
     ]
     cells = "".join(f"<tr><td>{name}</td><td>{value}</td></tr>" for name, value in rows)
     told = "Mean returns; after ± one standard error; the interval by a bootstrap over starts."
