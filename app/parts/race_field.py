@@ -57,10 +57,11 @@ def _cancel(found: races.Field) -> None:
 
 def _shown(control: Control, found: Races, summary: dict[str, object]) -> None:
     racing.said(*raced.field_verdict(summary, control))
-    left, right = st.columns([2.4, 1], gap="medium")
     if summary["equal"] == 1.0:  # a hundred dots in one place
-        _files(control, found)
+        with st.columns([1, 2.4])[0]:
+            _files(control, found)
         return
+    left, right = st.columns([2.4, 1], gap="medium")
     with left:
         _picture(found, summary, raced.sides(control))
     with right:
