@@ -57,7 +57,7 @@ def differences(
         margin={"t": 54},
         shapes=[zero],
         hovermode="closest",
-        xaxis=axis(f"return of {names[1]} less that of {names[0]}, in units of reward"),
+        xaxis=axis(f"{names[1]} less {names[0]} (reward)"),
         yaxis=axis("starts", range=[0.0, top], rangemode="tozero"),
     )
 
