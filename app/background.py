@@ -5,6 +5,7 @@ from __future__ import annotations
 import threading
 from collections.abc import Callable
 from concurrent.futures import Future, ThreadPoolExecutor
+from concurrent.futures import wait as wait_for
 from functools import cache
 from typing import Generic, TypeVar
 
@@ -36,6 +37,11 @@ class Work(Generic[Result]):
         """End it at its next step."""
         self._cancelled.set()
         self._future.cancel()
+
+    def wait(self, seconds: float) -> bool:
+        """Give it a moment; returns whether it is at its end. What is soon done needs no words about its progress."""
+        wait_for([self._future], seconds)
+        return not self.going
 
     @property
     def going(self) -> bool:

@@ -16,6 +16,7 @@ training_runs.wake()
 PAGES = [
     st.Page("screens/workbench.py", title="Worlds", default=True),
     st.Page("screens/agents.py", title="Trained agents", url_path="agents"),
+    st.Page("screens/race.py", title="Deadline race", url_path="race"),
     st.Page("screens/train.py", title="Train", url_path="train"),
 ]
 st.navigation(PAGES, position="top").run()

@@ -38,5 +38,6 @@ def plotly_js() -> str:
 if __name__ == "__main__":
     from app.lens import lens_js
     from app.player import player_js
+    from app.track import track_js
 
-    print(plotly_js(), lens_js(), player_js())
+    print(plotly_js(), lens_js(), player_js(), track_js())

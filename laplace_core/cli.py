@@ -21,6 +21,7 @@ from laplace_core.pipeline import Study, study, study_of_gamma_space
 from laplace_core.saved import read_gamma_space, save_study
 from laplace_core.settings import SCHEMA, flag, parse_settings
 from laplace_core.training.command import add_evaluate, add_train
+from laplace_core.training.race_command import add_race
 from laplace_core.words import action_runs, add_parameters, named_params
 from laplace_core.worlds import PRESETS, TOY_TEXT, load_world
 
@@ -91,6 +92,7 @@ def _parser() -> argparse.ArgumentParser:
     add_learn(verbs)
     add_train(verbs)
     add_evaluate(verbs)
+    add_race(verbs)
     add_report(verbs)
     add_search(verbs)
     return parser

@@ -3,6 +3,7 @@
 from app.figures.comparison import comparison
 from app.figures.graph import world_graph
 from app.figures.learning import learning_curve, return_laws, reward_bands
+from app.figures.race import differences
 from app.figures.simulated import calibration_plot, simulated_timeline
 from app.figures.theme import to_json
 from app.figures.timelines import rewards_and_survival, values_over_horizon
@@ -10,6 +11,7 @@ from app.figures.timelines import rewards_and_survival, values_over_horizon
 __all__ = [
     "calibration_plot",
     "comparison",
+    "differences",
     "learning_curve",
     "return_laws",
     "reward_bands",

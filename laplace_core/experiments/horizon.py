@@ -12,11 +12,11 @@ from pathlib import Path
 import numpy as np
 
 from laplace_core.errors import InputError
+from laplace_core.training.bootstrap import interval
 from laplace_core.training.checkpoint import Loaded, load_checkpoint
 from laplace_core.training.evaluation import evaluate
 
 AGAINST = ("greedy", "matched")
-DRAWS = 20_000
 
 
 def report(
@@ -73,17 +73,6 @@ def _row(
             "interval": interval(difference),
         }
     return told
-
-
-def interval(differences: np.ndarray, draws: int = DRAWS, seed: int = 0) -> list[float]:
-    """95% interval of the mean of ``(agents, episodes)`` differences: agents are drawn, then episodes of each."""
-    rng = np.random.default_rng(seed)
-    agents, episodes = differences.shape
-    means = np.empty(draws)
-    for i in range(draws):
-        drawn = differences[rng.integers(agents, size=agents)]
-        means[i] = np.take_along_axis(drawn, rng.integers(episodes, size=drawn.shape), axis=1).mean()
-    return np.quantile(means, [0.025, 0.975]).tolist()
 
 
 def _table(numbers: dict[str, object]) -> str:

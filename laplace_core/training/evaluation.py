@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -56,7 +57,8 @@ def _standard_error(values: np.ndarray) -> np.ndarray:
 def evaluate(
     agent: Agent, environment: str, episodes: int = 100, seed: int = 0, horizon: int | None = None,
     softness: float = 0.2, rule: str = "greedy", alpha: float = 1.0, steps: int = 1000, stretch: float = 1.5,
-    first_seed: int = FIRST_SEED, discounts: np.ndarray | None = None,
+    first_seed: int = FIRST_SEED, discounts: np.ndarray | None = None, head: int | None = None,
+    told: Callable[[int, int], None] | None = None,
 ) -> Scores:  # fmt: skip
     """Act without exploration and add up rewards.
 
@@ -64,6 +66,8 @@ def evaluate(
         horizon: T; the episode is stopped after so many steps. None leaves it to the environment's own limit.
         rule: a name in :data:`laplace_core.training.rules.RULES`; the others are its options.
         discounts: ``(G,)``, for the discounted returns.
+        head: another one than the acting head to be greedy at.
+        told: hears how many steps are done and how many there may be; what it raises ends the evaluation.
 
     Raises:
         InputError: arguments that do not fit, or a rule that the agent has not learned enough for.
@@ -78,16 +82,25 @@ def evaluate(
     length = horizon or spec.time_limit
     if horizon is not None and not 1 <= horizon <= 10_000:
         raise InputError(f"the horizon is {horizon}; it must be from 1 to 10,000 steps.")
-    choose = RULES[rule](agent, length, Options(softness, alpha, steps, stretch))
+    choose = RULES[rule](agent, length, Options(softness, alpha, steps, stretch, head))
     starts = [first_seed + seed * 100_000 + i for i in range(episodes)]
     gammas = np.zeros(0) if discounts is None else np.asarray(discounts, dtype=float)
-    parts = [
-        _episodes(choose, environment, starts[i : i + _AT_ONCE], length, gammas) for i in range(0, episodes, _AT_ONCE)
-    ]
+    groups = [starts[i : i + _AT_ONCE] for i in range(0, episodes, _AT_ONCE)]
+    parts = []
+    for i, group in enumerate(groups):
+        hear = _part_of(told, i, len(groups), length)
+        parts.append(_episodes(choose, environment, group, length, gammas, hear))
     return Scores(*(np.concatenate(column) for column in zip(*parts, strict=True)))
 
 
-def _episodes(choose, environment: str, starts: list[int], length: int | None, gammas: np.ndarray):
+def _part_of(told: Callable[[int, int], None] | None, part: int, parts: int, length: int | None):
+    """What one part of the episodes tells after each step: the steps of all parts."""
+    if told is None or length is None:
+        return lambda time: None
+    return lambda time: told(part * length + time, parts * length)
+
+
+def _episodes(choose, environment: str, starts: list[int], length: int | None, gammas: np.ndarray, hear):
     """The columns of :class:`Scores`, of one episode from each start seed, all in step."""
     envs = [environments.make(environment) for _ in starts]
     observations = np.array([env.reset(seed=start)[0].ravel() for env, start in zip(envs, starts, strict=True)])
@@ -110,6 +123,7 @@ def _episodes(choose, environment: str, starts: list[int], length: int | None, g
             if not (terminated[i] or truncated):
                 still.append(i)
         going, time = np.array(still, dtype=int), time + 1
+        hear(time)
     for env in envs:
         env.close()
     return returns, lengths, ~terminated, first, discounted

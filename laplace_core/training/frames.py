@@ -18,6 +18,7 @@ HEIGHT = 180
 """Pixels; the width follows."""
 QUALITY = 75
 _COLOURS = 64  # of an animation
+_GAP, _CAPTION = 8, 22  # pixels between two pictures, and above them
 
 
 def encoded(picture: np.ndarray, height: int = HEIGHT) -> bytes:
@@ -63,6 +64,23 @@ def animation(pictures: Sequence[bytes], seconds: float, most: int = 500) -> byt
     # A GIF counts hundredths of a second, and viewers slow down what is faster than two of them.
     duration = max(20, round(100 * seconds * stride) * 10)
     first.save(file, "GIF", save_all=True, append_images=others, duration=duration, loop=0)
+    return file.getvalue()
+
+
+def side_by_side(left: bytes, right: bytes, captions: tuple[str, str]) -> bytes:
+    """Two pictures as one, each under a line of words."""
+    image_of = _pillow()
+    from PIL import ImageDraw
+
+    pair = [image_of.open(io.BytesIO(each)).convert("RGB") for each in (left, right)]
+    width, height = pair[0].width + _GAP + pair[1].width, max(each.height for each in pair)
+    sheet = image_of.new("RGB", (width, _CAPTION + height), "white")
+    draw = ImageDraw.Draw(sheet)
+    for x, picture, words in zip((0, pair[0].width + _GAP), pair, captions, strict=True):
+        draw.text((x + 4, 5), words, fill="black")
+        sheet.paste(picture, (x, _CAPTION))
+    file = io.BytesIO()
+    sheet.save(file, "JPEG", quality=QUALITY)
     return file.getvalue()
 
 

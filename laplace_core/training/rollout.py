@@ -134,7 +134,7 @@ def roll_out(
     if horizon is not None and not 1 <= horizon <= most:
         raise InputError(f"the horizon is {horizon}; it must be from 1 to {most} steps.")
     length = horizon or min(most, spec.time_limit or most)
-    head, gamma = _head(agent, rule, gamma)
+    head, gamma = nearest_head(agent, rule, gamma)
     judge = None if rule == RANDOM else VALUES[rule](agent, length, _with_head(options, head))
     acting = _acting_gamma(agent)
     with one_thread():
@@ -165,8 +165,12 @@ def _with_head(options: Options, head: int | None) -> Options:
     return Options(options.softness, options.alpha, options.steps, options.stretch, head)
 
 
-def _head(agent: Agent, rule: str, gamma: float | None) -> tuple[int | None, float | None]:
-    """The head whose discount is nearest, and that discount."""
+def nearest_head(agent: Agent, rule: str, gamma: float | None) -> tuple[int | None, float | None]:
+    """The head whose discount is nearest, and that discount; None for both where none is asked for.
+
+    Raises:
+        InputError: a discount that is none, or for a rule or an agent that has no choice of it.
+    """
     if gamma is None:
         return None, None
     if rule != "greedy" or not hasattr(agent, "gammas"):

@@ -1,0 +1,203 @@
+"""The race of the page: the form, the track under its verdict, and what can be taken along."""
+
+from __future__ import annotations
+
+from html import escape
+
+import numpy as np
+import streamlit as st
+
+from app import checkpoints, raced, races, state
+from app.background import Work
+from app.observations import scene_of
+from app.raced import AGAINST, AGENT, AT, COUNT, GAMMA, HORIZON, LEFT, RIGHT, START, TITLES
+from app.races import Control
+from app.track import track
+from laplace_core import InputError
+from laplace_core.training.frames import animation, side_by_side
+from laplace_core.training.race import FIRST_START, MOST_RACES, MOST_START, Race
+from laplace_core.training.race_file import race_npz
+
+LOOK_EVERY = 0.4  # seconds between two looks at a race in the making
+PATIENCE = 2.5  # seconds that the page waits for a race before it speaks of progress
+SECONDS = 0.06  # a step on the screen
+_SAME = "the same agent"
+
+
+def choose() -> None:
+    """Which agent."""
+    listed = raced.names()
+    if listed:
+        key = state.show(AGENT, raced.opening()[AGENT])
+        st.selectbox(
+            "Agent", listed, key=key, on_change=_another, format_func=title,
+            help="A checkpoint opened on the page of trained agents is listed here, too.",
+        )  # fmt: skip
+
+
+def title(name: str) -> str:
+    return "opened file" if name in checkpoints.opened() else name.replace(checkpoints.RUN, "run: ").replace("_", " ")
+
+
+def _another() -> None:
+    """Callback: rules and the number of starts mean the same for another agent, all else does not."""
+    state.replace_all({AGENT: st.session_state[AGENT]})
+
+
+def form(control: Control) -> None:
+    """Deadline, start, and how either side acts; a change counts at once."""
+    key = state.put(HORIZON, control.horizon)
+    st.select_slider(
+        "Deadline T (steps)", raced.horizons(control.right, control.horizon), key=key, on_change=_keep, args=(key,),
+        help="Both episodes are stopped after so many steps.",
+    )  # fmt: skip
+    key = state.show(START, 0)
+    st.number_input(
+        "Start", 0, MOST_START, step=1, key=key, on_change=_keep, args=(key,),
+        help="Both sides begin from it. No agent was trained or chosen on any of these starts.",
+    )  # fmt: skip
+    _left(control)
+    key = state.put(RIGHT, control.right_rule)
+    st.selectbox(
+        "Right side", raced.rules_of(control.right.agent), key=key, format_func=TITLES.get, on_change=_keep,
+        args=(key,), help="The rule by which the agent acts for the time to go.",
+    )  # fmt: skip
+    key = state.show(COUNT, raced.USUAL_COUNT)
+    st.number_input(
+        "Starts to race over", 2, MOST_RACES, step=50, key=key, on_change=state.keep, args=(key,),
+        help="From start 0 on; more starts make the interval narrower.",
+    )  # fmt: skip
+
+
+def _left(control: Control) -> None:
+    key = state.put(LEFT, control.left_rule)
+    st.selectbox(
+        "Left side", raced.rules_of(control.left.agent), key=key, format_func=TITLES.get, on_change=_keep,
+        args=(key,), help="What the right side is held against.",
+    )  # fmt: skip
+    if control.left_rule == "greedy" and hasattr(control.left.agent, "gammas"):
+        gammas = [float(gamma) for gamma in control.left.agent.gammas]
+        at = control.gamma or gammas[control.left.agent.acting_head]
+        key = state.put(GAMMA, min(gammas, key=lambda gamma: abs(gamma - at)))
+        st.selectbox(
+            "Discount of the left side", gammas, key=key, format_func="{:.4g}".format, on_change=_discount,
+            args=(gammas[control.left.agent.acting_head],), help="It takes the best action at this discount.",
+        )  # fmt: skip
+    others = raced.rivals(str(state.chosen()[AGENT]), control.environment)
+    if others:
+        key = state.put(AGAINST, state.chosen().get(AGAINST, _SAME))
+        st.selectbox(
+            "Agent of the left side", (_SAME, *others), key=key, on_change=_rival,
+            format_func=lambda name: name if name == _SAME else title(name), help="Another agent of this environment.",
+        )  # fmt: skip
+
+
+def _keep(key: str) -> None:
+    """Callback: another race is shown at its end."""
+    state.choose(AT, None)
+    state.keep(key)
+
+
+def _discount(acting: float) -> None:
+    """Callback: the acting discount is what holds where none is chosen."""
+    chosen = st.session_state[GAMMA]
+    state.choose(AT, None)
+    state.choose(GAMMA, None if chosen == acting else chosen)
+
+
+def _rival() -> None:
+    """Callback: another agent may know other rules and discounts."""
+    chosen = st.session_state[AGAINST]
+    for name in (AT, LEFT, GAMMA):
+        state.choose(name, None)
+    state.choose(AGAINST, None if chosen == _SAME else chosen)
+
+
+def begun(control: Control) -> races.Racing:
+    """The race that the page shows: at its end, if that takes a moment only."""
+    racing = races.racing(control, int(state.chosen().get(START, 0)))
+    only("race", racing)
+    racing.wait(PATIENCE)
+    return racing
+
+
+def only(name: str, work: Work) -> None:
+    """Nobody waits any more for what this session had asked for before."""
+    key = f"_racing {name}"
+    before = st.session_state.get(key)
+    if before is not None and before is not work and before.going:
+        before.cancel()
+    st.session_state[key] = work
+
+
+def progress(work: Work, what: str) -> None:
+    """How far it is; the page is drawn anew when it is done."""
+    if not work.going:
+        st.rerun()
+    share = work.done / work.of if work.of else 0.0
+    words = f"step {work.done:,} of at most {work.of:,}" if work.of else "waits for other work of this server"
+    st.progress(min(1.0, share), f"{what}: {words}")
+
+
+def said(tone: str, sentence: str) -> None:
+    st.html(f'<div class="race-verdict {tone}">{escape(sentence)}</div>')
+
+
+def show(control: Control, racing: races.Racing) -> None:
+    """The verdict and the track."""
+    race, packed = racing.result()
+    said(*raced.verdict(race, control))
+    remark = raced.REMARKS.get(control.environment)
+    if remark:
+        st.caption(remark)
+    last = max(len(race.left), len(race.right))
+    at = min(int(state.chosen().get(AT, last)), last)
+
+    def heard(step: int) -> None:
+        state.choose(AT, None if step >= last else step)
+
+    track(packed, at, state.page_name(), raced.sides(control), scene_of(control.environment).actions, heard, SECONDS)
+    _footer(control, race, at)
+
+
+def _footer(control: Control, race: Race, at: int) -> None:
+    agents = {"left": state.chosen().get(AGAINST, state.chosen()[AGENT]), "right": state.chosen()[AGENT]}
+    file = f"race_{race.left.environment}_T_{race.horizon}_start_{race.start}"
+    with st.container(horizontal=True, vertical_alignment="center", gap="small"):
+        for side, name in zip(agents, raced.sides(control), strict=True):
+            query = {"checkpoint": str(agents[side])} | raced.inside(control, side, FIRST_START + race.start, at)
+            st.page_link(
+                "screens/agents.py", label=f"Look inside: {name}", icon=":material/frame_inspect:", query_params=query,
+                help="The same episode with gamma-space and tau-space of every step.",
+            )  # fmt: skip
+        if race.left.frames and race.right.frames:
+            st.download_button(
+                "GIF", lambda: _gif(race, raced.sides(control)), file_name=f"{file}.gif", mime="image/gif",
+                on_click="ignore", help="Both episodes side by side, moving.",
+            )  # fmt: skip
+        st.download_button(
+            "NPZ", lambda: race_npz(race), file_name=f"{file}.npz", mime="application/octet-stream",
+            on_click="ignore", help="Observations, actions, rewards and values of every step of both episodes.",
+        )  # fmt: skip
+
+
+def _gif(race: Race, names: tuple[str, str]) -> bytes:
+    sums = [np.concatenate([[0.0], np.cumsum(side.rewards)]) for side in (race.left, race.right)]
+    pictures = []
+    for step in range(max(map(len, sums))):
+        pair = [(side.frames[min(step, len(side))], total[min(step, len(side))])
+                for side, total in zip((race.left, race.right), sums, strict=True)]  # fmt: skip
+        (left, before), (right, after) = pair
+        words = f"{names[0]}: {before:.1f}".replace("γ", "gamma"), f"{names[1]}: {after:.1f}"
+        pictures.append(side_by_side(left, right, words))
+    return animation(pictures, SECONDS)
+
+
+def refused(work: Work) -> bool:
+    """Say why there is no result, if there is none."""
+    try:
+        work.result()
+    except InputError as error:
+        st.error(str(error))
+        return True
+    return False

@@ -1,0 +1,260 @@
+"""The race that a page shows, as values of its link: the agents, the rules, the deadline, the start; and its words."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from app import checkpoints, training_runs
+from app.races import Control
+from laplace_core import InputError, Settings
+from laplace_core.agents.agent import Agent
+from laplace_core.agents.settings import GYMNASIUM_ENVIRONMENTS
+from laplace_core.parameters import Parameter
+from laplace_core.settings import resolve
+from laplace_core.training import environments
+from laplace_core.training.checkpoint import Loaded
+from laplace_core.training.race import MOST_RACES, MOST_START, Race
+from laplace_core.training.rollout import longest
+from laplace_core.training.rules import suited
+from laplace_core.worlds import load_world
+
+AGENT, AGAINST = "checkpoint", "d.against"
+HORIZON, START, LEFT, GAMMA, RIGHT, AT, MANY, COUNT = (
+    "d.T", "d.start", "d.left", "d.gamma", "d.right", "d.at", "d.many", "d.starts",
+)  # fmt: skip
+FIRST_AGENT = "laplace_LunarLander-v3"
+"""What a visitor without a link sees: an environment in which a deadline matters."""
+USUAL_HORIZON, USUAL_COUNT = 50, 100
+_STOPS = (1, 2, 3, 4, 5, 6, 8, 10, 15, 20, 25, 30, 40, 50, 60, 80, 100, 125, 150, 200, 250, 300, 400, 500, 700, 1000)
+
+TITLES = {
+    "greedy": "greedy at a discount",
+    "matched": "for T: nearest discount",
+    "fading": "for T: fading deadline",
+    "readout": "for T: readout of all discounts",
+    "decoded": "for T: decoded tau-space (slow)",
+    "own": "for T: learned values",
+}
+"""Rules in a list to choose from."""
+_NAMES = {
+    "greedy": "greedy", "matched": "nearest discount", "fading": "fading deadline", "readout": "readout",
+    "decoded": "decoded tau-space", "own": "learned values",
+}  # fmt: skip
+REMARKS = {
+    "CartPole-v1": "Every step pays 1 while the pole stands: what is best hardly depends on the deadline.",
+    "Acrobot-v1": "Every step costs 1 until the tip is up: the fastest way is best for any deadline that it makes.",
+}
+REMARKS |= {"CartPole-v0": REMARKS["CartPole-v1"]}
+REMARKS["MountainCar-v0"] = "Every step costs 1 until the flag: the fastest way is best for any deadline that it makes."
+
+
+def names() -> tuple[str, ...]:
+    """All agents there are, as the page of trained agents lists them."""
+    return (*checkpoints.shipped(), *checkpoints.trained(), *checkpoints.opened())
+
+
+def opening() -> dict[str, object]:
+    listed = names()
+    return {AGENT: FIRST_AGENT if FIRST_AGENT in listed else listed[0]} if listed else {}
+
+
+def rivals(name: str, environment: str) -> tuple[str, ...]:
+    """Other agents of the same environment."""
+    return tuple(other for other in names() if other != name and _environment(other) == environment)
+
+
+def _environment(name: str) -> str | None:
+    """Of a run without opening its checkpoint: there may be many."""
+    if name.startswith(checkpoints.RUN):
+        settings = training_runs.queue().get(name.removeprefix(checkpoints.RUN)).settings
+        return None if settings is None else settings.environment
+    return checkpoints.checkpoint(name).environment
+
+
+def rules_of(agent: Agent) -> tuple[str, ...]:
+    """Rules that an agent can act by."""
+    if hasattr(agent, "gammas"):
+        return ("greedy", "matched", "fading", "readout", "decoded")
+    return ("own",) if hasattr(agent, "horizon") else ("greedy",)
+
+
+def longest_horizon(loaded: Loaded) -> int:
+    """Where an episode ends at the latest; in a tabular world, some times the length that suits it."""
+    limit = min(longest(loaded.agent), environments.spec(loaded.environment).time_limit or longest(loaded.agent))
+    if loaded.environment in GYMNASIUM_ENVIRONMENTS:
+        return limit
+    return min(limit, 4 * _suited_steps(loaded.environment))
+
+
+def _suited_steps(environment: str) -> int:
+    return resolve(Settings(world=environment), load_world(environment)).steps
+
+
+def usual_horizon(loaded: Loaded) -> int:
+    if loaded.environment in GYMNASIUM_ENVIRONMENTS:
+        return min(USUAL_HORIZON, longest_horizon(loaded))
+    return min(_suited_steps(loaded.environment), longest_horizon(loaded))
+
+
+def horizons(loaded: Loaded, shown: int) -> list[int]:
+    """Stops of the slider of T, denser where it is short; with the one that is shown."""
+    limit = longest_horizon(loaded)
+    return sorted({*(stop for stop in _STOPS if stop < limit), limit, shown})
+
+
+def parameters(loaded: Loaded, other: Loaded | None = None) -> dict[str, Parameter]:
+    """What a link may hold besides the agents."""
+    found = (
+        Parameter(HORIZON, usual_horizon(loaded), 1, longest_horizon(loaded), "Deadline T, in steps."),
+        Parameter(START, 0, 0, MOST_START, "Start of the race."),
+        Parameter(LEFT, None, 0, 0, "How the left side acts.", str, rules_of((other or loaded).agent)),
+        Parameter(GAMMA, None, 1e-6, 0.999999, "Discount for the left side to be greedy at.", float),
+        Parameter(RIGHT, None, 0, 0, "How the right side acts.", str, rules_of(loaded.agent)),
+        Parameter(AT, None, 0, 10_000, "Steps that are over under the cursor.", int),
+        Parameter(MANY, "no", 0, 0, "Whether many starts are raced over.", str, ("no", "yes")),
+        Parameter(COUNT, USUAL_COUNT, 2, MOST_RACES, "How many starts."),
+    )
+    return {parameter.name: parameter for parameter in found}
+
+
+def parse_query(query: Mapping[str, str]) -> tuple[dict[str, object], list[str]]:
+    """State and notes from URL values."""
+    found, notes = dict(opening()), []
+    try:
+        if AGENT in query:
+            checkpoints.checkpoint(query[AGENT])
+            found[AGENT] = query[AGENT]
+    except InputError as error:
+        return found, [f"Left out of the link: {error}"]
+    if AGENT not in found:
+        return {}, []
+    loaded, other = checkpoints.checkpoint(str(found[AGENT])), None
+    if AGAINST in query:
+        if query[AGAINST] in rivals(str(found[AGENT]), loaded.environment):
+            found[AGAINST] = query[AGAINST]
+            other = checkpoints.checkpoint(query[AGAINST])
+        else:
+            notes.append(f"Left out of the link: {query[AGAINST][:40]!r} is no other agent of {loaded.environment}.")
+    known = parameters(loaded, other)
+    for name, text in query.items():
+        if name in (AGENT, AGAINST):
+            continue
+        if name not in known:
+            notes.append(f"The link has an entry {name[:40]!r} that means nothing here.")
+            continue
+        try:
+            found[name] = known[name].parse(text)
+        except InputError as error:
+            notes.append(f"Left out of the link: {error}")
+    return found, notes
+
+
+def control_of(values: Mapping[str, object]) -> Control:
+    """The race that a page's values describe.
+
+    Raises:
+        InputError: an agent that is there no longer.
+    """
+    right = checkpoints.checkpoint(str(values[AGENT]))
+    left = checkpoints.checkpoint(str(values[AGAINST])) if AGAINST in values else right
+    horizon = min(int(values.get(HORIZON, usual_horizon(right))), longest_horizon(right))
+    left_rule = str(values.get(LEFT, rules_of(left.agent)[0]))
+    right_rule = str(values.get(RIGHT, suited(right.agent, horizon)))
+    gamma = _trained_discount(left.agent, values.get(GAMMA)) if left_rule == "greedy" else None
+    return Control(left, left_rule, gamma, right, right_rule, horizon)
+
+
+def _trained_discount(agent: Agent, gamma: object) -> float | None:
+    """The nearest one that the agent has learned; None for the acting one, or where there is no choice."""
+    if gamma is None or not hasattr(agent, "gammas"):
+        return None
+    head = int(abs(agent.gammas - float(gamma)).argmin())
+    return None if head == agent.acting_head else float(agent.gammas[head])
+
+
+def sides(control: Control) -> tuple[str, str]:
+    """Names of the left and the right side, that tell them apart."""
+    left, right = _NAMES[control.left_rule], _NAMES[control.right_rule]
+    if control.gamma is not None:
+        left += f" (γ {control.gamma:.3g})"
+    return (f"{left}, other agent", right) if control.left is not control.right else (left, right)
+
+
+def alike(control: Control) -> bool:
+    """Whether both sides are one and the same."""
+    same = control.left is control.right and control.left_rule == control.right_rule
+    return same and control.gamma is None
+
+
+def verdict(race: Race, control: Control) -> tuple[str, str]:
+    """``ahead``, ``behind`` or ``level``, and one sentence."""
+    if alike(control):
+        return "level", "Both sides act by the same rule: choose another one for either of them."
+    left, right = sides(control)
+    totals = [float(side.rewards.sum()) for side in (race.left, race.right)]
+    where = f"Within {_steps(race.horizon)} from start {race.start}"
+    if race.parting is None and len(race.left) == len(race.right):
+        return "level", f"{where} both take the same actions: {totals[0]:.1f} each."
+    if abs(race.difference) < 0.05:
+        apart = f", by different actions from step {race.parting + 1} on" if race.parting is not None else ""
+        return "level", f"{where}: {left} {totals[0]:.1f}, {right} {totals[1]:.1f}: level{apart}."
+    leader = right if race.difference > 0 else left
+    tone, lead = "ahead" if race.difference > 0 else "behind", abs(race.difference)
+    found = f"{where}: {left} {totals[0]:.1f}, {right} {totals[1]:.1f}"
+    return tone, f"{found}. {_capital(leader)} is ahead by {lead:.1f}."
+
+
+def field_verdict(summary: Mapping[str, object], control: Control) -> tuple[str, str]:
+    """The same for many races, from their summary."""
+    left, right = sides(control)
+    low, high = summary["interval"]
+    count, mean = f"Over {summary['starts']} starts", float(summary["difference"])
+    if summary["equal"] == 1.0:
+        return "level", f"{count} both have the same return from every start."
+    means = f"{count}: {left} {summary['left']:.1f}, {right} {summary['right']:.1f} on average"
+    if low <= 0.0 <= high:
+        return "level", f"{means}. The interval of the difference covers 0: these starts do not tell which is better."
+    leader, tone = (right, "ahead") if mean > 0 else (left, "behind")
+    return tone, f"{means}. {_capital(leader)} is ahead by {abs(mean):.1f} ({_range(low, high)})."
+
+
+def _range(low: float, high: float) -> str:
+    """The interval of a lead, whoever leads."""
+    return f"95% {min(abs(low), abs(high)):.1f} to {max(abs(low), abs(high)):.1f}"
+
+
+def _steps(count: int) -> str:
+    return f"{count} step" + ("" if count == 1 else "s")
+
+
+def _capital(words: str) -> str:
+    return words[:1].upper() + words[1:]
+
+
+def inside(control: Control, side: str, seed: int, step: int) -> dict[str, str]:
+    """Values of the link that opens one side of a race on the page of trained agents, but for the agent's name."""
+    rule = control.left_rule if side == "left" else control.right_rule
+    query = {"r.shown": "yes", "r.seed": str(seed), "r.rule": rule, "r.at": str(max(0, step - 1))}
+    if rule != "greedy":
+        query["r.horizon"] = str(control.horizon)
+    if side == "left" and control.gamma is not None:
+        query["r.gamma"] = f"{control.gamma:.8g}"
+    return query
+
+
+def command(values: Mapping[str, object], control: Control, count: int) -> str:
+    """The command that prints the figures of many races."""
+    words = ["laplace", "race", _file(str(values[AGENT])), "--horizon", str(control.horizon)]
+    words += ["--rule", control.right_rule, "--against", control.left_rule]
+    if AGAINST in values:
+        words += ["--against-agent", _file(str(values[AGAINST]))]
+    if control.gamma is not None:
+        words += ["--gamma", f"{control.gamma:.8g}"]
+    return " ".join([*words, "--seeds", str(count)])
+
+
+def _file(name: str) -> str:
+    """Where a checkpoint lies; of one that was opened only its owner knows."""
+    if name.startswith(checkpoints.RUN):
+        return f"runs/{name.removeprefix(checkpoints.RUN)}/best.safetensors"
+    return f"checkpoints/{name}.safetensors" if name in checkpoints.shipped() else "opened.safetensors"

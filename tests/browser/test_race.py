@@ -1,0 +1,76 @@
+"""A deadline race in a real browser: where the sides part, scrubbing, many starts, and the numbers by the library."""
+
+from __future__ import annotations
+
+import csv
+import io
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from laplace_core.training.checkpoint import load_checkpoint
+from laplace_core.training.race import Entrant, race, races
+
+pytestmark = pytest.mark.browser
+CHECKPOINT = Path(__file__).resolve().parents[2] / "checkpoints" / "laplace_LunarLander-v3.safetensors"
+T, START, COUNT = 20, 3, 6
+
+
+@pytest.fixture(scope="module")
+def sides():
+    agent = load_checkpoint(CHECKPOINT).agent
+    return "LunarLander-v3", Entrant(agent), Entrant(agent, "fading")
+
+
+def shown(page) -> list[str]:
+    """The returns under the cursor, left and right."""
+    return page.locator(".laplace-track output").all_inner_texts()
+
+
+def returns_after(found, step: int) -> list[str]:
+    return [f"{side.rewards[:step].sum():.1f}" for side in (found.left, found.right)]
+
+
+def test_a_race_is_watched_and_then_run_from_many_starts(page, address, sides):
+    one, many = race(*sides, START, T), races(*sides, T, COUNT)
+    page.goto(f"{address}/race?d.T={T}&d.start={START}&d.starts={COUNT}")
+    page.locator(".laplace-track canvas").wait_for()
+    assert shown(page) == returns_after(one, T)
+    page.get_by_role("button", name="the first step at which the actions differ").click()
+    assert shown(page) == returns_after(one, one.parting + 1)
+    page.wait_for_url(f"**d.at={one.parting + 1}*")
+    page.get_by_role("button", name="the end").click()
+
+    page.get_by_role("button", name=f"Race over {COUNT} starts").click()
+    page.locator(".race-facts").wait_for()
+    with page.expect_download() as download:
+        page.get_by_role("button", name="CSV", exact=True).click()
+    rows = list(csv.DictReader(io.StringIO(Path(download.value.path()).read_text())))
+    np.testing.assert_allclose([float(row["difference"]) for row in rows], many.differences, atol=1e-6)
+    page.get_by_role("button", name="best", exact=True).click()
+    best = many.notable()["best"]
+    page.get_by_text(f"from start {best}:").wait_for()
+    page.wait_for_url(f"**d.start={best}*")
+    assert page.get_by_label("Start", exact=True).input_value() == str(best)
+
+
+def test_to_move_the_cursor_needs_no_server_and_it_plays(page, address, sides):
+    one = race(*sides, START, T)
+    page.goto(f"{address}/race?d.T={T}&d.start={START}")
+    page.locator(".laplace-track canvas").wait_for()
+    page.context.route("**/*", lambda route: route.abort())  # whatever is not there by now does not come
+    for step in (0, 1, 7, T):
+        page.locator("input[name=over]").evaluate(
+            "(input, step) => { input.value = step; input.dispatchEvent(new Event('input')); }", step
+        )
+        assert shown(page) == returns_after(one, step)
+    page.wait_for_function(
+        "() => [...document.querySelectorAll('.laplace-track img')].every((one) => one.naturalHeight === 180)"
+    )
+    page.get_by_role("button", name="play", exact=True).click()  # at the end: from the start again
+    page.wait_for_function(
+        "() => { const at = +document.querySelector('input[name=over]').value; return at > 2 && at < 20; }"
+    )
+    page.wait_for_function("() => +document.querySelector('input[name=over]').value === 20")
+    page.get_by_role("button", name="play", exact=True).wait_for()
