@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from laplace_core import InputError
-from laplace_core.experiments.shipping import MOST_BYTES, MOST_TOGETHER, manifest, ship
+from laplace_core.experiments.shipping import MOST_BYTES, MOST_TOGETHER, curves_of, manifest, ship
 from laplace_core.training.checkpoint import load_checkpoint
 from laplace_core.training.command import settings_of
 from laplace_core.training.loop import train
@@ -27,6 +27,12 @@ def test_every_shipped_checkpoint_is_what_the_manifest_says(entry):
     assert loaded.settings == settings_of(loaded.algorithm, loaded.environment, {"seed": loaded.seed})
     scores = entry["scores"]
     assert entry["score"] == scores[entry["seed"]] == sorted(scores)[(len(scores) - 1) // 2]
+    curves = curves_of(SHIPPED, entry)
+    if "curve" in entry:
+        assert [curve.seed for curve in curves] == list(range(len(scores)))
+        best = max(zip(curves[entry["seed"]].scores, curves[entry["seed"]].steps, strict=True))
+        assert loaded.step in curves[entry["seed"]].steps
+        assert loaded.score == pytest.approx(best[0], abs=1e-3)  # the checkpoint is that of the best evaluation
 
 
 def test_nothing_ships_that_the_manifest_does_not_name_and_all_of_it_is_small():
@@ -63,6 +69,25 @@ def test_the_median_of_three_runs_ships(tmp_path, monkeypatch):
     folder.mkdir()
     entry = ship("laplace", "two_branch", 3, tmp_path, folder)
     assert manifest(folder) == [entry]
+    # A run of 200 steps that is evaluated every 200 has one evaluation, at the end of the episode under way.
+    curves = curves_of(folder, entry)
+    assert [(curve.seed, len(curve.steps), len(curve.scores)) for curve in curves] == [
+        (seed, 1, 1) for seed in range(3)
+    ]
+    assert all(200 <= curve.steps[0] < 210 for curve in curves)
+    assert curves_of(folder, {"file": "one from before there were curves"}) == ()
+    written = folder / entry["curve"]["file"]
+    data = written.read_bytes()
+    for spoiled in (data[:-3], b"", data + b" " * 300_000):
+        written.write_bytes(spoiled)
+        with pytest.raises(InputError, match="training curve"):
+            curves_of(folder, entry)
+    uneven = b'[{"seed": 0, "steps": [1], "scores": [], "errors": []}]'
+    for content in (b'[{"seed": 0}]', uneven, b'["a"]', b"[1]", b"1"):
+        written.write_bytes(content)
+        told = entry["curve"] | {"sha256": hashlib.sha256(content).hexdigest()}
+        with pytest.raises(InputError, match="training curve"):
+            curves_of(folder, entry | {"curve": told})
     assert entry["score"] == sorted(entry["scores"])[1]
     assert load_checkpoint(folder / entry["file"]).seed == entry["seed"]
     with pytest.raises(InputError, match="not finished"):

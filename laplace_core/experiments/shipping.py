@@ -1,13 +1,15 @@
 """Checkpoints that ship: one seed of several, picked by rule, with a manifest of where it comes from.
 
 The seed shipped is the one with the median score, so that what a person opens is what the algorithm does, not the luck
-of its best run. Of an even number the lower of the two in the middle is taken.
+of its best run. Of an even number the lower of the two in the middle is taken. Beside it lies a small file with the
+evaluations while training of every seed: how the score came about.
 """
 
 from __future__ import annotations
 
 import hashlib
 import json
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
@@ -16,11 +18,23 @@ from laplace_core.agents.settings import LoopSettings
 from laplace_core.errors import InputError
 from laplace_core.experiments import training
 from laplace_core.training.command import settings_of
+from laplace_core.training.run_folder import read_metrics
 from laplace_core.training.tensor_file import parse_json, write_whole
 
 MANIFEST = "manifest.json"
 PICKED = "median score over the seeds"
 MOST_BYTES, MOST_TOGETHER = 8_000_000, 40_000_000
+MOST_CURVE_BYTES = 200_000
+
+
+@dataclass(frozen=True)
+class TrainingCurve:
+    """Evaluations of one seed while it was trained, N each: step, mean return and its standard error, in reward."""
+
+    seed: int
+    steps: tuple[float, ...]
+    scores: tuple[float, ...]
+    errors: tuple[float, ...]
 
 
 def ship(algorithm: str, environment: str, seeds: int, runs: Path, folder: Path) -> dict[str, object]:
@@ -56,12 +70,56 @@ def ship(algorithm: str, environment: str, seeds: int, runs: Path, folder: Path)
         "scores": [round(score, 2) for score in scores.tolist()],
         "score": round(float(scores[picked]), 2),
         "standard_error": round(rows[picked]["standard_error"], 2),
+        "curve": write_curves(runs, algorithm, environment, seeds, folder),
     }
     write_whole(folder / name, data)
     entries = {each["file"]: each for each in manifest(folder)} | {name: entry}
     text = json.dumps([entries[file] for file in sorted(entries)], indent=1) + "\n"
     write_whole(folder / MANIFEST, text.encode())
     return entry
+
+
+def write_curves(runs: Path, algorithm: str, environment: str, seeds: int, folder: Path) -> dict[str, str]:
+    """Write the evaluations while training of every seed to one file; returns its name and sha256 for the manifest."""
+    curves = []
+    for seed in range(seeds):
+        events = read_metrics(runs / training.run_name(algorithm, environment, seed))
+        told = [event for event in events if event["event"] == "Evaluation"]
+        columns = {"steps": "step", "scores": "score", "errors": "standard_error"}
+        curves.append({"seed": seed, **{to: [round(e[of], 3) for e in told] for to, of in columns.items()}})
+    lines = ",\n".join(json.dumps(curve) for curve in curves)
+    name, data = f"{algorithm}_{environment}.curve.json", f"[\n{lines}\n]\n".encode()
+    write_whole(folder / name, data)
+    return {"file": name, "sha256": hashlib.sha256(data).hexdigest()}
+
+
+def curves_of(folder: Path, entry: dict[str, object]) -> tuple[TrainingCurve, ...]:
+    """The training curves that an entry of a folder's manifest names; none if it names none.
+
+    Raises:
+        InputError: the file is missing, or not one that :func:`write_curves` could have written.
+    """
+    told = entry.get("curve")
+    if told is None:
+        return ()
+    wrong = InputError(f"the training curve of {entry['file']} must be a file beside it, with the manifest's sha256.")
+    try:
+        path = folder / Path(told["file"]).name
+        data = path.read_bytes() if path.stat().st_size <= MOST_CURVE_BYTES else b""
+    except (OSError, KeyError, TypeError, ValueError):
+        raise wrong from None
+    if hashlib.sha256(data).hexdigest() != told.get("sha256"):
+        raise wrong
+    try:
+        curves = [
+            TrainingCurve(int(each["seed"]), *(tuple(map(float, each[name])) for name in ("steps", "scores", "errors")))
+            for each in parse_json(data, path.name)
+        ]
+    except (KeyError, TypeError, ValueError):
+        raise wrong from None
+    if any(not len(curve.steps) == len(curve.scores) == len(curve.errors) for curve in curves):
+        raise wrong
+    return tuple(curves)
 
 
 def command(settings: LoopSettings) -> str:
