@@ -112,7 +112,7 @@ function mount(host, reel, told, report) {
 
   function show() {
     const began = performance.now(), lens = lensOf();
-    if (lens && globalThis.laplaceLead === lead) {
+    if (lens && reel.levels && globalThis.laplaceLead === lead) { // a peer has no gamma-space for a lens to show
       const [model, news] = lead.over(lens.model);
       lens.show(model, news, false);
     }
