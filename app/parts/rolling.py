@@ -74,7 +74,9 @@ def asked(loaded: Loaded) -> Rolling | None:
     values = state.chosen()
     if not rolled.shown(values):
         return None
-    return rollouts.rolling(loaded, rolled.control_of(values, limit_of(loaded), next(iter(rolled.rules_of(loaded.agent)))))
+    return rollouts.rolling(
+        loaded, rolled.control_of(values, limit_of(loaded), next(iter(rolled.rules_of(loaded.agent))))
+    )
 
 
 def beside(rolling: Rolling, scene: Scene) -> None:

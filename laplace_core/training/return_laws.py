@@ -1,11 +1,13 @@
 """The law of the discounted return after one state and action: what an agent has learned of it, and what comes.
 
-Both are of the agent's OWN policy, greedy at its acting discount, and know no time limit. A Laplace agent has learned no
-such law: what its tau-space would say if its steps were independent stands in for one, and is labelled so.
+Both are of the agent's OWN policy, greedy at its acting discount, and know no time limit. A Laplace agent has learned
+no such law: what its tau-space would say if its steps were independent stands in for one, and is labelled so.
 """
 
 from __future__ import annotations
 
+import io
+import json
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
@@ -164,3 +166,17 @@ def simulate_returns(
     running = float(found.alive[:, -1].mean())
     missing = running * gamma**steps / (1.0 - gamma) * float(np.abs(found.rewards).max())
     return SimulatedReturns(found.rewards @ gamma ** np.arange(steps), gamma, steps, running, missing)
+
+
+def laws_npz(names: Sequence[str], laws: Sequence[ReturnLaw], came: Sequence[SimulatedReturns] | None = None) -> bytes:
+    """Laws side by side as an ``.npz`` file: ``I_NAME_locations``, ``_masses`` and, where known, ``_came`` for agent I,
+    and a JSON string ``settings`` with the discount and the kind of each."""
+    arrays: dict[str, np.ndarray] = {}
+    for i, (name, law) in enumerate(zip(names, laws, strict=True)):
+        arrays |= {f"{i}_{name}_locations": law.locations, f"{i}_{name}_masses": law.masses}
+        if came is not None:
+            arrays[f"{i}_{name}_came"] = came[i].returns
+    told = [{"algorithm": name, "kind": law.kind, "gamma": law.gamma} for name, law in zip(names, laws, strict=True)]
+    file = io.BytesIO()
+    np.savez_compressed(file, **arrays, settings=np.array(json.dumps(told)))
+    return file.getvalue()
