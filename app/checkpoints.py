@@ -86,10 +86,10 @@ def _shipped_curves(name: str) -> tuple[TrainingCurve, ...]:
     return ()
 
 
-def same_environment(loaded: Loaded) -> list[tuple[str, Loaded]]:
+def same_environment(loaded: Loaded) -> list[Loaded]:
     """Agents that ship, of this environment."""
     found = [name for name in shipped() if _parts(name)[1] == loaded.environment.replace(":", "-")]
-    return [(name, _shipped(name)) for name in found]
+    return [_shipped(name) for name in found]
 
 
 @lru_cache(maxsize=16)

@@ -25,9 +25,14 @@ _lock = threading.Lock()
 
 def beside(loaded: Loaded) -> list[Loaded]:
     """The opened agent, and then those that ship for its environment."""
-    others = [other for _, other in checkpoints.same_environment(loaded) if other.algorithm in BESIDE]
+    others = [other for other in checkpoints.same_environment(loaded) if other.algorithm in BESIDE]
     own = [loaded] if has_return_law(loaded.agent) else []
-    return own + [other for other in others if other is not loaded]
+    return own + [other for other in others if not _same(other, loaded)]
+
+
+def _same(one: Loaded, other: Loaded) -> bool:
+    """Whether a run or a file is what ships."""
+    return one is other or (one.settings == other.settings and one.step == other.step)
 
 
 def _key(agents: Sequence[Loaded], rollout: Rollout, step: int, action: int) -> tuple[Agent | Rollout | int, ...]:

@@ -15,7 +15,7 @@ if TYPE_CHECKING:  # it brings torch along, which no figure needs
 
 CAME = "#d6336c"
 _LEARNED = ACTION_COLOURS[0]
-_ROW, _GAP, _TOP, _BOTTOM = 84, 30, 56, 40  # pixels
+_ROW, _GAP, _TOP, _BOTTOM = 84, 30, 46, 40  # pixels
 _TAIL = 0.002  # mass at either end of a law that the axis need not reach
 
 
@@ -66,11 +66,11 @@ def returns_side_by_side(rows: Sequence[ReturnRow]) -> Figure:
         if row.came is not None:
             traces.append(_mean_mark(row.came.mean[0], CAME, f"{row.name}<br>mean of what came", place))
     return build(
-        "P(return ≤ x)",
+        "",
         traces,
         margin={"l": 36, "t": _TOP, "b": _BOTTOM},
         height=height + _TOP + _BOTTOM,
-        legend={"orientation": "h", "x": 1.0, "xanchor": "right", "y": 1.0 + (_TOP - 4) / height, "yanchor": "top",
+        legend={"orientation": "h", "x": 0.0, "xanchor": "left", "y": 1.0 + 22 / height, "yanchor": "bottom",
                 "font": {"size": 11}, "traceorder": "normal"},
         annotations=words,
         xaxis=axis("discounted return x, in reward", range=[low, high],

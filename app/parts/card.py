@@ -19,7 +19,7 @@ def card(name: str, loaded: Loaded, scene: Scene) -> None:
     st.caption(scene.title)
     st.caption(
         f"{checkpoints.ALGORITHMS[loaded.algorithm]}, seed {loaded.seed}, {loaded.step:,} steps; return {score}. "
-        f"{_outputs(loaded)}."
+        f"Outputs: {_outputs(loaded)}."
     )
     curves = checkpoints.curves(name)
     if curves:

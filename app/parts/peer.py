@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 import numpy as np
 import streamlit as st
 
@@ -76,6 +78,6 @@ def _of_state(
     return figures.returns_of_actions(laws, scene.actions, action), "Distribution of the return of every action."
 
 
-@st.cache_data(max_entries=16, show_spinner=False, hash_funcs={Loaded: id, Rollout: id})
+@lru_cache(maxsize=4)
 def _quantiles(loaded: Loaded, rollout: Rollout) -> np.ndarray | None:
     return return_quantiles(loaded.agent, rollout)

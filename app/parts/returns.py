@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from functools import lru_cache
 from html import escape
 
+import numpy as np
 import streamlit as st
 
 from app import checkpoints, figures, returned
@@ -16,7 +17,7 @@ from app.trained import DEFAULTS
 from laplace_core import InputError
 from laplace_core.training import environments
 from laplace_core.training.checkpoint import Loaded
-from laplace_core.training.return_laws import COUNT, INDEPENDENT, ReturnLaw, SimulatedReturns, laws_npz, return_laws
+from laplace_core.training.return_laws import COUNT, ReturnLaw, SimulatedReturns, laws_npz, return_laws
 from laplace_core.training.rollout import Rollout
 
 LOOK_EVERY = 0.5  # seconds between two looks at a simulation in the making
@@ -35,13 +36,17 @@ def section(
     agents = returned.beside(loaded)
     if not agents:
         return
-    st.html('<div class="panel-title">the same return in different codes</div>')
+    st.html('<div class="panel-title">the same return in different codes: P(return ≤ x)</div>')
     alphas = [alpha if each is loaded and alpha else DEFAULTS["alpha"] for each in agents]
     laws = [law_of(each, observation, action, one) for each, one in zip(agents, alphas, strict=True)]
     found = None if rollout is None else returned.found(agents, rollout, step, action)
     came = _offered(agents, rollout, step, action, name, found)
     rows = [
-        ReturnRow(_title(each), law, came[i] if came else None)
+        ReturnRow(
+            _title(each, each is loaded and len(agents) > len({a.algorithm for a in agents})),
+            law,
+            came[i] if came else None,
+        )
         for i, (each, law) in enumerate(zip(agents, laws, strict=True))
     ]
     left, right = st.columns([2, 1], gap="medium")
@@ -50,8 +55,7 @@ def section(
         chart(figures.to_json(figures.returns_side_by_side(rows)), "codes", alt, rows_height(len(rows)))
     with right:
         st.html(_table(rows))
-        if any(row.law.kind == INDEPENDENT for row in rows):
-            st.caption("Laplace knows the rewards of each step, not how they hang together: its law is a stand-in.")
+        st.caption(_notes(agents, observation, action, alphas))
         st.download_button(
             "NPZ", lambda: laws_npz([each.algorithm for each in agents], laws, came), on_click="ignore",
             file_name=f"returns_{loaded.environment.replace(':', '-')}_step_{step}.npz",
@@ -72,7 +76,7 @@ def _offered(
             return None
         if found is None:
             words.caption(_offer(agents[0], step, name))
-            button.button("Simulate", key="simulate returns", width="stretch",
+            button.button("Simulate returns", key="simulate returns", width="stretch",
                           on_click=returned.begin, args=(agents, rollout, step, action))  # fmt: skip
             return None
         if found.going:
@@ -114,10 +118,24 @@ def law_of(loaded: Loaded, observation: tuple[float, ...], action: int, alpha: f
     return return_laws(loaded.agent, observation, [action], alpha)[0]
 
 
-def _title(loaded: Loaded) -> str:
-    name = checkpoints.ALGORITHMS[loaded.algorithm]
+def _title(loaded: Loaded, told_apart: bool) -> str:
+    name = checkpoints.ALGORITHMS[loaded.algorithm] + (" (opened)" if told_apart else "")
     notes = {"laplace": ", if steps were independent", "expectile": ", imputed", "dqn": ", a mean"}
     return name + notes.get(loaded.algorithm, "")
+
+
+def _notes(agents: Sequence[Loaded], observation: tuple[float, ...], action: int, alphas: Sequence[float]) -> str:
+    """What the table's numbers mean, and why a stand-in's mean is not the agent's value."""
+    words = ["All in discounted reward; ± is one standard error; by chance: W1 of as many draws from their own law."]
+    for each, alpha in zip(agents, alphas, strict=True):
+        if each.algorithm == "laplace":
+            value = each.agent.action_values(np.array(observation)[None], each.agent.acting_head)[0, action]
+            words.append(
+                "Laplace knows the rewards of each step and not how they hang together: its law is a stand-in, whose "
+                f"mean is what the inverse at α {alpha:g} leaves of its value {value:.4g}."
+            )
+            break
+    return " ".join(words)
 
 
 def _table(rows: Sequence[ReturnRow]) -> str:
