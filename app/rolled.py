@@ -12,6 +12,7 @@ from laplace_core.parameters import Parameter
 from laplace_core.training.rollout import MOST_SEED, MOST_STEPS, RULES, Rollout
 
 SHOWN, SEED, RULE, HORIZON, GAMMA, AT = "r.shown", "r.seed", "r.rule", "r.horizon", "r.gamma", "r.at"
+ACTION, TAKEN = "r.action", "taken"  # the action taken is an option of its own, which follows the cursor
 TITLES = {
     "greedy": "greedy at a discount",
     "fading": "for T: fading deadline",
@@ -47,7 +48,8 @@ def parameters(agent: Agent) -> dict[str, Parameter]:
     rules = tuple(rules_of(agent))
     own = Parameter(RULE, rules[0], 0, 0, "Control rule.", str, rules)
     kept = {name: one for name, one in PARAMETERS.items() if name != GAMMA or hasattr(agent, "gammas")}
-    return kept | {RULE: own}
+    shown = Parameter(ACTION, TAKEN, 0, 0, "Action that is shown of an agent without a lens.", str)
+    return kept | {RULE: own, ACTION: shown}
 
 
 def shown(values: Mapping[str, object]) -> bool:

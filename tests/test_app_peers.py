@@ -112,7 +112,7 @@ def test_without_a_rollout_a_state_is_edited(shipped):
 
 def test_what_comes_stands_beside_what_was_learned(shipped, monkeypatch):
     monkeypatch.setattr(returned, "simulate_returns", lambda *given, told: simulate_returns(*given, 7, told=told))
-    page = rolled_out(checkpoint=f"c51_{WORLD}", **{"r.shown": "yes", "action": "long"})
+    page = rolled_out(checkpoint=f"c51_{WORLD}", **{"r.shown": "yes", "r.action": "long"})
     heights = charts(page)["codes"]["layout"]["height"]
     page = simulated(page)
     drawn = charts(page)["codes"]
@@ -125,6 +125,19 @@ def test_what_comes_stands_beside_what_was_learned(shipped, monkeypatch):
     assert len(notes) == 8
     table = next(html.proto.body for html in page.get("html") if "by chance" in html.proto.body)
     assert f"{wanted.mean[0]:.4g} ± {wanted.mean[1]:.2g}" in table
+
+
+def test_the_action_taken_follows_the_cursor_until_another_is_chosen(shipped):
+    loaded = load_checkpoint(shipped / "qrdqn_CartPole-v1.safetensors")
+    rollout, link = roll_out(loaded.agent, "CartPole-v1", 5, "random"), {"r.shown": "yes", "r.seed": "5"}
+    first, other = 0, int(np.flatnonzero(rollout.actions != rollout.actions[0])[0])
+    for at in (first, other):
+        page = rolled_out(checkpoint="qrdqn_CartPole-v1", **link, **{"r.rule": "random", "r.at": str(at)})
+        heavy = [trace["line"]["width"] for trace in charts(page)["state"]["data"][:2]]
+        assert int(np.argmax(heavy)) == rollout.actions[at]
+    page.get("button_group")[0].set_value("push left").run()
+    assert page.query_params["r.action"] in ("push left", ["push left"])
+    assert charts(page)["state"]["data"][0]["line"]["width"] == 3
 
 
 def test_where_nothing_is_by_chance_one_line_says_all(shipped):
@@ -165,11 +178,11 @@ def test_a_spoiled_file_of_a_peer_is_one_sentence(shipped, spoil):
     assert "\n" not in str(refused.value)
 
 
-@pytest.mark.parametrize("query", [{"r.gamma": "0.9"}, {"r.rule": "fading"}, {"r.rule": "own"}, {"action": "up"}])
+@pytest.mark.parametrize("query", [{"r.gamma": "0.9"}, {"r.rule": "fading"}, {"r.rule": "own"}, {"r.action": "up"}])
 def test_a_bad_link_to_a_peer_opens(shipped, query):
     page = rolled_out(checkpoint="qrdqn_CartPole-v1", **{"r.shown": "yes"} | query)
     assert not page.error
-    assert bool(page.warning) == ("action" not in query)
+    assert bool(page.warning) == ("r.action" not in query)
 
 
 def test_the_card_draws_how_the_score_came_about(shipped, monkeypatch):

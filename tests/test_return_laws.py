@@ -23,6 +23,7 @@ from laplace_core.inverse import decode
 from laplace_core.learned.returns import independent_steps_return, wasserstein
 from laplace_core.learning import return_distribution
 from laplace_core.learning.peers import quantiles_of
+from laplace_core.training import return_laws as module
 from laplace_core.training.checkpoint import new_agent
 from laplace_core.training.return_laws import (
     INDEPENDENT,
@@ -35,6 +36,7 @@ from laplace_core.training.return_laws import (
     laws_npz,
     return_laws,
     return_quantiles,
+    said_along,
     simulate_returns,
     steps_until_cut,
 )
@@ -147,21 +149,35 @@ def test_a_laplace_agent_says_it_as_if_steps_were_independent():
 def test_quantiles_along_an_episode_are_those_of_each_step(settings):
     agent = made(settings)
     rollout = roll_out(agent, "CartPole-v1", 5, "random")
-    found = return_quantiles(agent, rollout)
+    said = said_along(agent, rollout)
+    found = return_quantiles(said, rollout.actions)
     if settings is DqnSettings:
         assert found is None
         return
     assert found.shape == (len(rollout), len(LEVELS))
     for step in (0, len(rollout) - 1):
         law = return_laws(agent, rollout.observations[step], [int(rollout.actions[step])])[0]
+        np.testing.assert_allclose(said["masses"][step, rollout.actions[step]], law.masses, atol=1e-6)
         wanted = quantiles_of(law.locations, law.masses / law.masses.sum(), np.array(LEVELS))
         np.testing.assert_allclose(found[step], wanted, rtol=1e-5, atol=1e-5)
 
 
 def test_who_says_nothing_of_the_whole_return():
     assert not has_return_law(made(FixedHorizonSettings))
-    assert return_quantiles(made(FixedHorizonSettings), None) is None
     assert has_return_law(made(DqnSettings))
+
+
+def test_what_is_said_along_an_episode(monkeypatch):
+    agent = made(FixedHorizonSettings, horizon=7)
+    rollout = roll_out(agent, "CartPole-v1", 5, "random")
+    said = said_along(agent, rollout)
+    assert return_quantiles(said, rollout.actions) is None
+    assert said["horizon_values"].shape == (len(rollout), 7, 2)
+    np.testing.assert_allclose(said["horizon_values"][4], agent.action_values(rollout.observations[4:5])[0], rtol=1e-5)
+    laplace = made(LaplaceSettings, features=4)
+    assert said_along(laplace, roll_out(laplace, "CartPole-v1", 5, "random")) == {}
+    monkeypatch.setattr(module, "MOST_SAID", 14 * len(rollout) - 1)
+    assert said_along(agent, rollout) == {}
 
 
 def test_a_file_holds_every_law_and_what_came():

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from functools import lru_cache
-
 import numpy as np
 import streamlit as st
 
@@ -22,11 +20,12 @@ from laplace_core.training.rollout import Rollout, acting_gamma
 
 def view(loaded: Loaded, scene: Scene, asked: Rolling | None) -> None:
     """Everything under the navigation: the player, the pictures of the state, the codes side by side."""
-    rollout, at = None, 0
+    rollout, at, above = None, 0, st.container()  # what is below keeps its place without the player, too
     try:
         if asked is not None:
             rollout = asked.rollout()
-            at = rolling.show(asked, scene)
+            with above:
+                at = rolling.show(asked, scene)
     except InputError as error:
         st.error(str(error))
         return
@@ -43,23 +42,29 @@ def view(loaded: Loaded, scene: Scene, asked: Rolling | None) -> None:
             st.caption("Roll out to see what was expected of every step, and what came.")
         else:
             figure = figures.returns_over_episode(
-                rollout.received, rollout.predicted, _quantiles(loaded, rollout), at, rollout.acting_gamma
+                rollout.received,
+                rollout.predicted,
+                return_quantiles(asked.said(), rollout.actions),
+                at,
+                rollout.acting_gamma,
             )
             chart(figures.to_json(figure), "episode", "Expected and real return over the episode.", HEIGHT)
     returns.section(loaded, seen, action, scene.actions[action], None, rollout, at)
 
 
 def _action(scene: Scene, taken: int | None) -> int:
-    """The action that is shown: chosen here, else the one that was taken."""
-    values = state.chosen()
-    now = scene.actions[action_of(scene, values)] if "action" in values or taken is None else scene.actions[taken]
-    key = state.put("action", now)
+    """The action that is shown: chosen here, or the one that was taken at the step."""
+    if taken is None:
+        key, options, now = "action", scene.actions, scene.actions[action_of(scene, state.chosen())]
+    else:
+        key, options = rolled.ACTION, (rolled.TAKEN, *scene.actions)
+        now = state.chosen().get(key)
+        now = now if now in options else rolled.TAKEN
     st.segmented_control(
-        "Action shown", scene.actions, key=key, on_change=state.keep, args=(key,), required=True,
-        format_func=lambda name: f"{name} (taken)" if taken is not None and name == scene.actions[taken] else name,
+        "Action shown", options, key=state.put(key, now), on_change=state.keep, args=(key,), required=True,
         help="Drawn heavier here, and taken first in the comparison below.",
     )  # fmt: skip
-    return scene.actions.index(now)
+    return taken if now == rolled.TAKEN else scene.actions.index(now)
 
 
 def _of_state(
@@ -76,8 +81,3 @@ def _of_state(
         values = np.array([law.mean for law in laws])
         return figures.values_of_actions(values, scene.actions, gamma, action), "Value of every action."
     return figures.returns_of_actions(laws, scene.actions, action), "Distribution of the return of every action."
-
-
-@lru_cache(maxsize=4)
-def _quantiles(loaded: Loaded, rollout: Rollout) -> np.ndarray | None:
-    return return_quantiles(loaded.agent, rollout)

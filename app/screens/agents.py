@@ -40,8 +40,10 @@ def page() -> None:
             rolling.beside(asked, scene)
         if asked is None:
             _observation(scene)
+    above = st.container()  # whether or not there is something in it, the lens keeps its place
     if asked is not None and asked.going:
-        st.fragment(rolling.progress, run_every=rolling.LOOK_EVERY)(asked)
+        with above:
+            st.fragment(rolling.progress, run_every=rolling.LOOK_EVERY)(asked)
         asked = None  # until it is done, the pictures stay as they are
     _view(loaded, scene, asked)
 
@@ -90,11 +92,12 @@ def _view(loaded: Loaded, scene: Scene, asked: Rolling | None) -> None:
     if not hasattr(loaded.agent, "gamma_space"):
         peer.view(loaded, scene, asked)
         return
-    observation, follow, at = None, {}, 0
+    observation, follow, at, above = None, {}, 0, st.container()
     try:
         if asked is not None:
             rollout = asked.rollout()
-            at = rolling.show(asked, scene)
+            with above:
+                at = rolling.show(asked, scene)
             observation = rolled.observation_at(rollout, at)
             follow = {"lead": rolling.lead(asked, at), "followed": rolled.followed(rollout, at)}
         view = view_of(loaded, scene, state.chosen(), observation)

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import io
 import json
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -26,6 +26,7 @@ COUNT = 100
 CUT = 0.005
 """Weight of a reward at which simulations end: gamma^K."""
 LEVELS = (0.1, 0.25, 0.5, 0.75, 0.9)
+MOST_SAID = 4_000_000
 _AT_ONCE = 100  # observations in one pass through the network
 INDEPENDENT, LEARNED, MEAN = "if steps were independent", "learned", "a mean"
 
@@ -125,25 +126,42 @@ def return_laws(
     return [ReturnLaw(INDEPENDENT, gamma, *independent_steps_return(one, midpoints, discounts)) for one in tau_space]
 
 
-def return_quantiles(agent: Agent, rollout: Rollout) -> np.ndarray | None:
-    """Quantiles, at ``LEVELS``, of what an agent says of the return after each step: ``(N, len(LEVELS))``.
+def said_along(agent: Agent, rollout: Rollout) -> dict[str, np.ndarray]:
+    """What a peer says at every step of an episode beside its values, float32.
 
-    None for an agent that has learned no distribution.
+    Returns:
+        ``locations`` and ``masses`` ``(N, A, M)`` of learned returns; ``horizon_values`` ``(N, T, A)`` of an agent that
+        knows the time to go; nothing for others, or if it were more than ``MOST_SAID`` numbers.
     """
-    if not hasattr(agent, "return_distributions"):
+    if hasattr(agent, "horizon"):
+        names, read = ("horizon_values",), lambda some: (agent.action_values(some),)
+    elif hasattr(agent, "return_distributions"):
+        names, read = ("locations", "masses"), agent.return_distributions
+    else:
+        return {}
+    first = read(rollout.observations[:1])[0]
+    if first.shape[-1] == 1 or first.size * len(rollout) > MOST_SAID:
+        return {}
+    starts = range(0, len(rollout), _AT_ONCE)
+    parts = [read(rollout.observations[i : min(i + _AT_ONCE, len(rollout))]) for i in starts]
+    columns = zip(*parts, strict=True)
+    return {name: np.concatenate(each).astype(np.float32) for name, each in zip(names, columns, strict=True)}
+
+
+def return_quantiles(said: Mapping[str, np.ndarray], actions: np.ndarray) -> np.ndarray | None:
+    """Quantiles, at ``LEVELS``, of what was said of the return of the actions taken: ``(N, len(LEVELS))``.
+
+    Args:
+        said: from :func:`said_along`.
+        actions: ``(N,)``.
+    """
+    if "locations" not in said:
         return None
-    parts = []
-    for start in range(0, len(rollout), _AT_ONCE):
-        rows = slice(start, min(start + _AT_ONCE, len(rollout)))
-        each = np.arange(rows.stop - rows.start)
-        pair = each, rollout.actions[rows]
-        locations, masses = (part[pair] for part in agent.return_distributions(rollout.observations[rows]))
-        if locations.shape[1] == 1:
-            return None
-        below = np.cumsum(masses, axis=1) / masses.sum(axis=1, keepdims=True)
-        places = (below[:, None, :] < np.array(LEVELS)[:, None] * (1.0 - 1e-9)).sum(axis=2)
-        parts.append(locations[each[:, None], places.clip(max=locations.shape[1] - 1)])
-    return np.concatenate(parts)
+    each = np.arange(len(actions))
+    locations, masses = said["locations"][each, actions].astype(float), said["masses"][each, actions].astype(float)
+    below = np.cumsum(masses, axis=1) / masses.sum(axis=1, keepdims=True)
+    places = (below[:, None, :] < np.array(LEVELS)[:, None] * (1.0 - 1e-6)).sum(axis=2)
+    return locations[each[:, None], places.clip(max=locations.shape[1] - 1)]
 
 
 def simulate_returns(
