@@ -92,7 +92,7 @@ def test_a_peer_has_its_card_its_player_and_what_it_has_learned(shipped, algorit
         np.testing.assert_allclose(values, agent.action_values(seen[None], 0)[0], rtol=1e-6)
     else:
         assert len(drawn["state"]["data"]) == 4  # a law and a mean for each of two actions
-        assert [trace["name"] for trace in drawn["episode"]["data"]][:2] == ["middle 80%", "middle 50%"]
+        assert [trace["name"] for trace in drawn["episode"]["data"]][:2] == ["80%", "50%"]
     assert {"state", "episode", "codes"} <= set(drawn)
     # The four that say more than a mean, and the opened one where it says anything of the whole return.
     panels = [note["text"] for note in drawn["codes"]["layout"]["annotations"]]

@@ -193,7 +193,7 @@ def returns_over_episode(
         traces.append({
             "type": "scatter", "x": np.concatenate([steps, steps[::-1]]), "y": edge, "fill": "toself", "mode": "lines",
             "fillcolor": translucent(_LEARNED, opacity), "line": {"width": 0}, "hoverinfo": "skip",
-            "name": f"middle {share}%",
+            "name": f"{share}%",
         })  # fmt: skip
     for name, values, colour in (("expected", predicted, _LEARNED), ("came", received, CAME)):
         traces.append({
