@@ -57,7 +57,7 @@ def section(
         st.html(_table(rows))
         st.caption(_notes(agents, observation, action, alphas))
         st.download_button(
-            "NPZ", lambda: laws_npz([each.algorithm for each in agents], laws, came), on_click="ignore",
+            "Save returns (NPZ)", lambda: laws_npz([each.algorithm for each in agents], laws, came), on_click="ignore",
             file_name=f"returns_{loaded.environment.replace(':', '-')}_step_{step}.npz",
             mime="application/octet-stream", help="Locations and masses of every law, and the returns that came.",
         )  # fmt: skip

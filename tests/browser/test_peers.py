@@ -76,7 +76,7 @@ def test_a_peer_from_a_file_is_scrubbed_and_held_against_what_comes(page, addres
 
     page.wait_for_timeout(2_000)  # until the run of the page has ended, which gives the button its file
     with page.expect_download() as download:
-        page.get_by_role("button", name="NPZ", exact=True).last.click()
+        page.get_by_role("button", name="Save returns (NPZ)").click()
     file = np.load(io.BytesIO(Path(download.value.path()).read_bytes()))
     told = json.loads(str(file["settings"]))
     assert told[0] == {"algorithm": "qrdqn", "kind": "learned", "gamma": 0.99}
