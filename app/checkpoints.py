@@ -4,6 +4,7 @@ of one observation."""
 from __future__ import annotations
 
 import hashlib
+import re
 import tempfile
 from functools import cache, lru_cache
 from pathlib import Path
@@ -14,20 +15,84 @@ import streamlit as st
 from app import training_runs
 from app.sources import Observed
 from laplace_core import InputError
-from laplace_core.agents.laplace import LaplaceAgent
+from laplace_core.agents.settings import ENVIRONMENTS, SETTINGS
+from laplace_core.experiments.shipping import TrainingCurve, curves_of, manifest
 from laplace_core.training.checkpoint import Loaded, load_checkpoint
 
 SHIPPED = Path(__file__).resolve().parent.parent / "checkpoints"
 RUN = "run:"  # prefix of the names of those that were trained here
+ALGORITHMS = {
+    "laplace": "Laplace", "c51": "C51", "qrdqn": "QR-DQN", "expectile": "expectile", "dqn": "DQN",
+    "fixed_horizon": "fixed horizon",
+}  # fmt: skip
 
 
 @cache
 def shipped() -> tuple[str, ...]:
-    """Names of the checkpoints that come with the workbench."""
-    return tuple(sorted(path.stem for path in SHIPPED.glob("laplace_*.safetensors")))
+    """Names of the checkpoints that come with the workbench, ``ALGORITHM_ENVIRONMENT``: those with many discounts
+    first, then by environment. Tabular ones open on the page of worlds."""
+    found = [path.stem for path in SHIPPED.glob("*.safetensors") if not path.stem.endswith("_td")]
+    return tuple(sorted(found, key=lambda name: (not name.startswith("laplace_"), *_place(name))))
 
 
-@lru_cache(maxsize=8)
+def _place(name: str) -> tuple[int, int, str]:
+    """Environment and algorithm by their places in the lists of the library."""
+    algorithm, environment = _parts(name)
+    listed, algorithms = [each.replace(":", "-") for each in ENVIRONMENTS], list(SETTINGS)
+    at = listed.index(environment) if environment in listed else len(listed)
+    return at, algorithms.index(algorithm) if algorithm in algorithms else len(algorithms), name
+
+
+def _parts(name: str) -> tuple[str, str]:
+    algorithm = next((each for each in SETTINGS if name.startswith(f"{each}_")), "")
+    return algorithm, name.removeprefix(f"{algorithm}_")
+
+
+def title(name: str) -> str:
+    """A checkpoint as a person reads it."""
+    if name in opened():
+        return f"opened file: {titled(opened()[name])}"
+    if name.startswith(RUN):
+        return f"run: {name.removeprefix(RUN).replace('_', ' ')}"
+    algorithm, environment = _parts(name)
+    return f"{plain(environment)} · {ALGORITHMS.get(algorithm, algorithm)}"
+
+
+def titled(loaded: Loaded) -> str:
+    return f"{plain(loaded.environment)} · {ALGORITHMS[loaded.algorithm]}"
+
+
+def plain(environment: str) -> str:
+    """An environment's name without its version."""
+    return re.sub(r"-v\d+$", "", environment).removeprefix("gym:")
+
+
+def curves(name: str) -> tuple[TrainingCurve, ...]:
+    """Evaluations while training, that of the checkpoint's own seed first; none where they are not known."""
+    if name in opened():
+        return ()
+    if name.startswith(RUN):
+        c = training_runs.curves(training_runs.queue().get(name.removeprefix(RUN)))
+        told = (tuple(part.tolist()) for part in (c.steps, c.scores, c.errors))
+        return (TrainingCurve(checkpoint(name).seed, *told),) if len(c.steps) else ()
+    return _shipped_curves(name)
+
+
+@lru_cache(maxsize=32)
+def _shipped_curves(name: str) -> tuple[TrainingCurve, ...]:
+    for entry in manifest(SHIPPED):
+        if entry["file"] == f"{name}.safetensors":
+            return tuple(sorted(curves_of(SHIPPED, entry), key=lambda curve: curve.seed != entry["seed"]))
+    return ()
+
+
+def same_environment(loaded: Loaded) -> list[Loaded]:
+    """Agents that ship, of this environment."""
+    found = [name for name in shipped() if _parts(name)[1] == loaded.environment.replace(":", "-")]
+    return [_shipped(name) for name in found]
+
+
+@lru_cache(maxsize=16)
 def _shipped(name: str) -> Loaded:
     return load_checkpoint(SHIPPED / f"{name}.safetensors")
 
@@ -38,8 +103,7 @@ def trained() -> tuple[str, ...]:
         runs = training_runs.queue().runs()
     except InputError:  # the page of runs says so
         return ()
-    found = [run.name for run in runs if training_runs.has_discounts(run) and training_runs.best(run)]
-    return tuple(RUN + name for name in found)
+    return tuple(RUN + run.name for run in runs if training_runs.best(run))
 
 
 @lru_cache(maxsize=8)
@@ -62,8 +126,6 @@ def open_checkpoint(name: str, data: bytes) -> str:
         path = Path(folder) / (Path(name).name[-80:] or "upload.safetensors")
         path.write_bytes(data)
         loaded = load_checkpoint(path)
-    if not isinstance(loaded.agent, LaplaceAgent):
-        raise InputError(f"{loaded.algorithm} has no gamma-space to look at: open a checkpoint of laplace.")
     digest = hashlib.sha256(data).hexdigest()[:12]
     st.session_state["_opened_checkpoints"] = {digest: loaded}
     return digest
@@ -80,8 +142,8 @@ def checkpoint(name: str) -> Loaded:
     if name.startswith(RUN):
         run = training_runs.queue().get(name.removeprefix(RUN))
         path = training_runs.best(run)
-        if path is None or not training_runs.has_discounts(run):
-            raise InputError(f"the run {run.name} has no checkpoint with values at many discounts.")
+        if path is None:
+            raise InputError(f"the run {run.name} has no checkpoint yet: it comes with the first evaluation.")
         return _trained(path, path.stat().st_mtime_ns)
     if name not in shipped():
         listed = ", ".join(shipped()) or "none"

@@ -7,19 +7,21 @@ from collections.abc import Mapping
 import numpy as np
 
 from app.rollouts import Control
+from laplace_core.agents.agent import Agent
 from laplace_core.parameters import Parameter
 from laplace_core.training.rollout import MOST_SEED, MOST_STEPS, RULES, Rollout
 
 SHOWN, SEED, RULE, HORIZON, GAMMA, AT = "r.shown", "r.seed", "r.rule", "r.horizon", "r.gamma", "r.at"
+ACTION, TAKEN = "r.action", "taken"  # the action taken is an option of its own, which follows the cursor
 TITLES = {
     "greedy": "greedy at a discount",
     "fading": "for T: fading deadline",
     "readout": "for T: readout of all discounts",
     "decoded": "for T: decoded tau-space (slow)",
     "matched": "for T: nearest discount",
+    "own": "for T: values of the steps to go",
     "random": "random",
 }
-"""Rules that an agent with a gamma-space can act by."""
 VIEW = (
     Parameter(SHOWN, "no", 0, 0, "Whether a rollout is shown.", str, ("no", "yes")),
     Parameter(SEED, 0, 0, MOST_SEED, "Seed of the start, and of random actions."),
@@ -29,16 +31,35 @@ VIEW = (
     Parameter(AT, 0, 0, MOST_STEPS, "Step under the cursor."),
 )
 PARAMETERS = {parameter.name: parameter for parameter in VIEW}
-ADAPTED = ("fading", "readout", "decoded", "matched")
+ADAPTED = ("fading", "readout", "decoded", "matched", "own")
+
+
+def rules_of(agent: Agent) -> dict[str, str]:
+    """Rules that an agent can act by, the first one by default, and what they are called."""
+    if hasattr(agent, "gammas"):
+        return {name: title for name, title in TITLES.items() if name != "own"}
+    if hasattr(agent, "horizon"):
+        return {"own": TITLES["own"], "greedy": "greedy for the longest T", "random": "random"}
+    return {"greedy": "greedy", "random": "random"}
+
+
+def parameters(agent: Agent) -> dict[str, Parameter]:
+    """What a link may say of a rollout of this agent."""
+    rules = tuple(rules_of(agent))
+    own = Parameter(RULE, rules[0], 0, 0, "Control rule.", str, rules)
+    kept = {name: one for name, one in PARAMETERS.items() if name != GAMMA or hasattr(agent, "gammas")}
+    shown = Parameter(ACTION, TAKEN, 0, 0, "Action that is shown of an agent without a lens.", str)
+    return kept | {RULE: own, ACTION: shown}
 
 
 def shown(values: Mapping[str, object]) -> bool:
     return values.get(SHOWN) == "yes"
 
 
-def control_of(values: Mapping[str, object], limit: int) -> Control:
-    """The control that a page's values describe; ``limit`` is T where an adapted rule is told none."""
-    rule = str(values.get(RULE, "greedy"))
+def control_of(values: Mapping[str, object], limit: int, usual: str = "greedy") -> Control:
+    """The control that a page's values describe: ``limit`` is T where an adapted rule is told none, ``usual`` the rule
+    where there is none."""
+    rule = str(values.get(RULE, usual))
     horizon = values.get(HORIZON)
     if rule in ADAPTED:
         return Control(int(values.get(SEED, 0)), rule, min(limit, int(horizon or limit)))

@@ -6,11 +6,14 @@ import threading
 from collections import OrderedDict
 from dataclasses import dataclass
 
+import numpy as np
+
 from app.background import Told, Work
 from app.player.payload import payload
 from laplace_core.agents.agent import Agent
 from laplace_core.agents.settings import GYMNASIUM_ENVIRONMENTS
 from laplace_core.training.checkpoint import Loaded
+from laplace_core.training.return_laws import said_along
 from laplace_core.training.rollout import Rollout, longest, roll_out
 
 MOST_KEPT, MOST_BYTES = 16, 200_000_000
@@ -27,18 +30,19 @@ class Control:
     gamma: float | None = None
 
 
-class Rolling(Work[tuple[Rollout, bytes]]):
-    """One rollout, and the same packed for the player."""
+class Rolling(Work[tuple[Rollout, bytes, dict[str, np.ndarray]]]):
+    """One rollout, the same packed for the player, and what a peer said on its way."""
 
     def __init__(self, loaded: Loaded, control: Control):
         pictures = loaded.environment in GYMNASIUM_ENVIRONMENTS
         c = self.control = control
 
-        def make(told: Told) -> tuple[Rollout, bytes]:
+        def make(told: Told) -> tuple[Rollout, bytes, dict[str, np.ndarray]]:
             found = roll_out(
                 loaded.agent, loaded.environment, c.seed, c.rule, c.horizon, c.gamma, pictures=pictures, told=told
             )
-            return found, payload(found)
+            said = {} if found.spaces is not None else said_along(loaded.agent, found)
+            return found, payload(found, said), said
 
         super().__init__(make)
 
@@ -53,10 +57,16 @@ class Rolling(Work[tuple[Rollout, bytes]]):
     def packed(self) -> bytes:
         return self.result()[1]
 
+    def said(self) -> dict[str, np.ndarray]:
+        """See :func:`laplace_core.training.return_laws.said_along`."""
+        return self.result()[2]
+
     @property
     def bytes(self) -> int:
         """Memory that it holds; nothing before it is done."""
-        return self.rollout().bytes + len(self.packed()) if self.worked else 0
+        if not self.worked:
+            return 0
+        return self.rollout().bytes + len(self.packed()) + sum(array.nbytes for array in self.said().values())
 
 
 _kept: OrderedDict[tuple[Agent, Control], Rolling] = OrderedDict()

@@ -39,8 +39,9 @@ def parse_query(query: Mapping[str, str]) -> tuple[dict[str, object], list[str]]
         return found, [f"Left out of the link: {error}"]
     if "checkpoint" not in found:
         return {}, []
-    scene = scene_of(checkpoints.checkpoint(str(found["checkpoint"])).environment)
-    known = {**_READING, **_LOOKING, **rolled.PARAMETERS}
+    loaded = checkpoints.checkpoint(str(found["checkpoint"]))
+    scene = scene_of(loaded.environment)
+    known = {**_READING, **_LOOKING, **rolled.parameters(loaded.agent)}
     known |= {
         f"{OBSERVED}{i}": Parameter(component.name, component.start, component.low, component.high, "", float)
         for i, component in enumerate(scene.components)

@@ -81,11 +81,6 @@ def best(run: Run) -> Path | None:
     return path if path.is_file() and not path.is_symlink() else None
 
 
-def has_discounts(run: Run) -> bool:
-    """Whether its agent has a gamma-space, as the page of trained agents shows it."""
-    return hasattr(run.settings, "discounts")
-
-
 def curves(run: Run) -> Curves:
     """The curves of a run so far; the same object while nothing is new."""
     return _reader(run.folder / "metrics.jsonl").look()

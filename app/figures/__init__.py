@@ -4,20 +4,34 @@ from app.figures.comparison import comparison
 from app.figures.graph import world_graph
 from app.figures.learning import learning_curve, return_laws, reward_bands
 from app.figures.race import differences
+from app.figures.returns import (
+    ReturnRow,
+    returns_of_actions,
+    returns_over_episode,
+    returns_side_by_side,
+    values_of_actions,
+    values_over_time_to_go,
+)
 from app.figures.simulated import calibration_plot, simulated_timeline
 from app.figures.theme import to_json
 from app.figures.timelines import rewards_and_survival, values_over_horizon
 
 __all__ = [
+    "ReturnRow",
     "calibration_plot",
     "comparison",
     "differences",
     "learning_curve",
     "return_laws",
+    "returns_of_actions",
+    "returns_over_episode",
+    "returns_side_by_side",
     "reward_bands",
     "rewards_and_survival",
     "simulated_timeline",
     "to_json",
+    "values_of_actions",
     "values_over_horizon",
+    "values_over_time_to_go",
     "world_graph",
 ]

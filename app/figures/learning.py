@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from app.figures.theme import ACTION_COLOURS, NEUTRAL, Figure, axis, build, translucent
+from app.figures.theme import ACTION_COLOURS, NEUTRAL, Figure, axis, build, staircase, translucent
 from laplace_core.learned import Bands, Learned, Returns
 
 _NAMES = {
@@ -90,9 +90,7 @@ def return_laws(returns: Returns) -> Figure:
     room = 0.05 * (high - low) or 0.5
     traces = []
     for i, (name, (locations, masses)) in enumerate(laws.items()):
-        order = np.argsort(locations)
-        x = np.concatenate([[low - room], locations[order], [high + room]])
-        y = np.concatenate([[0.0], np.cumsum(masses[order]) / masses.sum(), [1.0]])
+        x, y = staircase(locations, masses, low - room, high + room)
         true = name == "true"
         label = "true" if true else f"{_NAMES[name]} ({returns.distances[name]:.2g})"
         colour = NEUTRAL if true else ACTION_COLOURS[i - 1]

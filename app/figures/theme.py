@@ -40,6 +40,15 @@ def probability_scale() -> list[list[object]]:
     return [[0.0, "#ff3b3b"], [0.75 * zero, "#a11a4a"], *above]
 
 
+def staircase(locations: np.ndarray, masses: np.ndarray, low: float, high: float) -> tuple[np.ndarray, np.ndarray]:
+    """Corners of P(x at most this) from ``low`` to ``high``, to be drawn with the line shape 'hv'."""
+    order = np.argsort(locations)
+    places, below = locations[order], np.cumsum(masses[order]) / np.sum(masses)
+    first, inside = below[places <= low][-1:].sum(), (places > low) & (places < high)
+    reached = below[places <= high][-1:].sum()
+    return np.concatenate([[low], places[inside], [high]]), np.concatenate([[first], below[inside], [reached]])
+
+
 _AXIS = {"zeroline": False, "tickfont": {"size": 11}}
 
 

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Protocol
 
 import numpy as np
 
 from app.figures.theme import NEUTRAL, Figure, axis, build, translucent
 from laplace_core.training.curves import Curves
 
-TALL = 330
+TALL, CARD = 330, 132
 _MANY = 200  # episodes, which would hide what lies behind them
 _BARE = {"showticklabels": False, "showgrid": False}
 _SHADES = ("#4f6bdc", "#2a9d8f", "#e0a030", "#d1495b")
@@ -24,6 +25,15 @@ class Line:
     name: str
     colour: str
     curves: Curves
+
+
+class Scored(Protocol):
+    """Evaluations of one seed while it was trained; see :class:`laplace_core.experiments.shipping.TrainingCurve`."""
+
+    seed: int
+    steps: Sequence[float]
+    scores: Sequence[float]
+    errors: Sequence[float]
 
 
 def learning_curves(title: str, lines: Sequence[Line], steps: int) -> Figure:
@@ -54,6 +64,38 @@ def learning_curves(title: str, lines: Sequence[Line], steps: int) -> Figure:
         yaxis=axis("return"),
         annotations=_note("no episode has ended yet") if not any(len(line.curves.returns) for line in lines) else [],
     )  # fmt: skip
+
+
+def score_curve(curves: Sequence[Scored], step: int) -> Figure:
+    """Evaluations while training, small: the first curve with its standard errors, those of other seeds faint.
+
+    Args:
+        step: of the checkpoint, marked on the first curve.
+    """
+    traces = []
+    for i, curve in reversed(list(enumerate(curves))):
+        shown = i == 0
+        traces.append({
+            "type": "scatter", "x": curve.steps, "y": curve.scores, "mode": "lines", "showlegend": False,
+            "line": {"color": "#0b7285" if shown else translucent(NEUTRAL, 0.45), "width": 2 if shown else 1},
+            **({"error_y": {"type": "data", "array": curve.errors, "thickness": 1, "width": 0}} if shown else {}),
+            "hovertemplate": f"seed {curve.seed}, step %{{x:,.0f}}<br>return %{{y:.4g}}<extra></extra>",
+        })  # fmt: skip
+    first = curves[0]
+    if step in first.steps:
+        traces.append({
+            "type": "scatter", "x": [step], "y": [first.scores[first.steps.index(step)]], "mode": "markers",
+            "marker": {"size": 8, "color": "#e8a100"}, "showlegend": False,
+            "hovertemplate": "this checkpoint, step %{x:,.0f}<br>return %{y:.4g}<extra></extra>",
+        })  # fmt: skip
+    return build(
+        "",
+        traces,
+        margin={"l": 40, "r": 6, "t": 6, "b": 32},
+        height=CARD,
+        xaxis=axis("step of training", nticks=4),
+        yaxis=axis("return", nticks=4),
+    )
 
 
 def discount_errors(curves: Curves, gammas: np.ndarray, steps: int, first: int) -> Figure:

@@ -7,7 +7,7 @@ import streamlit as st
 from app import rolled, rollouts, state
 from app.observations import Scene
 from app.player import name_of, player
-from app.rolled import ADAPTED, AT, GAMMA, HORIZON, PARAMETERS, RULE, SEED, SHOWN, TITLES
+from app.rolled import ADAPTED, AT, GAMMA, HORIZON, PARAMETERS, RULE, SEED, SHOWN
 from app.rollouts import Rolling
 from app.trained import OBSERVED
 from laplace_core import InputError
@@ -32,17 +32,18 @@ def form(loaded: Loaded) -> None:
     """What is rolled out; a change counts at once while a rollout is shown."""
     values, limit = state.chosen(), limit_of(loaded)
     shown = rolled.shown(values)
-    key = state.show(RULE, PARAMETERS[RULE].default)
-    st.selectbox("Control rule", list(TITLES), key=key, format_func=TITLES.get, on_change=_keep, args=(key,))
+    rules = rolled.rules_of(loaded.agent)
+    key = state.show(RULE, next(iter(rules)))
+    st.selectbox("Control rule", list(rules), key=key, format_func=rules.get, on_change=_keep, args=(key,))
     left, right = st.columns(2, gap="small")
     key = state.show(SEED, PARAMETERS[SEED].default)
     left.number_input("Start seed", 0, MOST_SEED, step=1, key=key, on_change=_keep, args=(key,))
-    rule = values.get(RULE, "greedy")
+    rule = values.get(RULE, next(iter(rules)))
     with right:
         if rule in ADAPTED:
             key = state.put(HORIZON, min(limit, int(values.get(HORIZON) or limit)))
             st.number_input("T (steps)", 1, limit, step=1, key=key, on_change=_keep, args=(key,))
-        elif rule == "greedy":
+        elif rule == "greedy" and hasattr(loaded.agent, "gammas"):
             gammas = [float(gamma) for gamma in loaded.agent.gammas]
             at = values.get(GAMMA) or gammas[loaded.agent.acting_head]
             key = state.put(GAMMA, min(gammas, key=lambda gamma: abs(gamma - at)))
@@ -71,7 +72,11 @@ def _close() -> None:
 def asked(loaded: Loaded) -> Rolling | None:
     """The rollout that the page shows, under way or done."""
     values = state.chosen()
-    return rollouts.rolling(loaded, rolled.control_of(values, limit_of(loaded))) if rolled.shown(values) else None
+    if not rolled.shown(values):
+        return None
+    return rollouts.rolling(
+        loaded, rolled.control_of(values, limit_of(loaded), next(iter(rolled.rules_of(loaded.agent))))
+    )
 
 
 def beside(rolling: Rolling, scene: Scene) -> None:
@@ -96,7 +101,7 @@ def _files(rollout: Rollout) -> None:
     left, right = st.columns(2, gap="small")
     left.download_button(
         "NPZ", lambda: rollout_npz(rollout), file_name=f"{name}.npz", mime="application/octet-stream", width="stretch",
-        on_click="ignore", help="Every step's observation, action, reward, values and gamma-space.",
+        on_click="ignore", help="Every step's observation, action, reward, values and, if there is one, gamma-space.",
     )  # fmt: skip
     if rollout.frames:
         right.download_button(

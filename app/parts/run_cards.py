@@ -140,8 +140,6 @@ def _show(name: str) -> None:
 def _open(run: Run) -> None:
     """The other page, on the best checkpoint so far."""
     why = None if training_runs.best(run) else "After the first evaluation."
-    if not training_runs.has_discounts(run):
-        why = "That page shows the values of many discounts, which this algorithm has not."
     st.button(
         "Open in Trained agents", key=f"open {run.name}", disabled=why is not None, help=why, on_click=_wish_to_open,
         args=(run.name,),

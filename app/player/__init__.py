@@ -90,7 +90,7 @@ def player_js() -> str:
 
 @cache
 def script() -> str:
-    own = "\n".join((_HERE / f"{name}.js").read_text(encoding="utf-8") for name in ("reel", "player"))
+    own = "\n".join((_HERE / f"{name}.js").read_text(encoding="utf-8") for name in ("reel", "peers", "player"))
     return modules("maths", "drawing", "controls") + chart.joined(own)
 
 

@@ -11,6 +11,7 @@ from __future__ import annotations
 import json
 import struct
 import zlib
+from collections.abc import Mapping
 
 import numpy as np
 
@@ -19,25 +20,25 @@ from laplace_core.training.rollout import Rollout
 LEVELS = 32_767
 
 
-def payload(rollout: Rollout) -> bytes:
+def payload(rollout: Rollout, said: Mapping[str, np.ndarray] | None = None) -> bytes:
     """A length, a header as JSON, and blocks, each on a multiple of 8 bytes after the header.
 
+    Args:
+        said: what a peer said at every step, from :func:`laplace_core.training.return_laws.said_along`.
+
     Blocks by name, with N steps, A actions, O numbers in an observation, G discounts and H sensitivities:
-        ``differences`` ``(N, A, G, H-1)``: 16-bit changes, low bytes and then high bytes, deflated;
-        ``scales`` ``(G,)``: what one level is worth; ``constant`` ``(N, A, G)``: single floats, deflated.
+        of an agent with a gamma-space ``differences`` ``(N, A, G, H-1)``: 16-bit changes, low bytes and then high ones;
+        ``scales`` ``(G,)``: what one level is worth; ``constant`` ``(N, A, G)``: single floats; both deflated.
+        those of ``said``: single floats, deflated.
         ``observations`` ``(N + 1, O)``: single floats.
         ``actions``, ``differs``, ``rewards``, ``surprise``, ``received``, ``predicted`` ``(N,)``; ``values``,
         ``greedy_values`` ``(N, A)``: doubles.
         ``frames``: JPEG files one after the other; ``ends`` ``(N + 1,)``: where each ends.
     """
-    levels, scales = rounded(rollout.spaces)
-    changes = np.diff(levels, axis=0, prepend=np.zeros_like(levels[:1]))  # 16-bit, wrapping around as the sum will
-    halves = np.ascontiguousarray(changes).view(np.uint8).reshape(-1, 2).T
     doubles = ("actions", "differs", "rewards", "surprise", "received", "predicted", "values", "greedy_values")
     blocks = {
-        "differences": ("i2", zlib.compress(np.ascontiguousarray(halves).tobytes(), 6)),
-        "constant": ("f4", zlib.compress(rollout.constants.astype("<f4").tobytes(), 6)),
-        "scales": ("f8", scales.tobytes()),
+        **({} if rollout.spaces is None else _spaces(rollout)),
+        **{name: ("z4", zlib.compress(array.astype("<f4").tobytes(), 6)) for name, array in (said or {}).items()},
         "observations": ("f4", rollout.observations.astype("<f4").tobytes()),
         **{name: ("f8", getattr(rollout, name).astype("<f8").tobytes()) for name in doubles},
         "frames": ("u1", b"".join(rollout.frames)),
@@ -49,6 +50,7 @@ def payload(rollout: Rollout) -> bytes:
         "terminated": rollout.terminated,
         "acting_gamma": rollout.acting_gamma,
         "rule": rollout.rule,
+        "horizon": rollout.horizon,
         "blocks": {},
     }
     packed, at = [], 0
@@ -60,6 +62,18 @@ def payload(rollout: Rollout) -> bytes:
     text = json.dumps(header).encode()
     text += b" " * (-(len(text) + 4) % 8)
     return struct.pack("<I", len(text)) + text + b"".join(packed)
+
+
+def _spaces(rollout: Rollout) -> dict[str, tuple[str, bytes]]:
+    """Blocks of the gamma-spaces."""
+    levels, scales = rounded(rollout.spaces)
+    changes = np.diff(levels, axis=0, prepend=np.zeros_like(levels[:1]))  # 16-bit, wrapping around as the sum will
+    halves = np.ascontiguousarray(changes).view(np.uint8).reshape(-1, 2).T
+    return {
+        "differences": ("i2", zlib.compress(np.ascontiguousarray(halves).tobytes(), 6)),
+        "constant": ("f4", zlib.compress(rollout.constants.astype("<f4").tobytes(), 6)),
+        "scales": ("f8", scales.tobytes()),
+    }
 
 
 def rounded(spaces: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

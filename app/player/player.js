@@ -1,6 +1,7 @@
 // The player inside Streamlit: the frame, a timeline to drag over, buttons, and the numbers of the step under the cursor.
 import { element } from './controls.js';
 import { NEUTRAL, actionColour, axes, canvasPen, line, rounded, short } from './drawing.js';
+import { follow } from './peers.js';
 import { bySurprise, followedAt, frameAt, modelAt, nextMarked, openReel } from './reel.js';
 
 const REST = 250; // ms without a move before the server hears the step
@@ -112,7 +113,8 @@ function mount(host, reel, told, report) {
 
   function show() {
     const began = performance.now(), lens = lensOf();
-    if (lens && globalThis.laplaceLead === lead) {
+    if (!reel.levels) follow(reel, step); // no gamma-space, no lens
+    else if (lens && globalThis.laplaceLead === lead) {
       const [model, news] = lead.over(lens.model);
       lens.show(model, news, false);
     }

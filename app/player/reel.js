@@ -24,7 +24,7 @@ export async function openReel(bytes) {
   for (const [name, [kind, at, size]] of Object.entries(header.blocks)) {
     const block = bytes.slice(4 + length + at, 4 + length + at + size);
     if (name === 'differences') reel.levels = levelsOf(await inflated(block), header.steps);
-    else if (name === 'constant') reel.constant = new Float32Array((await inflated(block)).buffer);
+    else if (kind === 'z4' || name === 'constant') reel[name] = new Float32Array((await inflated(block)).buffer);
     else reel[name === 'actions' ? 'taken' : name] = new KINDS[kind](block.buffer);
   }
   return reel;

@@ -7,9 +7,10 @@ import streamlit as st
 from app import checkpoints, compute, rolled, state
 from app.lens import LIVE
 from app.observations import Scene, scene_of
-from app.parts import export, panels, rolling, truth
+from app.parts import export, panels, peer, returns, rolling, truth
+from app.parts.card import card
 from app.rollouts import Rolling
-from app.trained import OBSERVED, opening, parse_query, view_of
+from app.trained import OBSERVED, observation_of, opening, parse_query, view_of
 from laplace_core import InputError
 from laplace_core.training.checkpoint import Loaded
 
@@ -32,15 +33,17 @@ def page() -> None:
             st.error(str(error))
             return
         scene = scene_of(loaded.environment)
-        _card(loaded, scene)
+        card(str(name), loaded, scene)
         asked = rolling.asked(loaded)
         rolling.form(loaded)
         if asked is not None:
             rolling.beside(asked, scene)
         if asked is None:
             _observation(scene)
+    above = st.container()  # whether or not there is something in it, the lens keeps its place
     if asked is not None and asked.going:
-        st.fragment(rolling.progress, run_every=rolling.LOOK_EVERY)(asked)
+        with above:
+            st.fragment(rolling.progress, run_every=rolling.LOOK_EVERY)(asked)
         asked = None  # until it is done, the pictures stay as they are
     _view(loaded, scene, asked)
 
@@ -49,14 +52,10 @@ def _choose() -> None:
     names = (*checkpoints.shipped(), *checkpoints.trained(), *checkpoints.opened())
     if names:
         key = state.show("checkpoint", names[0])
-        st.selectbox("Agent", names, key=key, on_change=_chosen, format_func=_title)
+        st.selectbox("Agent", names, key=key, on_change=_chosen, format_func=checkpoints.title)
     st.file_uploader("Open a checkpoint (.safetensors)", type=["safetensors"], key="agent_file", on_change=_uploaded)
     if "_agent_refused" in st.session_state:
         st.error(st.session_state["_agent_refused"])
-
-
-def _title(name: str) -> str:
-    return "opened file" if name in checkpoints.opened() else name.replace(checkpoints.RUN, "run: ").replace("_", " ")
 
 
 def _chosen() -> None:
@@ -72,17 +71,6 @@ def _uploaded() -> None:
         state.replace_all({"checkpoint": checkpoints.open_checkpoint(file.name, file.getvalue())})
     except InputError as error:
         st.session_state["_agent_refused"] = str(error)
-
-
-def _card(loaded: Loaded, scene: Scene) -> None:
-    settings = loaded.settings
-    score = "not evaluated" if loaded.score is None else f"{loaded.score:.1f} over {loaded.episodes} episodes"
-    st.caption(scene.title)
-    st.caption(
-        f"{loaded.algorithm}, seed {loaded.seed}, {loaded.step:,} steps; return {score}. "
-        f"{len(loaded.agent.gammas)} discounts to {settings.gamma_max:g}, {len(loaded.agent.thetas)} sensitivities, "
-        f"{settings.network}, {settings.parametrisation}."
-    )
 
 
 def _observation(scene: Scene) -> None:
@@ -101,11 +89,15 @@ def _observation(scene: Scene) -> None:
 @st.fragment
 def _view(loaded: Loaded, scene: Scene, asked: Rolling | None) -> None:
     state.write_url()
-    observation, follow = None, {}
+    if not hasattr(loaded.agent, "gamma_space"):
+        peer.view(loaded, scene, asked)
+        return
+    observation, follow, at, above = None, {}, 0, st.container()
     try:
         if asked is not None:
             rollout = asked.rollout()
-            at = rolling.show(asked, scene)
+            with above:
+                at = rolling.show(asked, scene)
             observation = rolled.observation_at(rollout, at)
             follow = {"lead": rolling.lead(asked, at), "followed": rolled.followed(rollout, at)}
         view = view_of(loaded, scene, state.chosen(), observation)
@@ -117,6 +109,9 @@ def _view(loaded: Loaded, scene: Scene, asked: Rolling | None) -> None:
     panels.pictures(view, base, **follow)
     if asked is not None:
         truth.section(view, loaded, asked.rollout(), at)
+    seen = observation or observation_of(scene, state.chosen())
+    name, followed = view.subject.action_names[view.action], None if asked is None else asked.rollout()
+    returns.section(loaded, seen, view.action, name, view.settings.alpha, followed, at)
     panels.artefacts(view)
     export.agent_footer(view)
 

@@ -96,11 +96,16 @@ class Peer(Agent):
         return self.means(network(observations))
 
     @torch.no_grad()
-    def return_distribution(self, observation: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """The learned distribution of the return of every action, for one observation ``(O,)``.
+    def return_distributions(self, observations: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """The learned distribution of the return of every action, for observations ``(B, O)``.
 
         Returns:
-            locations in units of reward, increasing, and their masses, ``(A, M)`` each, float64.
+            locations in units of reward, increasing, and their masses, ``(B, A, M)`` each, float64.
         """
-        outputs = self.target(batched(np.asarray(observation)[None]))[0, 0]
-        return tuple(part.double().numpy() for part in self.distribution(outputs))
+        outputs = self.target(batched(np.asarray(observations)))[:, 0]  # (B, A, C)
+        parts = self.distribution(outputs.flatten(0, 1))
+        return tuple(part.double().numpy().reshape(*outputs.shape[:2], -1) for part in parts)
+
+    def return_distribution(self, observation: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """The same for one observation ``(O,)``: ``(A, M)`` each."""
+        return tuple(part[0] for part in self.return_distributions(np.asarray(observation)[None]))

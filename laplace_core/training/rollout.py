@@ -136,7 +136,7 @@ def roll_out(
     length = horizon or min(most, spec.time_limit or most)
     head, gamma = nearest_head(agent, rule, gamma)
     judge = None if rule == RANDOM else VALUES[rule](agent, length, _with_head(options, head))
-    acting = _acting_gamma(agent)
+    acting = acting_gamma(agent)
     with one_thread():
         observations, values, actions, rewards, terminated, frames = _act(
             agent, environment, seed, judge, length, pictures, limited, told or (lambda done, of: None)
@@ -181,7 +181,8 @@ def nearest_head(agent: Agent, rule: str, gamma: float | None) -> tuple[int | No
     return head, float(agent.gammas[head])
 
 
-def _acting_gamma(agent: Agent) -> float:
+def acting_gamma(agent: Agent) -> float:
+    """The discount of the values that an agent is meant to act by."""
     return float(agent.gammas[agent.acting_head] if hasattr(agent, "gammas") else agent.settings.gamma)
 
 

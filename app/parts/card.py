@@ -1,0 +1,51 @@
+"""What a trained agent says of itself: algorithm, environment, settings, score, and how the score came about."""
+
+from __future__ import annotations
+
+from html import escape
+
+import streamlit as st
+
+from app import checkpoints, figures
+from app.chart import chart
+from app.figures.training import CARD, score_curve
+from app.observations import Scene
+from laplace_core.training.checkpoint import Loaded
+
+
+def card(name: str, loaded: Loaded, scene: Scene) -> None:
+    """In the sidebar."""
+    score = "not evaluated" if loaded.score is None else f"{loaded.score:.1f} over {loaded.episodes} episodes"
+    st.caption(scene.title)
+    st.caption(
+        f"{checkpoints.ALGORITHMS[loaded.algorithm]}, seed {loaded.seed}, {loaded.step:,} steps; return {score}. "
+        f"Outputs: {_outputs(loaded)}."
+    )
+    curves = checkpoints.curves(name)
+    if curves:
+        alt = f"Score over the steps of training: {len(curves)} seeds, the one shown heavier."
+        chart(figures.to_json(score_curve(curves, loaded.step)), "card", alt, CARD, name)
+    with st.expander("Settings"):
+        rows = "".join(
+            f"<tr><td>{escape(key)}</td><td>{escape(_written(value))}</td></tr>"
+            for key, value in loaded.settings.as_dict().items()
+        )
+        st.html(f'<table class="numbers settings">{rows}</table>')
+
+
+def _outputs(loaded: Loaded) -> str:
+    """What its network gives for an action."""
+    agent, s = loaded.agent, loaded.settings
+    if loaded.algorithm == "laplace":
+        grid = f"{len(agent.gammas)} discounts to {s.gamma_max:g}, {len(agent.thetas)} sensitivities"
+        return f"{grid}, {s.network}, {s.parametrisation}"
+    numbers = {
+        "c51": lambda: f"{s.atoms} atoms from {s.v_min:g} to {s.v_max:g}", "qrdqn": lambda: f"{s.quantiles} quantiles",
+        "expectile": lambda: f"{s.expectiles} expectiles", "dqn": lambda: "the mean return",
+        "fixed_horizon": lambda: f"a mean for every T to {s.horizon}",
+    }  # fmt: skip
+    return f"{numbers[loaded.algorithm]()}, discount {s.gamma:g}"
+
+
+def _written(value: object) -> str:
+    return f"{value:,}" if isinstance(value, int) and not isinstance(value, bool) else str(value)

@@ -1,0 +1,83 @@
+"""An agent without a gamma-space: in place of the lens, what it has learned of the return from the state at hand."""
+
+from __future__ import annotations
+
+import numpy as np
+import streamlit as st
+
+from app import figures, rolled, state
+from app.chart import chart
+from app.figures.theme import HEIGHT, Figure
+from app.observations import Scene
+from app.parts import returns, rolling
+from app.rollouts import Rolling
+from app.trained import action_of, observation_of
+from laplace_core import InputError
+from laplace_core.training.checkpoint import Loaded
+from laplace_core.training.return_laws import return_laws, return_quantiles
+from laplace_core.training.rollout import Rollout, acting_gamma
+
+
+def view(loaded: Loaded, scene: Scene, asked: Rolling | None) -> None:
+    """Everything under the navigation: the player, the pictures of the state, the codes side by side."""
+    rollout, at, above = None, 0, st.container()  # what is below keeps its place without the player, too
+    try:
+        if asked is not None:
+            rollout = asked.rollout()
+            with above:
+                at = rolling.show(asked, scene)
+    except InputError as error:
+        st.error(str(error))
+        return
+    seen = observation_of(scene, state.chosen()) if rollout is None else rolled.observation_at(rollout, at)
+    taken = None if rollout is None else int(rollout.actions[at])
+    action = _action(scene, taken)
+    picture, alt = _of_state(loaded, scene, seen, action, rollout, at)
+    left, right = st.columns(2, gap="small")
+    with left:
+        chart(figures.to_json(picture), "state", alt, HEIGHT, loaded.algorithm)
+    with right:
+        if rollout is None:
+            st.html('<div class="panel-title">along an episode</div>')
+            st.caption("Roll out to see what was expected of every step, and what came.")
+        else:
+            figure = figures.returns_over_episode(
+                rollout.received,
+                rollout.predicted,
+                return_quantiles(asked.said(), rollout.actions),
+                at,
+                rollout.acting_gamma,
+            )
+            chart(figures.to_json(figure), "episode", "Expected and real return over the episode.", HEIGHT)
+    returns.section(loaded, seen, action, scene.actions[action], None, rollout, at)
+
+
+def _action(scene: Scene, taken: int | None) -> int:
+    """The action that is shown: chosen here, or the one that was taken at the step."""
+    if taken is None:
+        key, options, now = "action", scene.actions, scene.actions[action_of(scene, state.chosen())]
+    else:
+        key, options = rolled.ACTION, (rolled.TAKEN, *scene.actions)
+        now = state.chosen().get(key)
+        now = now if now in options else rolled.TAKEN
+    st.segmented_control(
+        "Action shown", options, key=state.put(key, now), on_change=state.keep, args=(key,), required=True,
+        help="Drawn heavier here, and taken first in the comparison below.",
+    )  # fmt: skip
+    return taken if now == rolled.TAKEN else scene.actions.index(now)
+
+
+def _of_state(
+    loaded: Loaded, scene: Scene, seen: tuple[float, ...], action: int, rollout: Rollout | None, at: int
+) -> tuple[Figure, str]:
+    """What the agent knows of this state, and what the picture shows."""
+    agent, gamma, observation = loaded.agent, acting_gamma(loaded.agent), np.array(seen)
+    if hasattr(agent, "horizon"):
+        left = None if rollout is None else min(agent.horizon, (rollout.horizon or agent.horizon + at) - at)
+        values = agent.action_values(observation[None])[0]
+        return figures.values_over_time_to_go(values, scene.actions, gamma, left), "Value over T, a line an action."
+    laws = return_laws(agent, observation)
+    if len(laws[0].locations) == 1:
+        values = np.array([law.mean for law in laws])
+        return figures.values_of_actions(values, scene.actions, gamma, action), "Value of every action."
+    return figures.returns_of_actions(laws, scene.actions, action), "Distribution of the return of every action."

@@ -1,0 +1,65 @@
+"""Returns of several agents from one state, simulated in the background: each goes on by its own greedy policy."""
+
+from __future__ import annotations
+
+import threading
+from collections import OrderedDict
+from collections.abc import Sequence
+
+from app import checkpoints
+from app.background import Told, Work
+from laplace_core.agents.agent import Agent
+from laplace_core.training.checkpoint import Loaded
+from laplace_core.training.return_laws import SimulatedReturns, has_return_law, simulate_returns
+from laplace_core.training.rollout import Rollout
+
+MOST_KEPT = 16
+"""Comparisons, of a few kilobytes each."""
+BESIDE = ("laplace", "c51", "qrdqn", "expectile")
+"""Algorithms whose shipped agents stand beside the opened one: those that say more than a mean."""
+
+Returned = Work[tuple[SimulatedReturns, ...]]
+_kept: OrderedDict[tuple, Returned] = OrderedDict()
+_lock = threading.Lock()
+
+
+def beside(loaded: Loaded) -> list[Loaded]:
+    """The opened agent, and then those that ship for its environment."""
+    others = [other for other in checkpoints.same_environment(loaded) if other.algorithm in BESIDE]
+    own = [loaded] if has_return_law(loaded.agent) else []
+    return own + [other for other in others if not _same(other, loaded)]
+
+
+def _same(one: Loaded, other: Loaded) -> bool:
+    """Whether a run or a file is what ships."""
+    return one is other or (one.settings == other.settings and one.step == other.step)
+
+
+def _key(agents: Sequence[Loaded], rollout: Rollout, step: int, action: int) -> tuple[Agent | Rollout | int, ...]:
+    return (*(each.agent for each in agents), rollout, step, action)
+
+
+def found(agents: Sequence[Loaded], rollout: Rollout, step: int, action: int) -> Returned | None:
+    """The simulation for this state and first action, if one was begun."""
+    one = _kept.get(_key(agents, rollout, step, action))
+    return None if one is None or one.gone else one
+
+
+def begin(agents: Sequence[Loaded], rollout: Rollout, step: int, action: int) -> None:
+    """Begin it, unless it was."""
+    key = _key(agents, rollout, step, action)
+
+    def make(told: Told) -> tuple[SimulatedReturns, ...]:
+        """Progress is a thousandth of the whole; agents count alike."""
+
+        def of(i: int) -> Told:
+            return lambda done, steps: told(round(1000 * (i + done / steps)), 1000 * len(agents))
+
+        return tuple(simulate_returns(each.agent, rollout, step, action, told=of(i)) for i, each in enumerate(agents))
+
+    with _lock:
+        if key not in _kept or _kept[key].gone:
+            _kept[key] = Work(make)
+        _kept.move_to_end(key)
+        while len(_kept) > MOST_KEPT:
+            _kept.popitem(last=False)[1].cancel()
