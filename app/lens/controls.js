@@ -13,11 +13,14 @@ export function element(tag, attributes = {}, ...children) {
   return made;
 }
 
-const twoDigits = (value) => +value.toPrecision(2);
-const logarithmic = (low, high, perDecade = 40) => {
+// Two digits, or three where two would lead back to the same place: a key that moves nothing is a key that is stuck.
+export const logarithmic = (low, high, perDecade = 40) => {
   const count = Math.round(perDecade * Math.log10(high / low));
-  return { count, at: (i) => twoDigits(low * (high / low) ** (i / count)),
-    of: (value) => Math.round((count * Math.log10(Math.max(low, value) / low)) / Math.log10(high / low)) };
+  const of = (value) => Math.round((count * Math.log10(Math.max(low, value) / low)) / Math.log10(high / low));
+  return { count, of, at: (i) => {
+    const exact = low * (high / low) ** (i / count), plain = +exact.toPrecision(2);
+    return of(plain) === i ? plain : +exact.toPrecision(3);
+  } };
 };
 const linear = (low, step, count) =>
   ({ count, at: (i) => +(low + i * step).toPrecision(12), of: (value) => Math.round((value - low) / step) });
