@@ -121,3 +121,20 @@ def activation(rewards: np.ndarray, thetas: np.ndarray, slope: float) -> np.ndar
 def bin_masses(rewards: np.ndarray, thetas: np.ndarray, slope: float) -> np.ndarray:
     """f_h(r) - f_{h+1}(r): the mass a reward leaves at each midpoint, shape ``rewards.shape + (H-1,)``."""
     return -np.diff(activation(rewards, thetas, slope), axis=-1)
+
+
+def reward_distance(tau_space: np.ndarray, tails: np.ndarray, thetas: np.ndarray) -> np.ndarray:
+    """Wasserstein-1 distance of each step's reward under two timelines, in units of reward, ``(..., K)``.
+
+    An episode that is over pays 0: below 0 what counts is P(r < theta, alive), above it P(r > theta, alive). So a
+    step's distance is never less than the difference of its expected rewards. What lies beyond the thetas is not seen.
+
+    Args:
+        tau_space: ``(..., K, H-1)``, probabilities.
+        tails: ``(..., K, H)``, P(r > theta_h, alive) of the other.
+    """
+    low = np.cumsum(tau_space + np.diff(tails), axis=-1)
+    low = np.concatenate([np.zeros_like(low[..., :1]), low], axis=-1)
+    below, above = np.abs(low), np.abs(low[..., -1:] - low)
+    side = np.where(theta_midpoints(thetas) < 0.0, below[..., :-1] + below[..., 1:], above[..., :-1] + above[..., 1:])
+    return (side / 2.0) @ np.diff(thetas)  # trapezoids

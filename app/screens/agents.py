@@ -101,7 +101,7 @@ def _observation(scene: Scene) -> None:
 @st.fragment
 def _view(loaded: Loaded, scene: Scene, asked: Rolling | None) -> None:
     state.write_url()
-    observation, follow = None, {}
+    observation, follow, simulated = None, {}, None
     try:
         if asked is not None:
             rollout = asked.rollout()
@@ -114,7 +114,9 @@ def _view(loaded: Loaded, scene: Scene, asked: Rolling | None) -> None:
     except InputError as error:
         st.error(str(error))
         return
-    panels.pictures(view, base, **follow)
+    if asked is not None:
+        simulated = truth.ask(view, loaded, asked.rollout(), at)
+    panels.pictures(view, base, simulated=simulated, **follow)
     if asked is not None:
         truth.section(view, loaded, asked.rollout(), at)
     panels.artefacts(view)
