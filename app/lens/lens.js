@@ -241,7 +241,7 @@ export function mount(root, model, told, report) {
       scene.world?.show(told.world);
       draw();
     },
-    get model() { return model; }, get state() { return state; }, get seen() { return seen; }, get hover() { return scene.hover; },
+    get lead() { return told.lead; }, get model() { return model; }, get state() { return state; }, get seen() { return seen; }, get hover() { return scene.hover; },
     get kept() { return { zoom: scene.zoom, camera: scene.camera }; },
   };
 }

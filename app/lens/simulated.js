@@ -28,7 +28,7 @@ export function simulatedRow(model, a, row) {
 
 // W1 of each step's reward between the picture and the simulation, in reward, as laplace_core.encoding.reward_distance;
 // NaN where the picture has no row.
-export function distances({ simulated, dt }, { tau, thetas, midpoints, H, n }) {
+export function distances({ simulated, dt }, { tau, thetas, H, n }) {
   const { tails, width, length } = simulated, out = new Float64Array(length).fill(NaN), low = new Float64Array(H + 1);
   if (width !== H + 1) return out;
   for (let step = 0; step < length; step++) {
@@ -36,9 +36,12 @@ export function distances({ simulated, dt }, { tau, thetas, midpoints, H, n }) {
     if (row >= n || Math.abs(row * dt - step) >= 1e-9) continue;
     for (let h = 0; h < H; h++) low[h + 1] = low[h] + tau[row * H + h] / dt - (tails[from + h] - tails[from + h + 1]) / TAIL;
     out[step] = 0;
-    for (let h = 0; h < H; h++) { // an episode that is over pays 0
-      const whole = midpoints[h] < 0 ? 0 : low[H];
-      out[step] += ((Math.abs(whole - low[h]) + Math.abs(whole - low[h + 1])) / 2) * (thetas[h + 1] - thetas[h]);
+    const area = (left, right, x, x2) => { out[step] += ((Math.abs(left) + Math.abs(right)) / 2) * (x2 - x); };
+    for (let h = 0; h < H; h++) { // an episode that is over pays 0: below it counts what is lower, above it what is higher
+      const x = thetas[h], x2 = thetas[h + 1], zero = Math.min(x2, Math.max(x, 0));
+      const middle = low[h] + ((zero - x) / (x2 - x)) * (low[h + 1] - low[h]);
+      area(low[h], middle, x, zero);
+      area(low[H] - middle, low[H] - low[h + 1], zero, x2);
     }
   }
   return out;

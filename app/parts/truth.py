@@ -28,10 +28,11 @@ def ask(view: View, loaded: Loaded, rollout: Rollout, step: int) -> Simulated | 
     own = _own(rollout)
     found = simulations.found(loaded, rollout, step, view.action, own)
     with st.container(key="truth"):
-        words, picker, button = st.columns([6, 3, 1.4], vertical_alignment="center", gap="small")
-        if not rollout.of_the_values:
+        shares = [7, 1.2] if rollout.of_the_values else [5.8, 2.6, 1.2]
+        words, *picker, button = st.columns(shares, vertical_alignment="center", gap="small")
+        if picker:
             key = state.show(AFTER, "values")
-            picker.selectbox(
+            picker[0].selectbox(
                 "Control of what is simulated", list(_titles(rollout)), key=key, format_func=_titles(rollout).get,
                 label_visibility="collapsed", on_change=state.keep, args=(key,),
                 help="Tau-space predicts one policy; under another one, what comes is another process.",
@@ -41,7 +42,7 @@ def ask(view: View, loaded: Loaded, rollout: Rollout, step: int) -> Simulated | 
                 st.fragment(_progress, run_every=LOOK_EVERY)(found)
             button.button("Cancel", key="cancel simulation", width="stretch", on_click=found.cancel)
             return None
-        words.caption(_told(view, loaded, rollout, step, found is not None))
+        words.caption(_told(view, loaded, rollout, step))
         button.button(
             "Simulate", key="simulate", width="stretch", disabled=found is not None, on_click=simulations.begin,
             args=(loaded, rollout, step, view.action, own),
@@ -85,32 +86,33 @@ def _own(rollout: Rollout) -> bool:
 
 def _titles(rollout: Rollout) -> dict[str, str]:
     rule = f"greedy at γ {rollout.gamma:.4g}" if rollout.gamma else rolled.TITLES[rollout.rule].split(" (")[0]
-    return {"values": f"greedy at γ {rollout.acting_gamma:.4g}", "rule": f"as rolled out: {rule}"}
+    return {"values": f"greedy at γ {rollout.acting_gamma:.4g}", "rule": f"as rolled out: {rule.removeprefix('for T: ')}"}
 
 
-def _told(view: View, loaded: Loaded, rollout: Rollout, step: int, done: bool) -> str:
+def _told(view: View, loaded: Loaded, rollout: Rollout, step: int) -> str:
     """What is simulated, or was; then what it says where tau-space predicts something else."""
-    own, gamma = _own(rollout), f"γ {rollout.acting_gamma:.4g}"
+    own = _own(rollout)
     then = _titles(rollout)["rule" if own else "values"].removeprefix("as rolled out: ")
-    steps = steps_known(loaded.agent, rollout, step, STEPS, own)
     if environments.chance(loaded.environment):
+        steps = steps_known(loaded.agent, rollout, step, STEPS, own)
+        limit = "to the deadline" if steps < STEPS else "without a time limit"
         action = view.subject.action_names[view.action]
-        until = f"{steps} steps" + (", to the deadline" if steps < STEPS else "")
-        words = f"{COUNT} continuations of {until}: {action}, then {then}, without a time limit."
-        words += " W1, in reward: how far tau-space is from them; grey: chance alone." if done else ""
+        words = f"{COUNT} continuations of {steps} steps, {limit}: {action}, then {then}."
     else:
-        words = f"No chance in {loaded.environment}: what came is all that can come. For calibration, {EACH} states "
-        words += f"of each of {EPISODES} episodes, {then}" + ("; under the pictures." if done else ".")
-    return words + (f" Tau-space predicts greedy at {gamma}: this is another process." if own else "")
+        words = f"{loaded.environment} has no chance in it: what came is all that can come from here. For calibration, "
+        words += f"{EACH} states of each of {EPISODES} episodes, {then}."
+    if own:
+        words += f" Tau-space predicts greedy at γ {rollout.acting_gamma:.4g}: this is another process."
+    return words
 
 
 def _summary(found: Confronted, view: View) -> str:
-    mean, chance = found.distance.mean(), found.simulated.chance.mean()
     return (
-        f"Left: how often a reward exceeded θ, where tau-space says so with some probability, over {len(found.reward)} "
-        f"steps and all θ, at α {view.settings.alpha:g}; bars of two standard errors.  \nW1 of tau-space to "
-        f"{found.simulated.count} continuations: {mean:.3g} reward on average over the steps, {chance:.3g} of which "
-        "chance alone would make. Both with whole steps and without rescaling."
+        f"Calibration: how often a reward exceeded θ where tau-space says so with some probability, over "
+        f"{len(found.reward)} steps and all θ, at α {view.settings.alpha:g}; bars of two standard errors.  \n"
+        f"W1, in reward: how far the rewards of a step are from those that tau-space predicts, 0 once it is over; "
+        f"{found.distance.mean():.3g} on average over the steps. Grey in the strip beside tau-space: what chance alone "
+        f"makes with {found.simulated.count} continuations, {found.simulated.chance.mean():.3g} on average."
     )
 
 

@@ -119,7 +119,8 @@ def continue_from(
 
 def _judge(agent: Agent, rollout: Rollout, options: Options) -> Judge | None:
     length = length_of(agent, rollout.environment, rollout.horizon)
-    return judge_of(agent, rollout.rule, length, rollout.gamma, options)[0]
+    rule = "readout" if rollout.rule == "decoded" else rollout.rule  # the same values, in a thousandth of the time
+    return judge_of(agent, rule, length, rollout.gamma, options)[0]
 
 
 def _choice(judge: Judge | None, actions: int, dice: np.random.Generator) -> Choose:
@@ -178,7 +179,7 @@ def outcomes_of_states(
         raise InputError(f"episodes and steps must be from 1 to {MOST:,}, and states of an episode at most its steps.")
     rule, gamma, length = "greedy", None, min(2 * steps, MOST)
     if like is not None:
-        rule, gamma = like.rule, like.gamma
+        rule, gamma = "readout" if like.rule == "decoded" else like.rule, like.gamma
         if rule not in _TIMELESS:
             length = length_of(agent, environment, like.horizon)
             steps = min(steps, (length + 1) // 2)

@@ -12,7 +12,7 @@ import numpy as np
 import torch
 
 from laplace_core.agents.agent import Agent
-from laplace_core.encoding import reward_distance, theta_midpoints
+from laplace_core.encoding import area_around_zero, reward_distance, theta_midpoints
 from laplace_core.errors import InputError
 from laplace_core.horizon import expected_rewards
 from laplace_core.inverse import decode
@@ -47,9 +47,9 @@ class Empirical:
 def empirical(agent: Agent, found: Continuations) -> Empirical:
     """What an agent with a gamma-space should have decoded."""
     passed = _passed(agent, found)
-    return Empirical(
-        len(passed), passed.mean(axis=0), *found.expected, *found.survival, _chance(passed, np.asarray(agent.thetas))
-    )
+    # The mean of the absolute value of a normal number is sqrt(2 / pi) times its standard deviation.
+    chance = np.sqrt(2.0 / np.pi) * area_around_zero(passed[..., :1] - passed, agent.thetas, standard_error)
+    return Empirical(len(passed), passed.mean(axis=0), *found.expected, *found.survival, chance)
 
 
 def _passed(agent: Agent, found: Continuations) -> np.ndarray:
@@ -63,14 +63,6 @@ def _passed(agent: Agent, found: Continuations) -> np.ndarray:
     with torch.no_grad():
         passed = agent.sensitivities.tails(torch.as_tensor(found.rewards, dtype=torch.float32))[..., 1:].double()
     return np.where(found.alive[..., None], passed.numpy(), 0.0)
-
-
-def _chance(passed: np.ndarray, thetas: np.ndarray) -> np.ndarray:
-    """The mean of the absolute value of a normal number is sqrt(2 / pi) times its standard deviation."""
-    below = standard_error(passed[..., :1] - passed)
-    above = standard_error(passed - passed[..., -1:])
-    side = np.where(theta_midpoints(thetas) < 0.0, below[:, :-1] + below[:, 1:], above[:, :-1] + above[:, 1:])
-    return np.sqrt(2.0 / np.pi) * ((side / 2.0) @ np.diff(thetas))
 
 
 @dataclass(frozen=True, eq=False)
