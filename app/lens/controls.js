@@ -26,7 +26,7 @@ const linear = (low, step, count) =>
   ({ count, at: (i) => +(low + i * step).toPrecision(12), of: (value) => Math.round((value - low) / step) });
 const withZero = (scale) =>
   ({ count: scale.count + 1, at: (i) => (i ? scale.at(i - 1) : 0), of: (value) => (value > 0 ? scale.of(value) + 1 : 0) });
-const near1 = { count: 120, at: (i) => +(1 - 10 ** (-0.3 - (i * 2.7) / 120)).toPrecision(4),
+const near1 = { count: 120, at: (i) => +(1 - 10 ** (-0.3 - (i * 2.7) / 120)).toPrecision(5),
   of: (value) => Math.round(((-Math.log10(1 - value) - 0.3) * 120) / 2.7) };
 
 // Name, label, unit, help, scale; a scale that depends on the world is a function of the model and the opening state.
