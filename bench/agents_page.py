@@ -18,6 +18,7 @@ from bench.browser import FLAGS, ROOT, find_chromium, opening, served
 from bench.lens import memory_of
 from bench.report import Figure, Goal
 from bench.timing import Spread, interleaved, spread
+from bench.users import _GO
 from laplace_core.inverse import decode
 from laplace_core.training.checkpoint import Loaded, load_checkpoint
 from laplace_core.training.rollout import roll_out
@@ -30,11 +31,12 @@ ROLLOUTS, LENGTH = 50, 150
 
 _LENS = "() => document.querySelector('.laplace-lens')?.frames?.length > 0"
 _PLAYER = "() => document.querySelector('.laplace-player .line b')?.textContent"
-# Milliseconds from moving the slider of the player to the frame that shows the step's spaces, of so many steps; the hand
-# never rests for long enough that the server would be asked.
+# Milliseconds from moving the slider of the player to the frame that shows the step's spaces, for so many steps; the
+# hand never rests for long enough that the server would be asked.
 _SCRUBBED = """
 async (count) => {
-  const bar = document.querySelector('.laplace-player input[name=step]'), { lens } = document.querySelector('.laplace-lens');
+  const bar = document.querySelector('.laplace-player input[name=step]');
+  const { lens } = document.querySelector('.laplace-lens');
   const found = [], frame = () => new Promise((next) => requestAnimationFrame(next));
   for (let step = 1; step <= count; step += 1) {
     await new Promise((next) => setTimeout(next, 7 + (step * 13) % 40)); // at no particular moment of a frame
@@ -141,11 +143,15 @@ def _scrubbing(context, url: str, count: int = 150) -> Iterator[Figure]:
 
 
 def _memory(context, url: str, server: int) -> Iterator[Figure]:
-    page, found = context.new_page(), [memory_of(server)]
+    page, found, before = context.new_page(), [memory_of(server)], None
     page.set_default_timeout(300_000)
+    page.goto(url)
+    page.wait_for_function(_LENS)
     for i in range(ROLLOUTS):
-        page.goto(f"{url}&r.shown=yes&r.seed={i + 100}&r.rule=fading&r.horizon={LENGTH}")
-        page.wait_for_function(_PLAYER)
+        query = f"checkpoint={NAME}&r.shown=yes&r.seed={i + 100}&r.rule=fading&r.horizon={LENGTH}"
+        page.evaluate(_GO, query)
+        page.wait_for_function("(before) => (globalThis.laplaceLead?.id ?? before) !== before", arg=before)
+        before = page.evaluate("() => laplaceLead.id")
         if i % 10 == 9:
             found.append(memory_of(server))
     page.close()

@@ -107,7 +107,8 @@ def bare_page(browser, held: dict[str, tuple[bytes, Settings]]):
     """A page with nothing but the mathematics of the lens."""
     page = browser.new_page()
     page.goto("about:blank")
-    names = "read, see, gammaSpace, kernel, resolution, effect, SWITCHES, available, judged, simulatedFor, distances, SLIDERS"
+    names = "read, see, gammaSpace, kernel, resolution, effect, SWITCHES, available, judged"
+    names += ", simulatedFor, distances, SLIDERS"
     page.add_script_tag(type="module", content=f"{script()}\nObject.assign(window, {{ {names} }});")
     page.evaluate(
         "(held) => { window.payloads = held; }", {n: base64.b64encode(d).decode() for n, (d, _) in held.items()}

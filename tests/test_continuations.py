@@ -74,7 +74,7 @@ def test_chances_of_a_world_are_met():
 
 @pytest.mark.parametrize("rule", ["greedy", "fading", "readout", "matched", "decoded"])
 def test_under_its_own_rule_an_episode_without_chance_goes_on_as_it_did(rule):
-    """The rule has 9 steps to go at the step, as it had in the episode: a constant T, or all of it, acts differently."""
+    """The rule has 9 steps to go at the step, as it had in the episode, and says nothing after them."""
     agent = made("CartPole-v1")
     gamma = 0.5 if rule == "greedy" else None
     rollout = roll_out(agent, "CartPole-v1", 7, rule, horizon=12, gamma=gamma)

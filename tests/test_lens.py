@@ -67,9 +67,10 @@ def test_a_payload_holds_what_the_library_holds():
 
 @pytest.fixture
 def simulated():
-    """Of a gamma-space without a world, and what 50 continuations of 40 steps may have come to after action 1."""
+    """Of a gamma-space without a world, and what 50 continuations of 30 steps may have come to after action 1."""
     space = study(load_world("two_branch"), Settings(thetas=40)).gamma_space
-    found, rng = study_of_gamma_space(space, structure(Settings(world="own.npz", steps=20), None)), np.random.default_rng(0)
+    found = study_of_gamma_space(space, structure(Settings(world="own.npz", steps=20), None))
+    rng = np.random.default_rng(0)
     tails = -np.sort(-rng.random((30, 40)), axis=1)
     lines = rng.normal(size=(5, 30))
     return found, Simulated(1, SimpleNamespace(

@@ -62,7 +62,7 @@ def test_a_gamma_space_that_is_true_is_not_far_off(simulated):
 
 
 def test_one_that_is_a_step_late_is_off_by_what_it_misses(simulated):
-    """Tau 0 decoded from nothing: it misses a reward of 1. Tau 4, of the cell above 1.5 in two of four, has 1 in them."""
+    """Tau 0 decoded from nothing: it misses a reward of 1. At tau 4 half of all have 1 in place of 2."""
     late = Continuations(np.roll(simulated.rewards, 1, axis=1), np.roll(simulated.alive, 1, axis=1))
     found = confront(HARD, exact_space(late.rewards, late.alive), 1, simulated, 1e-9)
     assert found.distance[0] == pytest.approx(1.0, abs=1e-3)

@@ -85,8 +85,10 @@ def _own(rollout: Rollout) -> bool:
 
 
 def _titles(rollout: Rollout) -> dict[str, str]:
-    rule = f"greedy at γ {rollout.gamma:.4g}" if rollout.gamma else rolled.TITLES[rollout.rule].split(" (")[0]
-    return {"values": f"greedy at γ {rollout.acting_gamma:.4g}", "rule": f"as rolled out: {rule.removeprefix('for T: ')}"}
+    rule = rolled.TITLES[rollout.rule].split(" (")[0].removeprefix("for T: ")
+    if rollout.gamma:
+        rule = f"greedy at γ {rollout.gamma:.4g}"
+    return {"values": f"greedy at γ {rollout.acting_gamma:.4g}", "rule": f"as rolled out: {rule}"}
 
 
 def _told(view: View, loaded: Loaded, rollout: Rollout, step: int) -> str:

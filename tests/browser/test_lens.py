@@ -67,7 +67,8 @@ def test_every_key_press_on_a_slider_moves_it(chromium):
       const model = { sloped: true, horizons: [1, 2, 3, 4], dt: 1, K: 4, truth: true };
       return [1, 0.02, 25, 3.3].flatMap((slope) => {
         const scale = typeof made === 'function' ? made(model, { slope }) : made;
-        return [...Array(scale.count + 1).keys()].filter((i) => scale.of(scale.at(i)) !== i).map((i) => [name, slope, i]);
+        const places = [...Array(scale.count + 1).keys()];
+        return places.filter((i) => scale.of(scale.at(i)) !== i).map((i) => [name, slope, i]);
       });
     })""")
     page.close()
