@@ -30,6 +30,7 @@ def columns(text: str) -> dict[str, list[str]]:
 
 def test_continuations_are_drawn_held_against_tau_space_and_gone_with_their_state(page, address):
     query = f"checkpoint={NAME}&r.shown=yes&r.seed={SEED}&r.rule=fading&r.horizon={T}&r.at={STEP}&action=main engine"
+    page.set_default_timeout(180_000)  # a rollout and a simulation, perhaps beside other work
     page.goto(f"{address}/agents?{query}")
     page.locator(".laplace-player canvas").wait_for()
     page.locator("canvas.tau-space").wait_for()
