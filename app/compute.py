@@ -8,7 +8,7 @@ from functools import lru_cache
 import numpy as np
 
 from app import figures
-from app.lens.payload import payload, structure
+from app.lens.payload import Simulated, payload, structure
 from app.sources import Learner, Observed, View
 from laplace_core import GammaSpace, InputError, Settings, Study, World, study, study_of_gamma_space
 from laplace_core.artifacts import Artefact, find_artefacts
@@ -148,14 +148,14 @@ def comparison(a: View, b: View, what: str) -> tuple[str, dict[str, str]]:
     return summary(found, values) + note, {name: figures.to_json(figure) for name, figure in drawn.items()}
 
 
-def lens_payload(view: View) -> bytes:
+def lens_payload(view: View, simulated: Simulated | None = None) -> bytes:
     """What the lens needs of a view: its factors, on whatever of the settings does not move in the browser."""
-    return _lens_payload(view.subject, structure(view.settings, view.world))
+    return _lens_payload(view.subject, structure(view.settings, view.world), simulated)
 
 
 @lru_cache(maxsize=16)
-def _lens_payload(subject: Subject, settings: Settings) -> bytes:
-    return payload(_study(subject, settings))[0]
+def _lens_payload(subject: Subject, settings: Settings, simulated: Simulated | None) -> bytes:
+    return payload(_study(subject, settings), simulated)[0]
 
 
 def forget() -> None:

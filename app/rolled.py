@@ -13,6 +13,7 @@ from laplace_core.training.rollout import MOST_SEED, MOST_STEPS, RULES, Rollout
 
 SHOWN, SEED, RULE, HORIZON, GAMMA, AT = "r.shown", "r.seed", "r.rule", "r.horizon", "r.gamma", "r.at"
 ACTION, TAKEN = "r.action", "taken"  # the action taken is an option of its own, which follows the cursor
+AFTER = "r.after"
 TITLES = {
     "greedy": "greedy at a discount",
     "fading": "for T: fading deadline",
@@ -29,6 +30,7 @@ VIEW = (
     Parameter(HORIZON, None, 1, MOST_STEPS, "Deadline T of the episode, in steps.", int),
     Parameter(GAMMA, None, 1e-6, 0.999999, "Discount to be greedy at.", float),
     Parameter(AT, 0, 0, MOST_STEPS, "Step under the cursor."),
+    Parameter(AFTER, "values", 0, 0, "Control of what is simulated from there.", str, ("values", "rule")),
 )
 PARAMETERS = {parameter.name: parameter for parameter in VIEW}
 ADAPTED = ("fading", "readout", "decoded", "matched", "own")

@@ -4,13 +4,16 @@ from __future__ import annotations
 
 import threading
 from collections import OrderedDict
+from functools import lru_cache
 
 from app.background import Told, Work
+from app.lens.payload import Simulated
 from laplace_core.agents.agent import Agent
 from laplace_core.training import environments
 from laplace_core.training.checkpoint import Loaded
 from laplace_core.training.continuations import Continuations, Outcomes, continue_from, outcomes_of_states
 from laplace_core.training.rollout import Rollout
+from laplace_core.training.simulated_truth import empirical
 
 MOST_KEPT = 8
 """Simulations, of less than a megabyte each."""
@@ -22,26 +25,27 @@ _kept: OrderedDict[tuple, Simulation] = OrderedDict()
 _lock = threading.Lock()
 
 
-def _key(loaded: Loaded, rollout: Rollout, step: int, action: int) -> tuple[Agent | Rollout | int, ...]:
+def _key(loaded: Loaded, rollout: Rollout, step: int, action: int, own: bool) -> tuple[Agent | Rollout | object, ...]:
     if environments.chance(loaded.environment):
-        return loaded.agent, rollout, step, action
-    return (loaded.agent,)
+        return loaded.agent, rollout, step, action, own
+    return loaded.agent, (rollout.rule, rollout.horizon, rollout.gamma) if own else None
 
 
-def found(loaded: Loaded, rollout: Rollout, step: int, action: int) -> Simulation | None:
-    """The simulation for this state and first action, if one was begun."""
-    one = _kept.get(_key(loaded, rollout, step, action))
+def found(loaded: Loaded, rollout: Rollout, step: int, action: int, own: bool) -> Simulation | None:
+    """The simulation for this state and first action, if one was begun; ``own``: under the rollout's own rule."""
+    one = _kept.get(_key(loaded, rollout, step, action, own))
     return None if one is None or one.gone else one
 
 
-def begin(loaded: Loaded, rollout: Rollout, step: int, action: int) -> None:
+def begin(loaded: Loaded, rollout: Rollout, step: int, action: int, own: bool) -> None:
     """Begin it, unless it was."""
-    key = _key(loaded, rollout, step, action)
+    key = _key(loaded, rollout, step, action, own)
 
     def make(told: Told) -> Continuations | Outcomes:
         if environments.chance(loaded.environment):
-            return continue_from(loaded.agent, rollout, step, action, COUNT, STEPS, told=told)
-        return outcomes_of_states(loaded.agent, loaded.environment, EPISODES, EACH, STEPS, told=told)
+            return continue_from(loaded.agent, rollout, step, action, COUNT, STEPS, own=own, told=told)
+        like = rollout if own else None
+        return outcomes_of_states(loaded.agent, loaded.environment, EPISODES, EACH, STEPS, like=like, told=told)
 
     with _lock:
         if key not in _kept or _kept[key].gone:
@@ -49,3 +53,9 @@ def begin(loaded: Loaded, rollout: Rollout, step: int, action: int) -> None:
         _kept.move_to_end(key)
         while len(_kept) > MOST_KEPT:
             _kept.popitem(last=False)[1].cancel()
+
+
+@lru_cache(maxsize=MOST_KEPT)
+def for_lens(one: Simulation, agent: Agent, action: int) -> Simulated:
+    """What the lens draws of finished continuations; the same object for the same ones."""
+    return Simulated(action, empirical(agent, one.result()))

@@ -1,4 +1,4 @@
-"""``python -m bench [--only core|training|browser] [--json FILE]``: print every figure beside its goal.
+"""``python -m bench [--only core|training|agents|browser] [--json FILE]``: print every figure beside its goal.
 
 A part is a module of this package whose ``main()`` yields :class:`bench.report.Figure`, or prints for itself and
 returns its samples by name.
@@ -16,7 +16,7 @@ from pathlib import Path
 from bench.machine import line, machine
 from bench.report import Figure, tally
 
-PARTS = ("core", "training", "browser")
+PARTS = ("core", "training", "agents", "browser")
 
 
 def main() -> None:
@@ -24,7 +24,7 @@ def main() -> None:
     parser.add_argument("--only", choices=PARTS, help="run one part")
     parser.add_argument("--json", metavar="FILE", type=Path, help="write the figures here as well")
     options = parser.parse_args()
-    parts = [part for part in PARTS if options.only in (None, part) and find_spec(f"bench.{part}")]
+    parts = [part for part in PARTS if options.only in (None, part) and find_spec(_module(part))]
     if not parts:
         parser.error(f"there is no {options.only} part")
     if options.json is not None and not options.json.parent.is_dir():
@@ -36,7 +36,7 @@ def main() -> None:
     figures: list[Figure] = []
     samples: dict[str, Sequence[float]] = {}
     for part in parts:
-        found = import_module(f"bench.{part}").main()
+        found = import_module(_module(part)).main()
         if isinstance(found, Mapping):
             samples |= found
         else:
@@ -46,6 +46,10 @@ def main() -> None:
     if options.json is not None:
         written = {"machine": facts, "figures": [figure.as_json() for figure in figures], "samples": samples}
         options.json.write_text(json.dumps(written, indent=1) + "\n")
+
+
+def _module(part: str) -> str:
+    return "bench.agents_page" if part == "agents" else f"bench.{part}"
 
 
 def show(figures: Iterable[Figure]) -> list[Figure]:

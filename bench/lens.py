@@ -12,11 +12,12 @@ import statistics
 import time
 from collections.abc import Iterator
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import plotly
 
-from app.lens import opening_state, payload, script, seen, structure
+from app.lens import Simulated, opening_state, payload, script, seen, structure
 from app.lens.payload import unpacked
 from bench.browser import FLAGS, find_chromium, served
 from laplace_core import PRESETS, Settings, load_world, study, study_of_gamma_space
@@ -38,7 +39,8 @@ _SEEN = """
   return { tau_space: all(found.tau), survival: all(found.survival), expected_reward: all(found.rewards),
     horizon_values: all(found.values), read_row: found.readRow, chosen: found.chosen, regret: found.regret ?? null,
     discount_kernel: all(kernel(model, state, found).actual),
-    averaging_kernel: all(resolution(model, state, found, tau).kernel), differences: all(gammaSpace(found, state)) };
+    averaging_kernel: all(resolution(model, state, found, tau).kernel), differences: all(gammaSpace(found, state)),
+    distance: simulatedFor({ model, state }) ? all(distances(model, found)) : null };
 })
 """
 
@@ -63,8 +65,17 @@ def payloads(small: bool = False) -> dict[str, tuple[bytes, Settings]]:
         settings = study(world, Settings(world=world_name, **values)).settings
         found[name] = payload(study(world, structure(settings, world)))[0], settings
     space = study(load_world("two_branch"), Settings(thetas=40)).gamma_space
-    own = study_of_gamma_space(space, structure(Settings(world="own.npz", steps=20), None))
-    return found | {"own gamma-space": (payload(own)[0], own.settings)}
+    for name, dt in (("own gamma-space", 1.0), ("own, finer", 0.5)):
+        own = study_of_gamma_space(space, structure(Settings(world="own.npz", steps=20, time_step=dt), None))
+        found[name] = payload(own, _simulated(len(space.thetas)))[0], own.settings
+    return found
+
+
+def _simulated(count: int) -> Simulated:
+    """Tails of 12 steps that continuations after action 1 may have come to."""
+    rng = np.random.default_rng(0)
+    lines = {name: np.zeros(12) for name in ("reward", "reward_error", "survival", "survival_error", "chance")}
+    return Simulated(1, SimpleNamespace(count=50, tails=-np.sort(-rng.random((12, count)), axis=1), **lines))
 
 
 def random_cases(held: dict[str, tuple[bytes, Settings]], count: int, seed: int) -> list[dict[str, object]]:
@@ -97,6 +108,7 @@ def bare_page(browser, held: dict[str, tuple[bytes, Settings]]):
     page = browser.new_page()
     page.goto("about:blank")
     names = "read, see, gammaSpace, kernel, resolution, effect, SWITCHES, available, judged"
+    names += ", simulatedFor, distances, SLIDERS"
     page.add_script_tag(type="module", content=f"{script()}\nObject.assign(window, {{ {names} }});")
     page.evaluate(
         "(held) => { window.payloads = held; }", {n: base64.b64encode(d).decode() for n, (d, _) in held.items()}
@@ -119,12 +131,16 @@ def agreement(page, held: dict[str, tuple[bytes, Settings]], cases: list[dict[st
             true, *moved = (seen(data, state, case["tau"], shake) for shake in (0.0, ROUNDING, -ROUNDING))
             assert found["read_row"] == true["read_row"]
             for name in ("tau_space", "survival", "expected_reward", "horizon_values", "discount_kernel",
-                         "averaging_kernel", "differences"):  # fmt: skip
+                         "averaging_kernel", "differences", "distance"):  # fmt: skip
+                assert (found[name] is None) is (name not in true)
+                if found[name] is None:
+                    continue
                 action = state["action"] if name in ("tau_space", "differences") else slice(None)
-                shown = true[name][action]
+                there = np.isfinite(true[name][action])
+                shown = true[name][action][there]
                 width = max(float(np.ptp(shown)), 1e-300)
-                holds = np.all([np.abs(each[name][action] - shown) <= 1e-6 * width for each in moved], axis=0)
-                off = np.abs(np.array(found[name], float).reshape(shown.shape) - shown) / width
+                holds = np.all([np.abs(each[name][action][there] - shown) <= 1e-6 * width for each in moved], axis=0)
+                off = np.abs(np.array(found[name], float).reshape(there.shape)[there] - shown) / width
                 worst[name] = max(worst.get(name, 0.0), float(off[holds].max(initial=0.0)))
                 worst["left out"] += int((~holds).sum())
                 worst["entries"] += holds.size

@@ -1,4 +1,4 @@
-"""The trainer: updates and whole runs against a well-known QR-DQN, growth with the grids, reading what was learned."""
+"""The trainer: updates and whole runs against a well-known QR-DQN, growth with the grids."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from dataclasses import replace
 from importlib.util import find_spec
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from time import perf_counter, process_time
+from time import perf_counter
 
 import gymnasium
 import numpy as np
@@ -19,11 +19,9 @@ from bench.timing import interleaved, spread
 from laplace_core.agents import SETTINGS, LaplaceSettings, LoopSettings
 from laplace_core.agents.agent import Agent
 from laplace_core.agents.registry import AGENTS
-from laplace_core.inverse import decode
 from laplace_core.training.events import Episode
 from laplace_core.training.loop import train
 from laplace_core.training.replay import Replay
-from laplace_core.training.rollout import roll_out
 
 OBSERVATION, ACTIONS, BATCH, QUANTILES = 8, 4, 128, 170
 STANDARD = LaplaceSettings(
@@ -38,8 +36,6 @@ def figures() -> Iterator[Figure]:
     yield from _growth()
     yield from _variants()
     yield from _experience()
-    yield from _reading()
-    yield from _rollouts()
 
 
 def agent(settings: LoopSettings) -> Agent:
@@ -210,44 +206,6 @@ def _steps_per_second(settings: LaplaceSettings) -> float:
             if isinstance(event, Episode):
                 last = event.step, perf_counter()
     return (last[0] - first[0]) / (last[1] - first[1])
-
-
-def _reading() -> Iterator[Figure]:
-    learned, random = agent(STANDARD), np.random.default_rng(0)
-    one, many = random.normal(size=OBSERVATION), random.normal(size=(500, OBSERVATION))
-
-    def read():
-        space = learned.gamma_space(one)
-        return decode(space.differences, space.gammas, 200, 0.1)
-
-    seconds = interleaved({"one": (read, 5), "many": (lambda: learned.gamma_spaces(many), 1)}, rounds=15)
-    sizes = f"{ACTIONS} actions x 15 discounts x 100 sensitivities"
-    yield Figure(
-        SUBJECT, "gamma-space of one state and its decode at K = 200", spread(1e3 * seconds["one"]), "ms", sizes,
-        Goal("<", 5),
-    )  # fmt: skip
-    yield Figure(SUBJECT, "gamma-space of 500 states in one batch", spread(seconds["many"]), "s", sizes, Goal("<", 0.5))
-
-
-def _rollouts() -> Iterator[Figure]:
-    learned, seconds, busy, megabytes = agent(STANDARD), [], [], []
-    for first in (0, 1_000, 2_000):
-        steps = size = 0
-        began, before = perf_counter(), process_time()
-        while steps < 1_000:  # an untrained agent falls early: several episodes
-            found = roll_out(
-                learned, "LunarLander-v3", first + steps, "readout", horizon=1_000 - steps, pictures=True
-            )  # fmt: skip
-            steps, size = steps + len(found), size + found.bytes
-        seconds.append(perf_counter() - began)
-        busy.append(process_time() - before)
-        megabytes.append(size / 1e6)
-    sizes = f"LunarLander, {ACTIONS} actions x 15 discounts x 100 sensitivities, readout"
-    yield Figure(SUBJECT, "1,000 steps rolled out, pictures and spaces", spread(seconds), "s", sizes, Goal("<", 15))
-    yield Figure(
-        SUBJECT, "the same, time of the processor", spread(busy), "s", sizes, note="beside other work it waits"
-    )
-    yield Figure(SUBJECT, "the same in memory", spread(megabytes), "MB", sizes)
 
 
 def main() -> Iterator[Figure]:

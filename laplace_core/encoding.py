@@ -8,6 +8,8 @@ threshold ``theta``; this module makes both grids and the activation
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 
 from laplace_core.errors import InputError
@@ -121,3 +123,34 @@ def activation(rewards: np.ndarray, thetas: np.ndarray, slope: float) -> np.ndar
 def bin_masses(rewards: np.ndarray, thetas: np.ndarray, slope: float) -> np.ndarray:
     """f_h(r) - f_{h+1}(r): the mass a reward leaves at each midpoint, shape ``rewards.shape + (H-1,)``."""
     return -np.diff(activation(rewards, thetas, slope), axis=-1)
+
+
+def reward_distance(tau_space: np.ndarray, tails: np.ndarray, thetas: np.ndarray) -> np.ndarray:
+    """Wasserstein-1 distance of each step's reward under two timelines, in units of reward, ``(..., K)``.
+
+    An episode that is over pays 0: below 0 what counts is P(r < theta, alive), above it P(r > theta, alive). So a
+    step's distance is never less than the difference of its expected rewards. What lies beyond the thetas is not seen.
+
+    Args:
+        tau_space: ``(..., K, H-1)``, probabilities.
+        tails: ``(..., K, H)``, P(r > theta_h, alive) of the other.
+    """
+    more = np.cumsum(tau_space + np.diff(tails), axis=-1)
+    return area_around_zero(np.concatenate([np.zeros_like(more[..., :1]), more], axis=-1), thetas)
+
+
+def area_around_zero(low: np.ndarray, thetas: np.ndarray, size: Callable[[np.ndarray], np.ndarray] = np.abs):
+    """Area under the size of cumulated masses over theta: from below at negative thetas, from above at positive ones.
+
+    Args:
+        low: ``(..., H)``, the mass below each theta; straight lines between them.
+        size: of a mass, elementwise over the last axes.
+    """
+    at = int(np.searchsorted(thetas, 0.0))
+    if 0 < at < thetas.size and thetas[at] != 0.0:
+        share = -thetas[at - 1] / (thetas[at] - thetas[at - 1])
+        middle = low[..., at - 1 : at] + share * (low[..., at : at + 1] - low[..., at - 1 : at])
+        low, thetas = np.concatenate([low[..., :at], middle, low[..., at:]], axis=-1), np.insert(thetas, at, 0.0)
+    below, above = size(low), size(low[..., -1:] - low)
+    ends = np.where(theta_midpoints(thetas) < 0.0, below[..., :-1] + below[..., 1:], above[..., :-1] + above[..., 1:])
+    return (ends / 2.0) @ np.diff(thetas)  # trapezoids

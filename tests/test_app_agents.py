@@ -19,6 +19,7 @@ from laplace_core import InputError
 from laplace_core.agents import ENVIRONMENTS, LaplaceSettings
 from laplace_core.training import environments
 from laplace_core.training.checkpoint import load_checkpoint, new_agent, save_checkpoint
+from laplace_core.training.continuations import continue_from
 from laplace_core.training.rollout import roll_out
 from tests.pages import charts
 
@@ -154,9 +155,7 @@ def test_a_rollout_by_its_link_shows_the_exact_space_of_the_step(shipped):
     lens = told(page, "laplace_lens")
     assert lens["lead"] == {"id": told(page, "player")["id"], "step": 4}
     assert lens["followed"]["rewards"] == wanted.rewards[4:].tolist()
-    message = next(one.proto.bytes for one in page.get("bidi_component") if "laplace_lens" in one.proto.component_name)
-    (size,) = struct.unpack("<I", message[:4])
-    _, arrays = unpacked(message[4 + size :])
+    _, arrays = lens_arrays(page)
     space = loaded.agent.gamma_space(wanted.observations[4])
     np.testing.assert_array_equal(arrays["differences"], space.differences)
     assert not [slider for slider in page.slider if "pole angle" in slider.label]
@@ -180,7 +179,7 @@ def test_the_button_rolls_out_and_the_way_back_leads_to_sliders(shipped):
 @pytest.mark.parametrize(
     "query",
     [{"r.seed": "-1"}, {"r.rule": "own"}, {"r.rule": "best"}, {"r.horizon": "0"}, {"r.at": "1e9"}, {"r.gamma": "2"},
-     {"r.shown": "perhaps"}],
+     {"r.shown": "perhaps"}, {"r.after": "always"}],
 )  # fmt: skip
 def test_a_bad_link_to_a_rollout_opens_with_a_note(shipped, query):
     page = rolled_out(**{"r.shown": "yes"} | query)
@@ -194,24 +193,67 @@ def test_a_step_beyond_the_end_is_the_last_one(shipped):
     assert not page.exception
 
 
-@pytest.mark.parametrize(
-    ("name", "words_of_it"), [("CartPole-v1", "no chance in it"), ("two_branch", "2 continuations")]
-)
-def test_truth_by_simulation_is_begun_watched_and_shown(shipped, monkeypatch, name, words_of_it):
+@pytest.fixture
+def few(monkeypatch):
+    """Simulations of a moment."""
     for bound, small in (("COUNT", 2), ("EPISODES", 2), ("EACH", 3), ("STEPS", 20)):
         monkeypatch.setattr(simulations, bound, small)
-    monkeypatch.setattr(truth, "COUNT", 2)
-    page = rolled_out(checkpoint=f"laplace_{name}", **{"r.shown": "yes", "r.seed": "5", "r.rule": "random"})
-    assert "does the decoded timeline come true" in " ".join(html.proto.body for html in page.get("html"))
+        monkeypatch.setattr(truth, bound, small)
+
+
+def simulated(page: AppTest) -> AppTest:
     next(button for button in page.button if button.label == "Simulate").click().run()
     for _ in range(200):
-        if "two standard errors" in words(page):
-            break
+        if "calibration" in charts(page):
+            return page
         time.sleep(0.05)
         page.run()
         assert not page.exception
-    assert words_of_it in words(page)
+    raise AssertionError("the simulation did not end")
+
+
+def lens_arrays(page: AppTest) -> tuple[dict, dict]:
+    message = next(one.proto.bytes for one in page.get("bidi_component") if "laplace_lens" in one.proto.component_name)
+    (size,) = struct.unpack("<I", message[:4])
+    return unpacked(message[4 + size :])
+
+
+def test_without_chance_truth_is_that_of_many_states(shipped, few):
+    page = rolled_out(checkpoint="laplace_CartPole-v1", **{"r.shown": "yes", "r.seed": "5"})
+    assert "has no chance in it" in words(page)
+    page = simulated(page)
     assert {"simulated", "calibration"} <= set(charts(page))
+    assert "simulated" not in lens_arrays(page)[0]
+
+
+def test_with_chance_the_lens_gets_what_continuations_came_to(shipped, few):
+    """Untold, of another rule than greedy, they are what tau-space predicts; and by wish, under that rule."""
+    query = {"r.shown": "yes", "r.seed": "5", "r.rule": "random"}
+    page = simulated(rolled_out(checkpoint="laplace_two_branch", **query))
+    assert "2 continuations of 20 steps" in words(page)
+    assert "greedy at γ" in words(page)
+    assert "another process" not in words(page)
+    assert "simulated" not in charts(page)  # the lens shows it
+    loaded = load_checkpoint(shipped / "laplace_two_branch.safetensors")
+    rollout = roll_out(loaded.agent, "two_branch", 5, "random")
+    header, arrays = lens_arrays(page)
+    found = continue_from(loaded.agent, rollout, 0, 0, 2, 20)
+    assert header["simulated"] == {"action": 0, "count": 2}
+    np.testing.assert_allclose(arrays["simulated_lines"][0], found.rewards.mean(axis=0), rtol=1e-6)
+
+    next(box for box in page.selectbox if box.label.startswith("Control of what")).set_value("rule").run()
+    assert not page.exception
+    assert page.query_params["r.after"] in ("rule", ["rule"])
+    assert "then random. Tau-space predicts greedy at γ" in words(page)
+    assert "simulated" not in lens_arrays(page)[0]  # of another process, and not begun
+
+
+def test_what_is_simulated_is_of_its_state_and_action_only(shipped, few):
+    query = {"r.shown": "yes", "r.seed": "6", "checkpoint": "laplace_two_branch"}
+    simulated(rolled_out(**query))
+    assert "simulated" in lens_arrays(rolled_out(**query))[0]  # of the same state again, nothing is to be waited for
+    assert "simulated" not in lens_arrays(rolled_out(**query, **{"r.at": "1"}))[0]
+    assert "simulated" not in lens_arrays(rolled_out(**query, action="long"))[0]
 
 
 def test_where_no_rollout_is_shown_nothing_is_simulated(shipped):

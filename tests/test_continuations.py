@@ -9,9 +9,9 @@ import torch
 from laplace_core import load_world
 from laplace_core.agents import LaplaceSettings
 from laplace_core.errors import InputError
-from laplace_core.training import environments
+from laplace_core.training import continuations, environments
 from laplace_core.training.checkpoint import new_agent
-from laplace_core.training.continuations import calibration, continue_from, outcomes_of_states
+from laplace_core.training.continuations import calibration, continue_from, outcomes_of_states, steps_known
 from laplace_core.training.rollout import roll_out
 
 torch.set_num_threads(1)
@@ -70,6 +70,71 @@ def test_chances_of_a_world_are_met():
     found, error = continue_from(agent, rollout, 0, count=600, steps=12).survival
     assert wanted[-1] < 0.999  # chance is at work
     assert (np.abs(found - wanted) <= 4 * np.maximum(error, 1e-3)).all()
+
+
+@pytest.mark.parametrize("rule", ["greedy", "fading", "readout", "matched", "decoded"])
+def test_under_its_own_rule_an_episode_without_chance_goes_on_as_it_did(rule):
+    """The rule has 9 steps to go at the step, as it had in the episode, and says nothing after them."""
+    agent = made("CartPole-v1")
+    gamma = 0.5 if rule == "greedy" else None
+    rollout = roll_out(agent, "CartPole-v1", 7, rule, horizon=12, gamma=gamma)
+    found = continue_from(agent, rollout, 3, count=2, steps=20, own=True)
+    known = 20 if rule == "greedy" else 9  # a rule for a deadline says nothing after it
+    assert found.rewards.shape == (2, known)
+    wanted = rollout.rewards[3:]
+    assert (found.rewards[:, : len(wanted)] == wanted).all()
+    assert steps_known(agent, rollout, 3, 20, own=True) == known
+    assert steps_known(agent, rollout, 3, 20, own=False) == 20
+
+
+def chooses_by_the_clock(agent, horizon):
+    """The observed choices of a rule that takes action 1 with an odd time to go, and 0 with an even one."""
+    taken = []
+
+    def judge(observations, time):
+        taken.append((horizon - time, len(observations)))
+        return np.tile([0.5, (horizon - time) % 2], (len(observations), 1))
+
+    return judge, taken
+
+
+def test_the_time_to_go_runs_on_from_that_of_the_step(monkeypatch):
+    agent = made("CartPole-v1")
+    rollout = roll_out(agent, "CartPole-v1", 7, "fading", horizon=9)
+    judge, taken = chooses_by_the_clock(agent, 9)
+    monkeypatch.setattr(continuations, "judge_of", lambda *_: (judge, None))
+    continue_from(agent, rollout, 3, count=3, own=True)
+    assert taken == [(left, 3) for left in (5, 4, 3, 2, 1)]  # with 6 to go the first action is given
+
+
+def test_random_continuations_are_random_and_the_same_again():
+    name = "gym:FrozenLake-v1"
+    agent = made(name)
+    rollout = roll_out(agent, name, 0, "random")
+    found = [continue_from(agent, rollout, 0, count=40, steps=12, seed=seed, own=True) for seed in (0, 0, 1)]
+    np.testing.assert_array_equal(found[0].alive, found[1].alive)
+    assert (found[0].alive != found[2].alive).any()
+    assert (found[0].alive != continue_from(agent, rollout, 0, count=40, steps=12).alive).any()
+
+
+def test_the_values_are_of_greedy_at_the_acting_discount():
+    agent = made("CartPole-v1")
+    acting = float(agent.gammas[agent.acting_head])
+    for rule, gamma, wanted in (("greedy", None, True), ("greedy", acting, True), ("greedy", 0.5, False),
+                                ("random", None, False), ("fading", None, False)):  # fmt: skip
+        assert roll_out(agent, "CartPole-v1", 1, rule, 5, gamma).of_the_values is wanted
+
+
+@pytest.mark.parametrize(("rule", "horizon", "known"), [("random", None, 30), ("fading", 9, 5), ("decoded", 1, 1)])
+def test_outcomes_under_another_rule(rule, horizon, known):
+    """Of a deadline of 9 the states are among the first 4 or 5 steps: 5 steps are known after each."""
+    agent = made("CartPole-v1")
+    like = roll_out(agent, "CartPole-v1", 7, rule, horizon)
+    found = outcomes_of_states(agent, "CartPole-v1", episodes=2, each=3, steps=30, like=like)
+    assert found.rewards.shape[1] == known
+    first = roll_out(agent, "CartPole-v1", 0, rule, horizon, limited=False)
+    np.testing.assert_array_equal(found.observations[0], first.observations[0])
+    np.testing.assert_array_equal(found.rewards[0][: len(first)], first.rewards[:known])
 
 
 def test_the_time_limit_does_not_end_a_continuation():

@@ -10,14 +10,15 @@ import pytest
 
 from app.figures import calibration_plot, simulated_timeline, to_json
 from laplace_core.training.continuations import Calibration
-from laplace_core.training.simulated_truth import Confronted
+from laplace_core.training.simulated_truth import Confronted, Empirical
 
 
 @pytest.fixture
 def found() -> Confronted:
     line = np.linspace(1.0, 0.0, 50)
     bins = Calibration(np.array([0.1, 0.9]), np.array([0.0, 1.0]), np.array([0.0, 0.1]), np.array([400, 3]))
-    return Confronted(9, line, line / 10, line + 0.1, line / 2, line / 20, line / 2, line**2, bins)
+    simulated = Empirical(9, np.zeros((50, 3)), line, line / 10, line / 2, line / 20, line / 30)
+    return Confronted(simulated, line + 0.1, line / 2, line**2, bins)
 
 
 @pytest.mark.parametrize("draw", [simulated_timeline, calibration_plot])
@@ -28,7 +29,7 @@ def test_plotly_takes_the_figure(found, draw):
 
 def test_bands_are_two_standard_errors_wide(found):
     band = simulated_timeline(found)["data"][0]["y"]
-    np.testing.assert_allclose(band[:50] - band[50:][::-1], 4 * found.reward_error)
+    np.testing.assert_allclose(band[:50] - band[50:][::-1], 4 * found.simulated.reward_error)
 
 
 def test_a_bin_stands_where_it_was_said_and_came(found):

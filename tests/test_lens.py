@@ -6,12 +6,14 @@ import json
 import re
 import struct
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 from app.lens import (
     PRESETS,
+    Simulated,
     checked,
     opening_state,
     payload,
@@ -28,7 +30,7 @@ from app.query import parse_query
 from app.sources import view_of
 from laplace_core import PRESETS as WORLDS
 from laplace_core import Settings, load_world, study, study_of_gamma_space
-from laplace_core.encoding import PAPER_GAMMAS
+from laplace_core.encoding import PAPER_GAMMAS, reward_distance
 from laplace_core.inverse import transform_matrix
 
 FULL = {"gammas": 100, "thetas": 250, "steps": 200}
@@ -61,6 +63,42 @@ def test_a_payload_holds_what_the_library_holds():
     assert arrays["timeline"].dtype == np.float32
     assert all(array.dtype == np.float64 for name, array in arrays.items() if name != "timeline")
     assert arrays["clipped_thetas"][0] == 0.0
+
+
+@pytest.fixture
+def simulated():
+    """Of a gamma-space without a world, and what 50 continuations of 30 steps may have come to after action 1."""
+    space = study(load_world("two_branch"), Settings(thetas=40)).gamma_space
+    found = study_of_gamma_space(space, structure(Settings(world="own.npz", steps=20), None))
+    rng = np.random.default_rng(0)
+    tails = -np.sort(-rng.random((30, 40)), axis=1)
+    lines = rng.normal(size=(5, 30))
+    return found, Simulated(1, SimpleNamespace(
+        count=50, tails=tails, reward=lines[0], reward_error=lines[1], survival=lines[2], survival_error=lines[3],
+        chance=lines[4],
+    ))  # fmt: skip
+
+
+def test_what_is_simulated_goes_with_the_payload(simulated):
+    plain, (data, _) = payload(simulated[0])[0], payload(*simulated)
+    header, arrays = unpacked(data)
+    assert header["simulated"] == {"action": 1, "count": 50}
+    np.testing.assert_allclose(arrays["simulated_tails"] / 65_535, simulated[1].found.tails, atol=0.5001 / 65_535)
+    np.testing.assert_allclose(arrays["simulated_lines"][4], simulated[1].found.chance, rtol=1e-6)
+    assert "simulated" not in unpacked(plain)[0]
+
+
+@pytest.mark.parametrize("values", [{}, {"fold": True, "horizon": 7.0}, {"normalise": "paper"}, {"alpha": 1e-4}])
+def test_the_distance_is_that_of_the_rows_that_are_shown(simulated, values):
+    data = payload(*simulated)[0]
+    state = opening_state(simulated[0].settings, 20.0, action=1) | values
+    shown = seen(data, state)
+    rows = len(shown["tau_space"][1])
+    assert rows == (7 if values.get("fold") else 20)
+    wanted = reward_distance(shown["tau_space"][1], simulated[1].found.tails[:rows], shown["thetas"])
+    np.testing.assert_allclose(shown["distance"][:rows], wanted, atol=1e-3)
+    assert np.isnan(shown["distance"][rows:]).all()
+    assert "distance" not in seen(data, {**state, "action": 0})
 
 
 def test_live_settings_share_one_payload():

@@ -16,11 +16,11 @@ _DECODED, _SIMULATED = ACTION_COLOURS[0], "#d6336c"
 
 def simulated_timeline(found: Confronted) -> Figure:
     """Expected reward, survival and how far tau-space is off, over future steps; bands of two standard errors."""
-    taus = np.arange(len(found.reward), dtype=float)
+    taus, simulated = np.arange(len(found.reward), dtype=float), found.simulated
     traces = []
     for i, (name, decoded, mean, error) in enumerate((
-        ("E[r]", found.decoded_reward, found.reward, found.reward_error),
-        ("alive", found.decoded_survival, found.survival, found.survival_error),
+        ("E[r]", found.reward, simulated.reward, simulated.reward_error),
+        ("alive", found.survival, simulated.survival, simulated.survival_error),
     )):  # fmt: skip
         place, first = {"yaxis": "y" if i == 0 else "y2"}, i == 0
         edge = np.concatenate([mean + 2 * error, (mean - 2 * error)[::-1]])

@@ -18,14 +18,26 @@ from pathlib import Path
 import streamlit as st
 
 from app import chart
-from app.lens.payload import payload, structure
+from app.lens.payload import Simulated, payload, structure
 from app.lens.presets import PRESETS, Preset, presets_for
 from app.lens.seen import seen
 from app.lens.state import LIVE, checked, opening_state, state_of, values_of
 from app.served import served
 
 _HERE = Path(__file__).resolve().parent
-_MODULES = ("maths", "drawing", "surface", "controls", "world", "panels", "hand", "verdict", "export", "lens")
+_MODULES = (
+    "maths",
+    "drawing",
+    "surface",
+    "controls",
+    "world",
+    "simulated",
+    "panels",
+    "hand",
+    "verdict",
+    "export",
+    "lens",
+)
 _HELD = 2
 """Payloads that a browser keeps (entry.js); what it holds is not sent again."""
 
@@ -228,6 +240,7 @@ __all__ = [
     "Preset",
     "Released",
     "Said",
+    "Simulated",
     "checked",
     "lens",
     "lens_js",

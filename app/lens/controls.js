@@ -13,17 +13,20 @@ export function element(tag, attributes = {}, ...children) {
   return made;
 }
 
-const twoDigits = (value) => +value.toPrecision(2);
-const logarithmic = (low, high, perDecade = 40) => {
+// Two digits, or three where two would lead back to the same place: a key that moves nothing is a key that is stuck.
+export const logarithmic = (low, high, perDecade = 40) => {
   const count = Math.round(perDecade * Math.log10(high / low));
-  return { count, at: (i) => twoDigits(low * (high / low) ** (i / count)),
-    of: (value) => Math.round((count * Math.log10(Math.max(low, value) / low)) / Math.log10(high / low)) };
+  const of = (value) => Math.round((count * Math.log10(Math.max(low, value) / low)) / Math.log10(high / low));
+  return { count, of, at: (i) => {
+    const exact = low * (high / low) ** (i / count), plain = +exact.toPrecision(2);
+    return of(plain) === i ? plain : +exact.toPrecision(3);
+  } };
 };
 const linear = (low, step, count) =>
   ({ count, at: (i) => +(low + i * step).toPrecision(12), of: (value) => Math.round((value - low) / step) });
 const withZero = (scale) =>
   ({ count: scale.count + 1, at: (i) => (i ? scale.at(i - 1) : 0), of: (value) => (value > 0 ? scale.of(value) + 1 : 0) });
-const near1 = { count: 120, at: (i) => +(1 - 10 ** (-0.3 - (i * 2.7) / 120)).toPrecision(4),
+const near1 = { count: 120, at: (i) => +(1 - 10 ** (-0.3 - (i * 2.7) / 120)).toPrecision(5),
   of: (value) => Math.round(((-Math.log10(1 - value) - 0.3) * 120) / 2.7) };
 
 // Name, label, unit, help, scale; a scale that depends on the world is a function of the model and the opening state.

@@ -1,5 +1,6 @@
 // Taking the lens along, without a server: pictures of all panels, a table, and the lens itself as one file.
 import { canvasPen, escaped, short, svgPen } from './drawing.js';
+import { distancesOf, simulatedFor } from './simulated.js';
 
 const SIZE = { w: 440, h: 260, gap: 16, head: 66, columns: 3 };
 const WIDE = SIZE.columns * (SIZE.w + SIZE.gap) + SIZE.gap;
@@ -75,14 +76,16 @@ export async function svgOf(lens) {
 export const saveSvg = async (lens) => save(await svgOf(lens), `${nameOf(lens)}.svg`, 'image/svg+xml');
 
 // One row a future step: decoded and true reward and survival, the value of the horizon that ends there, tau-space.
-export function csvOf({ scene: { model, seen, state } }) {
+export function csvOf({ scene }) {
+  const { model, seen, state } = scene, simulated = simulatedFor(scene), far = simulated && distancesOf(scene);
+  const came = (tau) => [...['reward', 'rewardError', 'survival', 'survivalError'].map((name) => simulated[name][tau]), far[tau]];
   const quoted = (words) => `"${String(words).replace(/"/g, '""')}"`, names = model.header.actions, a = state.action;
   const head = ['tau', 'reward', 'survival', ...(seen.truth ? ['true reward', 'true survival'] : []), 'horizon',
     ...names.map((name) => `value of ${name}`),
-    ...(seen.truth ? ['best action'] : []), ...Array.from(seen.midpoints, (theta) => `P at ${+theta.toPrecision(8)}`)];
+    ...(simulated ? ['simulated reward', 'its error', 'simulated survival', 'its error', 'W1'] : []), ...(seen.truth ? ['best action'] : []), ...Array.from(seen.midpoints, (theta) => `P at ${+theta.toPrecision(8)}`)];
   const rows = Array.from({ length: model.K }, (_, k) => [k * model.dt, seen.rewards[a][k], seen.survival[a][k],
     ...(seen.truth ? [seen.truth.rewards[a][k], seen.truth.survival[a][k]] : []),
-    model.horizons[k], ...seen.values.map((line) => line[k]), ...(seen.truth ? [quoted(names[seen.bestAt(k)])] : []),
+    model.horizons[k], ...seen.values.map((line) => line[k]), ...(simulated ? came(k * model.dt) : []), ...(seen.truth ? [quoted(names[seen.bestAt(k)])] : []),
     ...(k < seen.n ? seen.tau.slice(k * seen.H, (k + 1) * seen.H) : Array(seen.H).fill(''))]);
   return [`# ${JSON.stringify({ world: model.header.world, from_state: model.header.state, ...state, action: names[a], gammas: Array.from(seen.grid.gammas) })}`, head.map(quoted).join(','), ...rows.map((row) => row.map((x) => x ?? '').join(','))].join('\n');
 }

@@ -5,6 +5,7 @@ import { saveCsv, saveHtml, savePng, saveSvg } from './export.js';
 import { isSpace, listen } from './hand.js';
 import { gammaSpace, kernel, resolution, see } from './maths.js';
 import { limitOfTau, panelsOf, trueRow } from './panels.js';
+import { simulatedFor } from './simulated.js';
 import { drawSurface } from './surface.js';
 import { WORDS, beyondLibrary, blamed, effects, judged } from './verdict.js';
 import { worldPanel } from './world.js';
@@ -28,7 +29,8 @@ const same = (a, b) => Object.keys(a).every((name) => name === 'look' || name ==
 
 // What controls are made from; models that share it may take each other's place under the hand.
 export const shapeOf = ({ header, grids, arrays, sloped }) => JSON.stringify([header.world, header.actions, header.steps,
-  header.time_step, header.learned, sloped, Object.keys(grids), Object.keys(arrays), arrays.thetas.length]);
+  header.time_step, header.learned, sloped, Object.keys(grids), Object.keys(arrays).filter((name) => !name.startsWith('simulated')),
+  arrays.thetas.length]);
 
 // `told` is { state, base, presets, said, world, pin, live, template }; `report` hears { state, ... } on release.
 export function mount(root, model, told, report) {
@@ -137,7 +139,7 @@ export function mount(root, model, told, report) {
   function drawSolid(pen, panel, w, h) {
     const gamma = panel.rows === 'gamma', { gammas, G } = seen.grid, n = gamma ? G : seen.n;
     const values = gamma ? gammaSpace(seen, state) : seen.tau, top = (x) => x.reduce((a, b) => Math.max(a, b), 0) || 1;
-    const every = Math.ceil(model.K / 46), floated = !gamma && seen.truth && seen.masses;
+    const every = Math.ceil(model.K / 46), floated = !gamma && (seen.truth ? seen.masses : simulatedFor(scene));
     const truth = Array.from({ length: floated ? Math.ceil(model.K / every) : 0 }, (_, i) =>
       [model.K > 1 ? (i * every) / (model.K - 1) : 0.5, trueRow(scene, state.action, i * every)]).filter(([, row]) => row);
     pen.text(panel.name, 2, 15, { size: 14, weight: 600, colour: scene.colours.text });
@@ -239,7 +241,7 @@ export function mount(root, model, told, report) {
       scene.world?.show(told.world);
       draw();
     },
-    get model() { return model; }, get state() { return state; }, get seen() { return seen; }, get hover() { return scene.hover; },
+    get lead() { return told.lead; }, get model() { return model; }, get state() { return state; }, get seen() { return seen; }, get hover() { return scene.hover; },
     get kept() { return { zoom: scene.zoom, camera: scene.camera }; },
   };
 }

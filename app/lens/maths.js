@@ -64,9 +64,9 @@ export function read(bytes) {
   const view = new DataView(bytes.buffer, bytes.byteOffset), length = view.getUint32(0, true);
   const header = JSON.parse(new TextDecoder().decode(bytes.subarray(4, 4 + length))), arrays = {};
   for (const [name, [kind, at, shape]] of Object.entries(header.arrays)) {
-    const count = shape.reduce((a, b) => a * b, 1), size = kind === 'f8' ? 8 : 4;
+    const count = shape.reduce((a, b) => a * b, 1), size = { f8: 8, f4: 4, u2: 2 }[kind];
     const block = bytes.slice(4 + length + at, 4 + length + at + count * size).buffer; // aligned, whatever came before
-    arrays[name] = kind === 'f8' ? new Float64Array(block) : Float64Array.from(new Float32Array(block));
+    arrays[name] = kind === 'f8' ? new Float64Array(block) : Float64Array.from(new (kind === 'f4' ? Float32Array : Uint16Array)(block));
   }
   return { ...open(header, arrays), bytes };
 }
@@ -91,12 +91,20 @@ function open(header, arrays) {
     grids: { own: grid(''), ...(arrays.paper_gammas ? { paper: grid('paper_') } : {}) } };
   model.horizons = Float64Array.from({ length: K }, (_, k) => k * dt + (1 + dt) / 2);
   model.sloped = Boolean(arrays.shared);
+  model.simulated = header.simulated && arrays.simulated_tails && simulation(header.simulated, arrays);
   model.length = Math.ceil(model.horizons[K - 1] - 1e-9);
   return model;
 }
 
-// The same model of another gamma-space: differences (A, G, H-1) and constant channel (A, G).
-export const remade = ({ header, arrays }, differences, constant) => open(header, { ...arrays, differences, constant });
+// The same model of another gamma-space, of which nothing is simulated: differences (A, G, H-1), constant channel (A, G).
+export const remade = ({ header, arrays }, differences, constant) =>
+  open(header, { ...arrays, differences, constant, simulated_tails: undefined });
+
+function simulation({ action, count }, { simulated_tails: tails, simulated_lines: lines }) {
+  const length = lines.length / 5, [reward, rewardError, survival, survivalError, chance] =
+    Array.from({ length: 5 }, (_, i) => lines.subarray(i * length, (i + 1) * length));
+  return { action, count, length, width: tails.length / length, tails, reward, rewardError, survival, survivalError, chance };
+}
 
 // Columns of gamma-space (one a reward, or one a pair of sensitivities) in the components of the transform.
 function channels(grid, values, A, width) {

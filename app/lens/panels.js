@@ -2,6 +2,7 @@
 // `scene` is { model, state, seen, pinned, hover, colours, kernel, resolution, images }.
 import { NEUTRAL, actionColour, axes, colourBar, heatmap, line, rounded, rowTicks, short, ticks } from './drawing.js';
 import { gammaSpace } from './maths.js';
+import { distancesOf, drawDistances, drawSimulated, simulatedFor, simulatedRow, simulatedWords } from './simulated.js';
 
 const GHOST = { width: 1.2, dash: [7, 3] }; // the view pinned as A
 const TRUTH = { stroke: '#ffffff', width: 1.5 }, HALO = { stroke: '#111111', width: 3.5 };
@@ -41,6 +42,7 @@ export const thetaRange = ({ thetas }) => [thetas[0], thetas[thetas.length - 1]]
 
 // True rows of an action, smeared by the activation, (H,) each; null where nothing is left. Few rewards share a row.
 export function trueRow({ model, seen }, a, k) {
+  if (!seen.truth) return simulatedRow(model, a, k);
   const { masses, H } = seen, chances = seen.truth.chances[a], V = model.arrays.rewards.length;
   let row = null;
   for (let v = 0; v < V; v++) {
@@ -146,19 +148,21 @@ export const tauPanel = {
     const { model, state, seen, hover, colours, images, resolution } = scene, limit = limitOfTau(scene);
     const values = model.dt === 1 ? seen.tau : seen.tau.map((value) => value / model.dt), { K, dt } = model;
     const labels = Float64Array.from({ length: K }, (_, k) => k * dt), cell = hover.theta !== undefined && hover.tau < seen.n;
+    const simulated = simulatedFor(scene), far = simulated && cell ? distancesOf(scene)[hover.tau * dt] : NaN, aside = simulated ? 42 : 0;
     const scale = drawSpace(pen, w, h, scene, { values, n: seen.n, rows: K, limit, labels, title: 'tau-space',
-      yTitle: 'future step τ', margin: { right: 84 }, image: 'tau', version: seen.tau,
+      yTitle: 'future step τ', margin: { right: 84 + aside }, image: 'tau', version: seen.tau,
       note: cell && hover.tau !== undefined
-        ? `θ ${short(hover.theta)} · τ ${short(hover.tau * dt)} · p ${short(seen.tau[hover.tau * seen.H + columnAt(seen, hover.theta)] / dt)}` : scene.followed ? 'white: what came' : 'probability' });
+        ? `θ ${short(hover.theta)} · τ ${short(hover.tau * dt)} · p ${short(seen.tau[hover.tau * seen.H + columnAt(seen, hover.theta)] / dt)}${Number.isFinite(far) ? ` · W1 ${short(far)}` : ''}`
+        : simulated ? `outlined: ${simulated.count} continuations` : scene.followed ? 'white: what came' : 'probability' });
     const { box, X, Y } = scale;
-    if (seen.truth && seen.masses) {
+    if (seen.truth ? seen.masses : simulated) {
       const points = outline(scene).map((point) => point && [X(point[0]), Y(point[1])]);
       pen.clip(box.x - 2, box.y - 2, box.w + 4, box.h + 4, () => {
         pen.path(points, HALO);
         pen.path(points, K <= 16 ? TRUTH : { ...TRUTH, width: 1 });
       });
     }
-    if (scene.followed) {
+    if (scene.followed && !simulated) {
       const found = scene.followed.rewards.slice(0, Math.ceil(K * dt)), size = found.length > 60 ? 1.6 : 2.6;
       pen.clip(box.x, box.y, box.w, box.h, () => found.forEach((reward, k) => {
         const [x, y] = [X(reward), Y(k / dt)];
@@ -166,7 +170,8 @@ export const tauPanel = {
           { fill: '#ffffff', stroke: '#111111', width: 0.8, close: true });
       }));
     }
-    const deadline = Y(seen.readRow + 0.5), ruler = { x: box.x + box.w + 6, w: 38 };
+    const deadline = Y(seen.readRow + 0.5), ruler = { x: box.x + box.w + 6 + aside, w: 38 };
+    if (simulated) drawDistances(pen, scene, { ...box, x: box.x + box.w + 6, w: 32 }, Y);
     pen.clip(box.x, box.y - 1, box.w, box.h + 2, () => {
       pen.path([[box.x, deadline], [box.x + box.w, deadline]], { stroke: '#111', width: 3 });
       pen.path([[box.x, deadline], [box.x + box.w, deadline]], { stroke: '#ff9f1c', width: 1.6, dash: [6, 4] });
@@ -180,17 +185,17 @@ export const tauPanel = {
       const low = Y(resolution.low / dt - 0.5), high = Y(resolution.high / dt + 0.5);
       pen.path([[ruler.x + 3, low], [ruler.x, low], [ruler.x, high], [ruler.x + 3, high]], { stroke: colours.text, width: 1.4 });
     });
-    pen.text(`window ±${short(resolution.half, 2)}`, box.x + box.w + 2, box.y + box.h + 27, { size: 10.5, colour: colours.text });
+    pen.text(`window ±${short(resolution.half, 2)}`, ruler.x - 4, box.y + box.h + 27, { size: 10.5, colour: colours.text });
     colourBar(pen, images.bar ??= document.createElement('canvas'), { x: w - 32, y: box.y, w: 7, h: box.h }, limit, colours);
     marked(pen, scale, { x: hover.theta, y: hover.tau }, colours);
     return scale;
   },
   point: ({ model }, x, y) => ({ theta: x, tau: Math.min(model.K - 1, Math.max(0, Math.round(y))) }),
-  words: ({ model, state, seen, resolution, at }) => {
+  words: ({ model, state, seen, resolution, at, images }) => {
     let mass = 0;
     for (let h = 0; h < seen.H; h++) mass += seen.tau[h] / model.dt;
     return `Tau-space of ${model.header.actions[state.action]}: ${seen.n} future steps. Row 0 holds probability ${short(mass)} with mean reward ${short(seen.rewards[state.action][0] / model.dt)}. `
-      + `Step ${short(at * model.dt)} is seen through a window of plus or minus ${short(resolution.half, 2)} steps.${seen.truth ? ' The truth is outlined in white.' : ''}`;
+      + `Step ${short(at * model.dt)} is seen through a window of plus or minus ${short(resolution.half, 2)} steps.${seen.truth ? ' The truth is outlined in white.' : simulatedWords({ model, state, seen, images })}`;
   },
 };
 
@@ -374,11 +379,12 @@ export const rewardsPanel = {
     const rewards = Array.from(seen.rewards[a], (value) => value / dt),
       true_ = seen.truth && Array.from(seen.truth.rewards[a], (value) => value / dt);
     const ghost = scene.pinned && Array.from(scene.pinned.rewards[a], (value) => value / dt);
-    const { followed } = scene, came = followed ? followed.rewards.slice(0, Math.ceil(K * dt)) : [];
-    const all = [0, ...rewards, ...(true_ ?? []), ...(ghost ?? []), ...came];
+    const followed = simulatedFor(scene) ? null : scene.followed, came = followed ? followed.rewards.slice(0, Math.ceil(K * dt)) : [];
+    const simulated = simulatedFor(scene), edges = (side) => simulated?.reward.map((value, k) => value + side * simulated.rewardError[k]) ?? [];
+    const all = [0, ...rewards, ...(true_ ?? []), ...(ghost ?? []), ...came, ...edges(2), ...edges(-2)];
     const low = Math.min(...all), high = Math.max(...all), x = [-0.5 * dt, (K - 0.5) * dt];
     titled(pen, w, 'expected reward and survival',
-      hover.tau < seen.n ? `τ ${short(hover.tau * dt)}: ${short(rewards[hover.tau])}, alive ${short(seen.survival[a][hover.tau] / dt)}` : Math.max(...seen.survival[a]) / dt > 1.05 ? 'alive above 1: impossible' : seen.truth ? 'grey: true' : followed ? cameNote(scene) : '', scene);
+      hover.tau < seen.n ? `τ ${short(hover.tau * dt)}: ${short(rewards[hover.tau])}, alive ${short(seen.survival[a][hover.tau] / dt)}` : Math.max(...seen.survival[a]) / dt > 1.05 ? 'alive above 1: impossible' : seen.truth ? 'grey: true' : simulated ? 'red: simulated, ± 2 errors' : followed ? cameNote(scene) : '', scene);
     const span = 1e-3 * (seen.thetas[seen.H] - seen.thetas[0]),
       scale = axes(pen, upper, { x, y: rounded(low, high, span), xTicks: [], yTitle: 'E[r]', colours });
     const few = K <= 8 ? Array.from({ length: K }, (_, k) => k * dt) : undefined;
@@ -393,6 +399,7 @@ export const rewardsPanel = {
       came.forEach((value, k) => pen.path([[scale.X(k - 0.35), Y(0)], [scale.X(k - 0.35), Y(value)], [scale.X(k + 0.35), Y(value)],
         [scale.X(k + 0.35), Y(0)]], { fill: CAME, close: true }));
       if (ghost) line(pen, xs, ghost.map(Y), { ...GHOST, stroke: actionColour(a) });
+      if (simulated) drawSimulated(pen, simulated.reward, simulated.rewardError, scale);
       line(pen, xs, rewards.map(Y), { stroke: actionColour(a), width: 2.2 });
       if (K <= 40) rewards.forEach((value, k) => pen.path(disc(xs[k], Y(value), 2.8), { fill: actionColour(a), close: true }));
     });
@@ -403,6 +410,7 @@ export const rewardsPanel = {
         pen.path([[alive.X(-0.5), alive.Y(1)], [alive.X(end - 0.5), alive.Y(1)],
           ...(followed.over === null ? [] : [[alive.X(end - 0.5), alive.Y(0)], [alive.X(K * dt), alive.Y(0)]])], { stroke: NEUTRAL, width: 4 });
       }
+      if (simulated) drawSimulated(pen, simulated.survival, simulated.survivalError, alive);
       line(pen, xs, seen.survival[a].map((value) => alive.Y(value / dt)), { stroke: colours.text, width: 1.6 });
     });
     for (const each of [scale, alive]) if (hover.tau !== undefined) marked(pen, each, { x: hover.tau * dt }, colours);

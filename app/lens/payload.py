@@ -9,7 +9,8 @@ from __future__ import annotations
 import contextlib
 import json
 import struct
-from dataclasses import replace
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -20,11 +21,26 @@ from laplace_core.inverse import transform_factors
 from laplace_core.learning import reward_indicator_basis
 from laplace_core.pipeline import basis_of, policies_of, timeline_of
 
+if TYPE_CHECKING:  # it brings torch along, which no world needs
+    from laplace_core.training.simulated_truth import Empirical
+
 MOST_REWARDS = 64
 """With more distinct rewards the differences at one slope are smaller than the basis of all slopes."""
 
 LIVE = {"alpha": 1.0, "softness": 0.0, "noise": 0.0, "noise_seed": 0, "normalise": "none", "deadline": "constant"}
 """Settings that move in the browser: a payload does not depend on them."""
+
+
+LEVELS = 65_535
+"""Of the simulated tails, which are probabilities."""
+
+
+@dataclass(frozen=True, eq=False)
+class Simulated:
+    """What continuations from the observation came to that begin with an action: the truth where there is no world."""
+
+    action: int
+    found: Empirical
 
 
 def structure(settings: Settings, world: World | None) -> Settings:
@@ -33,7 +49,7 @@ def structure(settings: Settings, world: World | None) -> Settings:
     return replace(settings, **LIVE, **({"slope": 1.0, "policy": "shared"} if free else {}))
 
 
-def payload(study: Study) -> tuple[bytes, dict[str, object]]:
+def payload(study: Study, simulated: Simulated | None = None) -> tuple[bytes, dict[str, object]]:
     """Arrays and their header, as one block of bytes, and the header once more for Python.
 
     The study's settings are those of :func:`structure`: its gamma-space is free of noise.
@@ -45,6 +61,8 @@ def payload(study: Study) -> tuple[bytes, dict[str, object]]:
         ``gammas``, ``U`` ``(G, r)``, ``s`` ``(r,)``, ``V`` ``(K, r)`` and the same with ``paper_``: the transform.
         ``thetas``, ``clipped_thetas``: sensitivities, and those that begin at the lowest reward that occurs.
         ``rewards``, ``timeline`` ``(A, N, V)``, ``optimum`` ``(A, K)``: the truth, where there is a world.
+        ``simulated_tails`` ``(N, H)``, in 65,535ths, and ``simulated_lines`` ``(5, N)``: reward, survival, each with
+            its standard error, and the W1 distance that chance alone makes; of the first N whole steps.
     """
     s, space = study.settings, study.gamma_space
     arrays = {"thetas": space.thetas, **_transform("", space.gammas, s.steps, s.time_step)}
@@ -62,6 +80,11 @@ def payload(study: Study) -> tuple[bytes, dict[str, object]]:
         "learned": study.learned is not None,
         "arrays": {},
     }
+    if simulated is not None:
+        found, header["simulated"] = simulated.found, {"action": simulated.action, "count": simulated.found.count}
+        lines = (found.reward, found.reward_error, found.survival, found.survival_error, found.chance)
+        arrays["simulated_tails"] = np.rint(LEVELS * np.clip(found.tails, 0.0, 1.0)).astype(np.uint16)
+        arrays["simulated_lines"] = np.array(lines, dtype=np.float32)
     return _packed(header, arrays), header
 
 
@@ -113,7 +136,7 @@ def _packed(header: dict[str, object], arrays: dict[str, np.ndarray]) -> bytes:
     """A length, the header as JSON, and the arrays, each on a multiple of 8 bytes after the header."""
     blocks, at = [], 0
     for name, array in arrays.items():
-        kind = "f4" if array.dtype == np.float32 else "f8"
+        kind = {np.float32: "f4", np.uint16: "u2"}.get(array.dtype.type, "f8")
         block = np.ascontiguousarray(array, dtype=f"<{kind}").tobytes()
         header["arrays"][name] = [kind, at, list(array.shape)]
         block += b"\0" * (-len(block) % 8)

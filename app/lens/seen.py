@@ -7,9 +7,9 @@ from dataclasses import replace
 
 import numpy as np
 
-from app.lens.payload import unpacked
+from app.lens.payload import LEVELS, unpacked
 from laplace_core import GammaSpace
-from laplace_core.encoding import theta_midpoints
+from laplace_core.encoding import reward_distance, theta_midpoints
 from laplace_core.horizon import (
     deadline_weights,
     discount_kernel,
@@ -63,9 +63,21 @@ def seen(data: bytes, state: Mapping[str, object], tau: int = 0, rounding: float
         "discount_kernel": _kernel(space.gammas, state, horizons[read_row], rows, K, dt),
         "averaging_kernel": _averaging(space.gammas, state, tau, rows, K, dt),
     }
+    if header.get("simulated", {}).get("action") == state["action"]:
+        found["distance"] = _distance(arrays, tau_space[state["action"]], space.thetas, dt)
     if "optimum" in arrays:
         optimum = arrays["optimum"][:, [_row(horizons, left)]]
         found["regret"] = regret(optimum, np.array([found["chosen"]]))[0]
+    return found
+
+
+def _distance(arrays: Mapping[str, np.ndarray], tau_space: np.ndarray, thetas: np.ndarray, dt: float) -> np.ndarray:
+    """W1 distance of each simulated step to the row at its time, as far as there is one; else NaN."""
+    tails = arrays["simulated_tails"] / LEVELS
+    rows = np.rint(np.arange(len(tails)) / dt).astype(int)
+    there = (np.abs(rows * dt - np.arange(len(tails))) < 1e-9) & (rows < len(tau_space))
+    found = np.full(len(tails), np.nan)
+    found[there] = reward_distance(tau_space[rows[there]] / dt, tails[there], thetas)
     return found
 
 

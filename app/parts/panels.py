@@ -8,7 +8,7 @@ from html import escape
 import streamlit as st
 
 from app import compute, state
-from app.lens import PRESETS, Graph, Preset, Released, Said, checked, lens, state_of, values_of
+from app.lens import PRESETS, Graph, Preset, Released, Said, Simulated, checked, lens, state_of, values_of
 from app.parts import compare
 from app.sources import View
 from laplace_core.artifacts import Artefact
@@ -27,13 +27,14 @@ def shown_state(view: View) -> dict[str, object]:
 
 def pictures(
     view: View, base: View, presets: Sequence[Preset] = (), lead: Mapping[str, object] | None = None,
-    followed: Mapping[str, object] | None = None,
+    followed: Mapping[str, object] | None = None, simulated: Simulated | None = None,
 ) -> None:  # fmt: skip
     """Draw the lens; what is let go of in it is set by hand.
 
     Args:
         base: the view that Reset leads to.
         lead, followed: the episode that the lens follows, and what came in it; see :func:`app.lens.lens`.
+        simulated: what continuations from there came to.
     """
     found, shown, judged = compute.study_for(view), shown_state(view), compute.verdict_for(view)
 
@@ -57,7 +58,7 @@ def pictures(
 
     last = float(compute.study_for(base).horizons[-1])
     lens(
-        compute.lens_payload(view),
+        compute.lens_payload(view, simulated),
         shown,
         state.page_name(),
         state_of({}, base.settings, last, view.action),

@@ -1,4 +1,4 @@
-"""Truth by simulation, under the lens: what is decoded for the state under the cursor against what really comes."""
+"""Truth by simulation: a line over the lens that begins it, and under the lens what the lens does not show of it."""
 
 from __future__ import annotations
 
@@ -6,86 +6,127 @@ from functools import lru_cache
 
 import streamlit as st
 
-from app import figures, simulations
+from app import figures, rolled, simulations, state
 from app.chart import chart
 from app.figures.theme import HEIGHT
+from app.lens import Simulated
+from app.rolled import AFTER
 from app.simulations import COUNT, EACH, EPISODES, STEPS, Simulation
 from app.sources import Observed, View
 from laplace_core import InputError
 from laplace_core.training import environments
 from laplace_core.training.checkpoint import Loaded
+from laplace_core.training.continuations import steps_known
 from laplace_core.training.rollout import Rollout
 from laplace_core.training.simulated_truth import Confronted, confront, confront_states
 
 LOOK_EVERY = 0.5  # seconds between two looks at a simulation in the making
 
 
+def ask(view: View, loaded: Loaded, rollout: Rollout, step: int) -> Simulated | None:
+    """The line over the lens: a button, then progress, then what is drawn; returns what the lens draws of it."""
+    own = _own(rollout)
+    found = simulations.found(loaded, rollout, step, view.action, own)
+    with st.container(key="truth"):
+        shares = [7, 1.2] if rollout.of_the_values else [5.8, 2.6, 1.2]
+        words, *picker, button = st.columns(shares, vertical_alignment="center", gap="small")
+        if picker:
+            key = state.show(AFTER, "values")
+            picker[0].selectbox(
+                "Control of what is simulated", list(_titles(rollout)), key=key, format_func=_titles(rollout).get,
+                label_visibility="collapsed", on_change=state.keep, args=(key,),
+                help="Tau-space predicts one policy; under another one, what comes is another process.",
+            )  # fmt: skip
+        if found is not None and found.going:
+            with words:
+                st.fragment(_progress, run_every=LOOK_EVERY)(found)
+            button.button("Cancel", key="cancel simulation", width="stretch", on_click=found.cancel)
+            return None
+        words.caption(_told(view, loaded, rollout, step))
+        button.button(
+            "Simulate", key="simulate", width="stretch", disabled=found is not None, on_click=simulations.begin,
+            args=(loaded, rollout, step, view.action, own),
+            help="Does the decoded timeline come true? Hold it against what really comes.",
+        )  # fmt: skip
+    if found is None or not environments.chance(loaded.environment):
+        return None
+    try:
+        return simulations.for_lens(found, loaded.agent, view.action)
+    except InputError as error:
+        st.error(str(error))
+        return None
+
+
 def section(view: View, loaded: Loaded, rollout: Rollout, step: int) -> None:
-    """A button; then progress; then two pictures, which follow alpha."""
-    st.html('<div class="panel-title">does the decoded timeline come true?</div>')
-    found = simulations.found(loaded, rollout, step, view.action)
-    if found is None:
-        words, button = st.columns([5, 1], vertical_alignment="center")
-        words.caption(_offer(loaded, view, step))
-        button.button("Simulate", key="simulate", width="stretch",
-                      on_click=simulations.begin, args=(loaded, rollout, step, view.action))  # fmt: skip
-        return
-    if found.going:
-        st.fragment(_progress, run_every=LOOK_EVERY)(found)
+    """Under the lens, once there is a simulation: its calibration, which follows alpha; of many states, their means."""
+    found = simulations.found(loaded, rollout, step, view.action, _own(rollout))
+    if found is None or found.going:
         return
     try:
         confronted = _confronted(found, loaded, view.subject, view.action, view.settings.alpha)
     except InputError as error:
         st.error(str(error))
         return
-    st.caption(_told(loaded, confronted, view, step))
-    left, right = st.columns([2, 1], gap="small")
+    st.html('<div class="panel-title">does the decoded timeline come true?</div>')
+    left, right = st.columns([1, 2], gap="small")
     with left:
-        alt = "Expected reward, survival and W1 distance over future steps, decoded and simulated."
-        chart(figures.to_json(figures.simulated_timeline(confronted)), "simulated", alt, HEIGHT)
-    with right:
         alt = "Predicted against observed probability that a reward exceeds a sensitivity."
         chart(figures.to_json(figures.calibration_plot(confronted)), "calibration", alt, HEIGHT)
+    with right:
+        if environments.chance(loaded.environment):
+            st.caption(_summary(confronted, view))
+            return
+        alt = "Expected reward, survival and W1 distance over future steps, decoded and simulated, means over states."
+        chart(figures.to_json(figures.simulated_timeline(confronted)), "simulated", alt, HEIGHT)
 
 
-def _offer(loaded: Loaded, view: View, step: int) -> str:
+def _own(rollout: Rollout) -> bool:
+    return not rollout.of_the_values and state.chosen().get(AFTER) == "rule"
+
+
+def _titles(rollout: Rollout) -> dict[str, str]:
+    rule = rolled.TITLES[rollout.rule].split(" (")[0].removeprefix("for T: ")
+    if rollout.gamma:
+        rule = f"greedy at γ {rollout.gamma:.4g}"
+    return {"values": f"greedy at γ {rollout.acting_gamma:.4g}", "rule": f"as rolled out: {rule}"}
+
+
+def _told(view: View, loaded: Loaded, rollout: Rollout, step: int) -> str:
+    """What is simulated, or was; then what it says where tau-space predicts something else."""
+    own = _own(rollout)
+    then = _titles(rollout)["rule" if own else "values"].removeprefix("as rolled out: ")
     if environments.chance(loaded.environment):
-        return (
-            f"{COUNT} continuations of {STEPS} steps from step {step}, {_action(view)} first and greedy at the acting "
-            "discount from there, past the time limit."
-        )
-    return (
-        f"{loaded.environment} has no chance in it: every continuation of a state is the same. In its place, {EACH} "
-        f"states of each of {EPISODES} greedy episodes, and what came after them without a time limit."
-    )
-
-
-def _action(view: View) -> str:
-    return view.subject.action_names[view.action]
-
-
-def _told(loaded: Loaded, found: Confronted, view: View, step: int) -> str:
-    if environments.chance(loaded.environment):
-        what = f"{found.count} continuations from step {step}, {_action(view)} first, then greedy"
+        steps = steps_known(loaded.agent, rollout, step, STEPS, own)
+        limit = "to the deadline" if steps < STEPS else "without a time limit"
+        action = view.subject.action_names[view.action]
+        words = f"{COUNT} continuations of {steps} steps, {limit}: {action}, then {then}."
     else:
-        what = f"{found.count} states of {EPISODES} greedy episodes, because {loaded.environment} has no chance in it"
+        words = f"{loaded.environment} has no chance in it: what came is all that can come from here. For calibration, "
+        words += f"{EACH} states of each of {EPISODES} episodes, {then}."
+    if own:
+        words += f" Tau-space predicts greedy at γ {rollout.acting_gamma:.4g}: this is another process."
+    return words
+
+
+def _summary(found: Confronted, view: View) -> str:
     return (
-        f"{what}; at α {view.settings.alpha:g}. Bands and bars are two standard errors. W1 is the area between decoded "
-        "and simulated P(r > θ, alive), in units of reward."
+        f"Calibration: how often a reward exceeded θ where tau-space says so with some probability, over "
+        f"{len(found.reward)} steps and all θ, at α {view.settings.alpha:g}; bars of two standard errors.  \n"
+        f"W1, in reward: how far the rewards of a step are from those that tau-space predicts, 0 once it is over; "
+        f"{found.distance.mean():.3g} on average over the steps. Grey in the strip beside tau-space: what chance alone "
+        f"makes with {found.simulated.count} continuations, {found.simulated.chance.mean():.3g} on average."
     )
 
 
 def _progress(found: Simulation) -> None:
     if not found.going:
         st.rerun()
-    left, right = st.columns([6, 1], vertical_alignment="center")
     share = found.done / found.of if found.of else 0.0
-    left.progress(share, f"Simulating: {found.done} of {found.of}" if found.of else "Simulating: preparing")
-    right.button("Cancel", key="cancel simulation", width="stretch", on_click=found.cancel)
+    st.progress(share, f"Simulating: {found.done} of {found.of}" if found.of else "Simulating: preparing")
 
 
 @lru_cache(maxsize=16)
 def _confronted(found: Simulation, loaded: Loaded, subject: Observed, action: int, alpha: float) -> Confronted:
     if environments.chance(loaded.environment):
-        return confront(subject.gamma_space, action, found.result(), alpha)
+        return confront(loaded.agent, subject.gamma_space, action, found.result(), alpha)
     return confront_states(loaded.agent, found.result(), alpha)

@@ -202,6 +202,7 @@ function mount(host, reel, told, report) {
   canvas.onpointermove = (event) => { if (event.buttons) go(canvas.toStep(event.offsetX)); };
   new ResizeObserver(drawReel).observe(host);
   host.addEventListener('transitionend', (event) => { if (event.target === host) drawReel(); }); // its colour follows the theme
-  show();
+  const lens = lensOf(), exact = lens?.lead?.id === told.id && lens.lead.step === step && !String(lens.model.id).startsWith(reel.id);
+  if (exact) draw(); else show(); // what Python has told the lens of this very step is better
   return { host, stop, go(next) { stop(); go(next); reported = step; clearTimeout(resting); } };
 }

@@ -92,7 +92,7 @@ def _view(loaded: Loaded, scene: Scene, asked: Rolling | None) -> None:
     if not hasattr(loaded.agent, "gamma_space"):
         peer.view(loaded, scene, asked)
         return
-    observation, follow, at, above = None, {}, 0, st.container()
+    observation, follow, simulated, at, above = None, {}, None, 0, st.container()
     try:
         if asked is not None:
             rollout = asked.rollout()
@@ -106,7 +106,10 @@ def _view(loaded: Loaded, scene: Scene, asked: Rolling | None) -> None:
     except InputError as error:
         st.error(str(error))
         return
-    panels.pictures(view, base, **follow)
+    if asked is not None:
+        with above:
+            simulated = truth.ask(view, loaded, asked.rollout(), at)
+    panels.pictures(view, base, simulated=simulated, **follow)
     if asked is not None:
         truth.section(view, loaded, asked.rollout(), at)
     seen = observation or observation_of(scene, state.chosen())

@@ -17,10 +17,14 @@ from laplace_core.agents.agent import Agent
 from laplace_core.errors import InputError
 from laplace_core.ties import greedy_action
 from laplace_core.training import environments
-from laplace_core.training.rollout import Rollout, one_thread, roll_out
+from laplace_core.training.rollout import RANDOM, Rollout, judge_of, length_of, one_thread, roll_out
+from laplace_core.training.rules import Choose, Judge, Options
 
 MOST = 1_000
 """Continuations, and steps of each."""
+_TIMELESS = ("greedy", RANDOM)
+"""Rules that do not look at the time to go."""
+_USUAL = Options()
 
 
 @dataclass(frozen=True, eq=False)
@@ -38,36 +42,48 @@ class Continuations:
     @property
     def expected(self) -> tuple[np.ndarray, np.ndarray]:
         """E[r_tau], 0 for episodes that are over, and its standard error, ``(K,)`` each."""
-        return self.rewards.mean(axis=0), _error(self.rewards)
+        return self.rewards.mean(axis=0), standard_error(self.rewards)
 
     @property
     def survival(self) -> tuple[np.ndarray, np.ndarray]:
         """P(alive at tau) and its standard error, ``(K,)`` each."""
-        return self.alive.mean(axis=0), _error(self.alive.astype(float))
+        return self.alive.mean(axis=0), standard_error(self.alive.astype(float))
 
     def exceeds(self, thetas: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """P(r_tau > theta, alive) and its standard error, ``(K, H)`` each: the tails that a tau-space stands for."""
         above = self.alive[..., None] & (self.rewards[..., None] > thetas)
-        return above.mean(axis=0), _error(above.astype(float))
+        return above.mean(axis=0), standard_error(above.astype(float))
 
 
-def _error(values: np.ndarray) -> np.ndarray:
+def standard_error(values: np.ndarray) -> np.ndarray:
     """Standard error of the mean over the first axis."""
     count = len(values)
     return values.std(axis=0, ddof=1) / np.sqrt(count) if count > 1 else np.zeros(values.shape[1:])
 
 
+def steps_known(agent: Agent, rollout: Rollout, step: int, steps: int, own: bool) -> int:
+    """How many of the steps from one on a control decides: a rule for a deadline T says nothing after T."""
+    if not own or rollout.rule in _TIMELESS:
+        return steps
+    return min(steps, length_of(agent, rollout.environment, rollout.horizon) - step)
+
+
 def continue_from(
     agent: Agent, rollout: Rollout, step: int, action: int | None = None, count: int = 100, steps: int = 200,
-    seed: int = 0, told: Callable[[int, int], None] | None = None,
+    seed: int = 0, own: bool = False, options: Options = _USUAL, told: Callable[[int, int], None] | None = None,
 ) -> Continuations:  # fmt: skip
-    """Continuations from the state before a step, greedy at the acting discount: the policy that values are of.
+    """Continuations from the state before a step.
+
+    They are greedy at the acting discount, which is the policy that the values are of; or go on under the rule of the
+    episode, which is another process: then what is decoded and what comes differ by the policies as well.
 
     Args:
         rollout: whose start seed and actions lead there.
         action: taken first; None is the one that the episode took.
-        count, steps: N and K.
+        count, steps: N and K; see :func:`steps_known`.
         seed: of the random numbers from there on.
+        own: whether to go on under the episode's own rule, with the time to go that it has at each step.
+        options: those of that rule.
         told: hears how many of the K steps are done; what it raises ends the work.
 
     Raises:
@@ -80,6 +96,8 @@ def continue_from(
     if action is not None and not 0 <= action < agent.n_actions:
         raise InputError(f"action {action} is none of this environment's {agent.n_actions}.")
     first = int(rollout.actions[step]) if action is None else action
+    steps = steps_known(agent, rollout, step, steps, own)
+    judge = _judge(agent, rollout, options) if own else lambda seen, time: agent.action_values(seen, agent.acting_head)
     envs = [environments.make(rollout.environment, limited=False) for _ in range(count)]
     try:
         streams = np.random.SeedSequence([seed, step]).spawn(count)
@@ -88,21 +106,36 @@ def continue_from(
             for past in rollout.actions[:step]:
                 env.step(int(past))
             env.unwrapped.np_random = np.random.default_rng(stream)
+        dice = np.random.default_rng(np.random.SeedSequence([seed, step, 1]))  # for random actions
         with one_thread():
-            return _play(agent, envs, rollout.observations[step], first, steps, told or (lambda done, of: None))
+            return _play(
+                envs, rollout.observations[step], first, steps, step, _choice(judge, agent.n_actions, dice),
+                told or (lambda done, of: None),
+            )  # fmt: skip
     finally:
         for env in envs:
             env.close()
 
 
-def _play(agent: Agent, envs: list, start: np.ndarray, first: int, steps: int, told) -> Continuations:
+def _judge(agent: Agent, rollout: Rollout, options: Options) -> Judge | None:
+    length = length_of(agent, rollout.environment, rollout.horizon)
+    rule = "readout" if rollout.rule == "decoded" else rollout.rule  # the same values, in a thousandth of the time
+    return judge_of(agent, rule, length, rollout.gamma, options)[0]
+
+
+def _choice(judge: Judge | None, actions: int, dice: np.random.Generator) -> Choose:
+    if judge is None:
+        return lambda seen, time: dice.integers(actions, size=len(seen))
+    return lambda seen, time: greedy_action(judge(seen, time))
+
+
+def _play(envs: list, start: np.ndarray, first: int, steps: int, past: int, choose: Choose, told) -> Continuations:
     count = len(envs)
     rewards, alive = np.zeros((count, steps)), np.zeros((count, steps), dtype=bool)
     observations, going = np.tile(start, (count, 1)), np.arange(count)
     for t in range(steps):
         if going.size:
-            values = agent.action_values(observations[going], agent.acting_head)
-            actions, still = greedy_action(values) if t else np.full(count, first), []
+            actions, still = choose(observations[going], past + t) if t else np.full(count, first), []
             for i, action in zip(going, actions, strict=True):
                 observation, rewards[i, t], terminated, _, _ = envs[i].step(int(action))
                 observations[i], alive[i, t] = observation.ravel(), True
@@ -130,21 +163,29 @@ class Outcomes:
 
 def outcomes_of_states(
     agent: Agent, environment: str, episodes: int = 20, each: int = 10, steps: int = 200, seed: int = 0,
-    told: Callable[[int, int], None] | None = None,
+    like: Rollout | None = None, told: Callable[[int, int], None] | None = None,
 ) -> Outcomes:  # fmt: skip
-    """States along greedy episodes, and what came after them, without a time limit.
+    """States along episodes, and what came after them, without a time limit.
 
     Args:
         each: states of an episode, evenly spaced over its first ``steps`` steps.
+        like: an episode by whose rule to act; greedy at the acting discount without one. Of a rule for a deadline T,
+            at most the first half of T is states, so that as many steps are known of all.
 
     Raises:
         InputError: arguments out of range.
     """
     if not (1 <= episodes <= MOST and 1 <= each <= steps <= MOST):
         raise InputError(f"episodes and steps must be from 1 to {MOST:,}, and states of an episode at most its steps.")
+    rule, gamma, length = "greedy", None, min(2 * steps, MOST)
+    if like is not None:
+        rule, gamma = "readout" if like.rule == "decoded" else like.rule, like.gamma
+        if rule not in _TIMELESS:
+            length = length_of(agent, environment, like.horizon)
+            steps = min(steps, (length + 1) // 2)
     parts: list[tuple] = []
     for i in range(episodes):
-        found = roll_out(agent, environment, seed + i, horizon=min(2 * steps, MOST), limited=False, spaces=False)
+        found = roll_out(agent, environment, seed + i, rule, length, gamma, limited=False, spaces=False)
         whole = len(found) if found.terminated else len(found) - steps
         for at in np.unique(np.linspace(0, max(0, min(steps, whole) - 1), each).astype(int)):
             got = found.rewards[at : at + steps]

@@ -79,6 +79,11 @@ class Rollout:
         return len(self.actions)
 
     @property
+    def of_the_values(self) -> bool:
+        """Whether it was acted as the values presume: greedy at the acting discount."""
+        return self.rule == "greedy" and self.gamma in (None, self.acting_gamma)
+
+    @property
     def differs(self) -> np.ndarray:
         """``(N,)``: where the action taken is not the greedy one."""
         return self.actions != greedy_action(self.greedy_values)
@@ -133,9 +138,8 @@ def roll_out(
         raise InputError(f"the seed is {seed}; it must be from 0 to {MOST_SEED}.")
     if horizon is not None and not 1 <= horizon <= most:
         raise InputError(f"the horizon is {horizon}; it must be from 1 to {most} steps.")
-    length = horizon or min(most, spec.time_limit or most)
-    head, gamma = nearest_head(agent, rule, gamma)
-    judge = None if rule == RANDOM else VALUES[rule](agent, length, _with_head(options, head))
+    length = length_of(agent, environment, horizon)
+    judge, gamma = judge_of(agent, rule, length, gamma, options)
     acting = acting_gamma(agent)
     with one_thread():
         observations, values, actions, rewards, terminated, frames = _act(
@@ -148,6 +152,24 @@ def roll_out(
         greedy_values[:-1] if judge is None else values, greedy_values[:-1],
         *_expected(greedy_values, actions, rewards, terminated, acting), terminated, *kept, frames,
     )  # fmt: skip
+
+
+def length_of(agent: Agent, environment: str, horizon: int | None) -> int:
+    """T of an episode: the horizon, or the environment's own limit as far as :func:`longest` allows it."""
+    most = longest(agent)
+    return horizon or min(most, environments.spec(environment).time_limit or most)
+
+
+def judge_of(
+    agent: Agent, rule: str, length: int, gamma: float | None = None, options: Options = _USUAL
+) -> tuple[Judge | None, float | None]:
+    """What a rule asks at every step, None for random actions; and the trained discount nearest to ``gamma``.
+
+    Raises:
+        InputError: a rule that the agent has not learned enough for, or a discount that does not fit.
+    """
+    head, gamma = nearest_head(agent, rule, gamma)
+    return (None if rule == RANDOM else VALUES[rule](agent, length, _with_head(options, head))), gamma
 
 
 @contextmanager

@@ -1,6 +1,7 @@
 """Decoded timelines against simulated ones: expected reward, survival, how far tau-space is off, and calibration.
 
-Everything is decoded with whole steps and without rescaling, whatever a picture beside it does.
+Rewards are seen through the agent's own activation: what it learned is E f_h(r), and a threshold that a reward meets
+exactly is passed by half of it. Everything is decoded with whole steps and without rescaling.
 """
 
 from __future__ import annotations
@@ -8,43 +9,85 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+import torch
 
 from laplace_core.agents.agent import Agent
-from laplace_core.encoding import theta_midpoints
+from laplace_core.encoding import area_around_zero, reward_distance, theta_midpoints
 from laplace_core.errors import InputError
 from laplace_core.horizon import expected_rewards
 from laplace_core.inverse import decode
 from laplace_core.pipeline import GammaSpace
-from laplace_core.training.continuations import Calibration, Continuations, Outcomes, calibration
+from laplace_core.training.continuations import Calibration, Continuations, Outcomes, calibration, standard_error
+
+
+@dataclass(frozen=True, eq=False)
+class Empirical:
+    """The timeline of ``count`` simulations on K steps; means with their standard errors.
+
+    Attributes:
+        tails: ``(K, H)``, E f_h(r_tau) over those alive: what a perfect tau-space sums up to.
+        reward, reward_error: ``(K,)``, E[r_tau], in units of reward.
+        survival, survival_error: ``(K,)``, P(alive).
+        chance: ``(K,)``, the distance that a perfect tau-space has on average, because simulations are few.
+    """
+
+    count: int
+    tails: np.ndarray
+    reward: np.ndarray
+    reward_error: np.ndarray
+    survival: np.ndarray
+    survival_error: np.ndarray
+    chance: np.ndarray
+
+    def distance(self, tau_space: np.ndarray, thetas: np.ndarray) -> np.ndarray:
+        """W1 distance to a tau-space ``(K, H-1)``, ``(K,)``; see :func:`laplace_core.encoding.reward_distance`."""
+        return reward_distance(tau_space, self.tails, thetas)
+
+
+def empirical(agent: Agent, found: Continuations) -> Empirical:
+    """What an agent with a gamma-space should have decoded."""
+    passed = _passed(agent, found)
+    # The mean of the absolute value of a normal number is sqrt(2 / pi) times its standard deviation.
+    chance = np.sqrt(2.0 / np.pi) * area_around_zero(passed[..., :1] - passed, agent.thetas, standard_error)
+    return Empirical(len(passed), passed.mean(axis=0), *found.expected, *found.survival, chance)
+
+
+def _passed(agent: Agent, found: Continuations) -> np.ndarray:
+    """f_h(r) of every step of every simulation, 0 where it is over, ``(N, K, H)``.
+
+    Raises:
+        InputError: an agent without a gamma-space.
+    """
+    if not hasattr(agent, "gamma_spaces"):
+        raise InputError("this agent has no gamma-space to hold against what came.")
+    with torch.no_grad():
+        passed = agent.sensitivities.tails(torch.as_tensor(found.rewards, dtype=torch.float32))[..., 1:].double()
+    return np.where(found.alive[..., None], passed.numpy(), 0.0)
 
 
 @dataclass(frozen=True, eq=False)
 class Confronted:
-    """On K future steps, each simulated mean with its standard error over ``count`` simulations or states.
+    """What is simulated and what is decoded for it, on K future steps.
 
     Attributes:
-        reward, reward_error, decoded_reward: ``(K,)``, E[r_tau], in units of reward.
-        survival, survival_error, decoded_survival: ``(K,)``, probabilities.
-        distance: ``(K,)``, the area between the decoded and the simulated P(r_tau > theta, alive) over the range of
-            theta, in units of reward: the W1 distance of the two laws where both are wholly inside that range.
-        calibration: of P(r_tau > theta, alive), over all steps and sensitivities.
+        simulated: means over simulations, or over states.
+        reward: ``(K,)``, decoded E[r_tau], in units of reward.
+        survival: ``(K,)``, decoded probabilities.
+        distance: ``(K,)``, the W1 distance of tau-space, in units of reward.
+        calibration: of E f_h(r_tau) over those alive, over all steps and sensitivities.
     """
 
-    count: int
+    simulated: Empirical
     reward: np.ndarray
-    reward_error: np.ndarray
-    decoded_reward: np.ndarray
     survival: np.ndarray
-    survival_error: np.ndarray
-    decoded_survival: np.ndarray
     distance: np.ndarray
     calibration: Calibration
 
 
-def confront(space: GammaSpace, action: int, found: Continuations, alpha: float) -> Confronted:
+def confront(agent: Agent, space: GammaSpace, action: int, found: Continuations, alpha: float) -> Confronted:
     """One state's gamma-space and the continuations that begin with an action."""
     mine = (each[action][None] for each in (space.differences, space.values, space.constant))
-    return _confronted(found, *mine, space.gammas, space.thetas, alpha)
+    return _confronted(agent, found, *mine, alpha)
 
 
 def confront_states(agent: Agent, found: Outcomes, alpha: float) -> Confronted:
@@ -59,23 +102,21 @@ def confront_states(agent: Agent, found: Outcomes, alpha: float) -> Confronted:
     row = np.arange(len(values))
     tails, constant = values[row, found.actions], constant[row, found.actions]
     differences = tails[..., :-1] - tails[..., 1:]
-    simulated = Continuations(found.rewards, found.alive)
-    return _confronted(simulated, differences, tails, constant, agent.gammas, agent.thetas, alpha)
+    return _confronted(agent, Continuations(found.rewards, found.alive), differences, tails, constant, alpha)
 
 
 def _confronted(
-    found: Continuations, differences: np.ndarray, tails: np.ndarray, constant: np.ndarray, gammas: np.ndarray,
-    thetas: np.ndarray, alpha: float,
-) -> Confronted:  # fmt: skip
+    agent: Agent, found: Continuations, differences: np.ndarray, tails: np.ndarray, constant: np.ndarray, alpha: float
+) -> Confronted:
     """Gamma-space of one state or of as many as there are simulations: differences ``(S, G, H-1)``, tails
     ``(S, G, H)``, constant ``(S, G)``."""
-    count, steps = found.rewards.shape
-    decoded_tails = decode(tails, gammas, steps, alpha)  # (S, K, H)
-    reward = expected_rewards(decode(differences, gammas, steps, alpha), theta_midpoints(thetas)).mean(axis=0)
+    steps, gammas, thetas = found.rewards.shape[1], agent.gammas, agent.thetas
+    tau_space = decode(differences, gammas, steps, alpha).mean(axis=0)
     alive = decode(constant[..., None], gammas, steps, alpha)[..., 0].mean(axis=0)
-    observed, _ = found.exceeds(thetas)
-    gap = np.abs(decoded_tails.mean(axis=0) - observed)
-    distance = ((gap[:, :-1] + gap[:, 1:]) / 2.0) @ np.diff(thetas)  # trapezoids
-    happened = found.alive[..., None] & (found.rewards[..., None] > thetas)
-    said = np.broadcast_to(decoded_tails, happened.shape)
-    return Confronted(count, *found.expected, reward, *found.survival, alive, distance, calibration(said, happened))
+    simulated = empirical(agent, found)
+    happened = _passed(agent, found)
+    said = np.broadcast_to(decode(tails, gammas, steps, alpha), happened.shape)
+    return Confronted(
+        simulated, expected_rewards(tau_space, theta_midpoints(thetas)), alive, simulated.distance(tau_space, thetas),
+        calibration(said, happened),
+    )  # fmt: skip

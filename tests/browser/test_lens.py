@@ -60,6 +60,21 @@ def test_javascript_agrees_with_the_library(chromium):
     assert max(found.values()) <= 1e-4, found
 
 
+def test_every_key_press_on_a_slider_moves_it(chromium):
+    """A place whose value leads back to another place is one that no arrow key leaves."""
+    page = bare_page(chromium, {})
+    stuck = page.evaluate("""() => SLIDERS.flatMap(([name, , , , made]) => {
+      const model = { sloped: true, horizons: [1, 2, 3, 4], dt: 1, K: 4, truth: true };
+      return [1, 0.02, 25, 3.3].flatMap((slope) => {
+        const scale = typeof made === 'function' ? made(model, { slope }) : made;
+        const places = [...Array(scale.count + 1).keys()];
+        return places.filter((i) => scale.of(scale.at(i)) !== i).map((i) => [name, slope, i]);
+      });
+    })""")
+    page.close()
+    assert stuck == []
+
+
 _JUDGED = """({ payload, state }) => {
   const model = read(Uint8Array.from(atob(window.payloads[payload]), (sign) => sign.charCodeAt(0)));
   return judged(model, state, see(model, state));
