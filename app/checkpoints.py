@@ -15,6 +15,7 @@ from app import training_runs
 from app.sources import Observed
 from laplace_core import InputError
 from laplace_core.agents.laplace import LaplaceAgent
+from laplace_core.interpolation import with_added
 from laplace_core.training.checkpoint import Loaded, load_checkpoint
 
 SHIPPED = Path(__file__).resolve().parent.parent / "checkpoints"
@@ -90,6 +91,12 @@ def checkpoint(name: str) -> Loaded:
 
 
 @lru_cache(maxsize=64)
-def observe(loaded: Loaded, observation: tuple[float, ...], action_names: tuple[str, ...]) -> Observed:
-    """The same object for the same observation, so that what is cached for it is found again."""
-    return Observed(loaded.agent.gamma_space(np.array(observation)), action_names)
+def observe(
+    loaded: Loaded, observation: tuple[float, ...], action_names: tuple[str, ...], added: int = 0
+) -> Observed:  # fmt: skip
+    """The same object for the same observation, so that what is cached for it is found again.
+
+    ``added`` interpolated discounts go into every gap between those that were trained.
+    """
+    space = with_added(loaded.agent.gamma_space(np.array(observation)), added)
+    return Observed(space, action_names, loaded.agent.sensitivities.places, added)

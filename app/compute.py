@@ -155,7 +155,8 @@ def lens_payload(view: View) -> bytes:
 
 @lru_cache(maxsize=16)
 def _lens_payload(subject: Subject, settings: Settings) -> bytes:
-    return payload(_study(subject, settings))[0]
+    network = {"places": subject.places, "added": subject.added} if isinstance(subject, Observed) else {}
+    return payload(_study(subject, settings), **network)[0]
 
 
 def forget() -> None:

@@ -87,6 +87,8 @@ def lens_only(view: View) -> str:
     on = [words for name, words in _LENS_ONLY.items() if shown[name]]
     if abs(shown["value_gamma"] - view.settings.acting_gamma) > 1e-12:
         on.append(f"gamma {shown['value_gamma']:g} in the value")
+    if shown["slope_share"] != 1.0:
+        on.append(f"{shown['slope_share']:g} of the trained slope")
     return ", ".join(on)
 
 
