@@ -20,6 +20,7 @@ from app.lens import opening_state, payload, script, seen, structure
 from app.lens.payload import unpacked
 from bench.browser import FLAGS, find_chromium, served
 from laplace_core import PRESETS, Settings, load_world, study, study_of_gamma_space
+from laplace_core.interpolation import with_added
 
 ROOT = Path(__file__).resolve().parent.parent
 PAGE = ROOT / "app" / "demo.py"
@@ -64,7 +65,13 @@ def payloads(small: bool = False) -> dict[str, tuple[bytes, Settings]]:
         found[name] = payload(study(world, structure(settings, world)))[0], settings
     space = study(load_world("two_branch"), Settings(thetas=40)).gamma_space
     own = study_of_gamma_space(space, structure(Settings(world="own.npz", steps=20), None))
-    return found | {"own gamma-space": (payload(own)[0], own.settings)}
+    found["own gamma-space"] = payload(own)[0], own.settings
+    # As of a network: sensitivities spaced in asinh, interpolated discounts, and a slope that may be softened.
+    settings = Settings(thetas=40, theta_min=-4.0, theta_max=14.0, theta_spacing="asinh", slope=4.0)
+    space = with_added(study(load_world("two_branch"), settings).gamma_space, 1)
+    added = study_of_gamma_space(space, structure(Settings(world="network", steps=20), None))
+    places = 2.5 / np.diff(np.arcsinh(space.thetas)).max() * np.arcsinh(space.thetas)
+    return found | {"network": (payload(added, places, 1)[0], added.settings)}
 
 
 def random_cases(held: dict[str, tuple[bytes, Settings]], count: int, seed: int) -> list[dict[str, object]]:
@@ -80,6 +87,7 @@ def random_cases(held: dict[str, tuple[bytes, Settings]], count: int, seed: int)
         state |= {
             "alpha": float(10 ** rng.uniform(-6, 0)),
             "slope": float(state["slope"] * 10 ** rng.uniform(-1, 1)),
+            "slope_share": float(rng.choice([1.0, 0.7, 0.2])),
             "softness": float(rng.choice([0, 0, 0.2, 0.7])),
             "value_gamma": float(rng.uniform(0.5, 0.995)),
             "noise": float(rng.choice([0, 0, 1e-5, 1e-2])),
@@ -96,7 +104,7 @@ def bare_page(browser, held: dict[str, tuple[bytes, Settings]]):
     """A page with nothing but the mathematics of the lens."""
     page = browser.new_page()
     page.goto("about:blank")
-    names = "read, see, gammaSpace, kernel, resolution, effect, SWITCHES, available, judged"
+    names = "read, remade, see, gammaSpace, kernel, leftOut, resolution, effect, SWITCHES, available, judged"
     page.add_script_tag(type="module", content=f"{script()}\nObject.assign(window, {{ {names} }});")
     page.evaluate(
         "(held) => { window.payloads = held; }", {n: base64.b64encode(d).decode() for n, (d, _) in held.items()}

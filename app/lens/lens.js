@@ -238,7 +238,7 @@ export function mount(root, model, told, report) {
     // Python has news: another model of the same shape, another state, or words about the present one.
     show(next, news, moved) {
       if (next.grids.own.G !== model.grids.own.G) Object.assign(scene, { hover: {}, zoom: {} }); // other rows
-      if (next !== model) [model, scene.images, scene.pinnedOf, lastState] = [next, {}, undefined, undefined];
+      if (next !== model) [model, scene.images, scene.pinnedOf, lastState, judge.of] = [next, {}];
       told = { ...told, ...news };
       if (moved && JSON.stringify(told.state) !== JSON.stringify(state)) remember(state = told.state);
       scene.world?.show(told.world);

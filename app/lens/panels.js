@@ -111,7 +111,8 @@ export const gammaPanel = {
         : notes.filter(Boolean).join(' · ') || 'discounted steps' });
     pen.clip(scale.box.x - 5, scale.box.y, scale.box.w + 5, scale.box.h, () => gammas.forEach((_, g) => {
       if (!isAdded(scene, g)) return;
-      pen.path([[scale.box.x - 5, scale.Y(g)], [scale.box.x + scale.box.w, scale.Y(g)]], { stroke: NEUTRAL, dash: [1, 3] });
+      const { box, Y } = scale, y = Y(g), wide = Y(0) - Y(1) >= 5 ? box.w : 0; // of narrow rows only the ticks
+      pen.path([[box.x - 5, y], [box.x + wide, y]], { stroke: NEUTRAL, dash: [1, 3] });
     }));
     colourBar(pen, images.bar ??= document.createElement('canvas'), { x: w - 32, y: scale.box.y, w: 7, h: scale.box.h }, limit,
       colours);
@@ -448,7 +449,7 @@ export const fitPanel = {
     const scale = axes(pen, box, { x, y: rounded(Math.min(...all), Math.max(...all), 1e-6), xTitle: 'time constant of γ (steps)',
       yTitle: '(1 − γ) value', colours, xTicks: ticks(...x, 4).filter((tick) => Number.isInteger(tick)).map((tick) => [tick, short(10 ** tick)]) });
     const xs = Array.from(times, scale.X);
-    given.forEach((value, g) => pen.path(disc(xs[g], scale.Y(value), 3.4), { stroke: colours.soft, width: 1.6, close: true,
+    given.forEach((value, g) => pen.path(disc(xs[g], scale.Y(value), G > 40 && isAdded(scene, g) ? 1.8 : 3.4), { stroke: colours.soft, width: 1.6, close: true,
       fill: model.header.added && !isAdded(scene, g) ? colours.soft : undefined }));
     line(pen, xs, back.map(scale.Y), { stroke: actionColour(state.action), width: 2.2 });
     if (hover.gamma !== undefined) marked(pen, scale, { x: times[hover.gamma] }, colours);

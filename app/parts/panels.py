@@ -10,7 +10,7 @@ import streamlit as st
 from app import compute, state
 from app.lens import PRESETS, Graph, Preset, Released, Said, checked, lens, state_of, values_of
 from app.parts import compare
-from app.sources import View
+from app.sources import Observed, View
 from laplace_core.artifacts import Artefact
 
 TONES = {"right": "ok", "lucky": "warn", "wrong": "bad", "unknown": "unknown"}
@@ -97,6 +97,8 @@ def artefacts(view: View) -> None:
     beyond = lens_only(view)
     if beyond:
         st.caption(f"From here on everything is without what only the lens can do: {beyond}.")
+    if isinstance(view.subject, Observed) and view.subject.added:
+        st.caption("Interpolated discounts share the errors of their neighbours, which hides some of the noise.")
     name = compute.study_for(view).action_names[view.action]
     found, others = compute.artefacts_for(view), compute.artefacts_elsewhere(view)
     st.html(f'<div class="panel-title">artefacts in the tau-space of {escape(name)}</div>')

@@ -5,14 +5,18 @@ from __future__ import annotations
 import streamlit as st
 
 from app import rolled, rollouts, state
+from app.background import Work
+from app.flagging import flagging, for_player
 from app.observations import Scene
 from app.player import name_of, player
 from app.rolled import ADAPTED, AT, GAMMA, HORIZON, PARAMETERS, RULE, SEED, SHOWN, TITLES
 from app.rollouts import Rolling
+from app.sources import View
 from app.trained import OBSERVED
 from laplace_core import InputError
 from laplace_core.training import environments
 from laplace_core.training.checkpoint import Loaded
+from laplace_core.training.flags import Flags
 from laplace_core.training.frames import animation
 from laplace_core.training.rollout import MOST_SEED, Rollout
 from laplace_core.training.rollout_file import rollout_npz
@@ -129,18 +133,25 @@ def _cancel(rolling: Rolling) -> None:
     _close()
 
 
-def show(rolling: Rolling, scene: Scene) -> int:
-    """The player; returns the step under the cursor."""
-    rollout = rolling.rollout()
-    at = rolled.step_of(state.chosen(), rollout)
+def show(rolling: Rolling, scene: Scene, view: View) -> None:
+    """The player, with the artefacts of every step under the settings of a view as soon as they are known."""
+    rollout, search = rolling.rollout(), flagging(rolling, view)
+    at, going = rolled.step_of(state.chosen(), rollout), search.going
+    flags = None if going else for_player(search.result(), view.settings.alpha)
 
     def heard(step: int) -> None:
         state.choose(AT, min(step, len(rollout) - 1))
 
     names = [(part.name, part.unit) for part in scene.components]
     seconds = max(_SLOWEST, _SECONDS.get(rollout.environment, _SLOWEST))
-    player(rolling.packed(), at, state.page_name(), names, scene.actions, heard, seconds)
-    return rolled.step_of(state.chosen(), rollout)
+    player(rolling.packed(), at, state.page_name(), names, scene.actions, heard, seconds, flags)
+    if going:
+        st.fragment(_until_known, run_every=LOOK_EVERY)(search)
+
+
+def _until_known(search: Work[Flags]) -> None:
+    if not search.going:
+        st.rerun()
 
 
 def lead(rolling: Rolling, step: int) -> dict[str, object]:

@@ -105,7 +105,7 @@ def _view(loaded: Loaded, scene: Scene, asked: Rolling | None) -> None:
     try:
         if asked is not None:
             rollout = asked.rollout()
-            at = rolling.show(asked, scene)
+            at = rolled.step_of(state.chosen(), rollout)
             observation = rolled.observation_at(rollout, at)
             follow = {"lead": rolling.lead(asked, at), "followed": rolled.followed(rollout, at)}
         view = view_of(loaded, scene, state.chosen(), observation)
@@ -114,6 +114,8 @@ def _view(loaded: Loaded, scene: Scene, asked: Rolling | None) -> None:
     except InputError as error:
         st.error(str(error))
         return
+    if asked is not None:
+        rolling.show(asked, scene, view)
     panels.pictures(view, base, **follow)
     if asked is not None:
         truth.section(view, loaded, asked.rollout(), at)

@@ -10,9 +10,11 @@ import pytest
 from playwright.sync_api import expect
 
 from app.lens import opening_state, payload, structure
+from app.lens.payload import unpacked
 from bench.browser import served
 from bench.lens import PAGE, agreement, bare_page, drag, payloads, random_cases
 from laplace_core import PRESETS, Settings, load_world, study
+from laplace_core.interpolation import left_out
 from laplace_core.verdict import judge
 
 pytestmark = pytest.mark.browser
@@ -58,6 +60,29 @@ def test_javascript_agrees_with_the_library(chromium):
     assert left < 0.05 * entries
     assert found.pop("other action") == 0
     assert max(found.values()) <= 1e-4, found
+
+
+def test_interpolation_in_javascript_is_the_library_s(chromium):
+    """The player hands the lens the trained discounts only; and the error of each that is left out."""
+    held = payloads(small=True)
+    page = bare_page(chromium, held)
+    header, arrays = unpacked(held["network"][0])
+    every = header["added"] + 1
+    trained = np.ascontiguousarray(arrays["differences"][:, ::every]), arrays["constant"][:, ::every].copy()
+    found = page.evaluate(
+        """([differences, constant]) => {
+          const base = read(Uint8Array.from(atob(window.payloads.network), (sign) => sign.charCodeAt(0)));
+          const model = remade(base, Float64Array.from(differences), Float64Array.from(constant));
+          return [model.arrays.differences, model.arrays.constant, leftOut(model, model.grids.own.columns.shared.values[1])]
+            .map((each) => Array.from(each));
+        }""",
+        [each.ravel().tolist() for each in trained],
+    )
+    page.close()
+    for shown, name in zip(found, ("differences", "constant"), strict=False):
+        np.testing.assert_allclose(np.reshape(shown, arrays[name].shape), arrays[name], rtol=1e-12, atol=1e-14)
+    tails = np.cumsum(trained[0][1][:, ::-1], axis=-1)[:, ::-1]
+    np.testing.assert_allclose(found[2], left_out(tails, arrays["gammas"][::every]).max(axis=-1), rtol=1e-9)
 
 
 _JUDGED = """({ payload, state }) => {
