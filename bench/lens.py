@@ -65,13 +65,16 @@ def payloads(small: bool = False) -> dict[str, tuple[bytes, Settings]]:
         found[name] = payload(study(world, structure(settings, world)))[0], settings
     space = study(load_world("two_branch"), Settings(thetas=40)).gamma_space
     own = study_of_gamma_space(space, structure(Settings(world="own.npz", steps=20), None))
-    found["own gamma-space"] = payload(own)[0], own.settings
-    # As of a network: sensitivities spaced in asinh, interpolated discounts, and a slope that may be softened.
+    return found | {"own gamma-space": (payload(own)[0], own.settings)}
+
+
+def network() -> dict[str, tuple[bytes, Settings]]:
+    """A space as of a network: sensitivities spaced in asinh, discounts added between, a slope that may be softened."""
     settings = Settings(thetas=40, theta_min=-4.0, theta_max=14.0, theta_spacing="asinh", slope=4.0)
     space = with_added(study(load_world("two_branch"), settings).gamma_space, 1)
     added = study_of_gamma_space(space, structure(Settings(world="network", steps=20), None))
     places = 2.5 / np.diff(np.arcsinh(space.thetas)).max() * np.arcsinh(space.thetas)
-    return found | {"network": (payload(added, places, 1)[0], added.settings)}
+    return {"network": (payload(added, places, 1)[0], added.settings)}
 
 
 def random_cases(held: dict[str, tuple[bytes, Settings]], count: int, seed: int) -> list[dict[str, object]]:
@@ -87,7 +90,6 @@ def random_cases(held: dict[str, tuple[bytes, Settings]], count: int, seed: int)
         state |= {
             "alpha": float(10 ** rng.uniform(-6, 0)),
             "slope": float(state["slope"] * 10 ** rng.uniform(-1, 1)),
-            "slope_share": float(rng.choice([1.0, 0.7, 0.2])),
             "softness": float(rng.choice([0, 0, 0.2, 0.7])),
             "value_gamma": float(rng.uniform(0.5, 0.995)),
             "noise": float(rng.choice([0, 0, 1e-5, 1e-2])),
@@ -96,6 +98,8 @@ def random_cases(held: dict[str, tuple[bytes, Settings]], count: int, seed: int)
             **dict(zip(("fold", "mixed", "paper_grid", "clip", "constant", "shift"), map(bool, chance), strict=False)),
             "used": float(rng.integers(0, int(T) + 1)) if chance[6] else 0.0,
         }
+        if "places" in unpacked(held[name][0])[1]:
+            state["slope_share"] = float(rng.choice([1.0, 0.7, 0.2]))
         cases.append({"payload": name, "state": state, "tau": int(rng.integers(settings.steps))})
     return cases
 
@@ -271,8 +275,9 @@ def main() -> None:
 
 def _agreement(browser, count: int) -> None:
     held = payloads()
-    page = bare_page(browser, held)
-    found = agreement(page, held, random_cases(held, count, 1))
+    cases = random_cases(held, count, 1) + random_cases(network(), count // 5, 1)
+    page = bare_page(browser, held := held | network())
+    found = agreement(page, held, cases)
     page.close()
     left, entries = found.pop("left out"), found.pop("entries")
     print(f"against NumPy, {count} settings, goal <= {GOALS['difference']:g} of the range:")

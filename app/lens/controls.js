@@ -105,7 +105,7 @@ export function toolbar(model, wish, told) {
   const rows = element('select', { 'aria-label': 'rows of tau-space', onchange: () => wish({ normalise: rows.value }, true) },
     ...[['none', 'rows as decoded'], ['survival', 'rows given survival'], ['paper', 'rows rescaled to 1']].map(([value, words]) =>
       element('option', { value }, words)));
-  const added = element('select', { name: 'added', 'aria-label': 'discounts added', title: 'Discounts that were never trained, interpolated between those that were. They add no information: see the singular values.',
+  const added = element('select', { name: 'added', 'aria-label': 'discounts added', title: 'Discounts that were never trained, each a mean of its two neighbours. They add no information, and at the same α let more noise through.',
     onchange: () => wish({ added: +added.value }, true) }, ...['trained discounts', '+ 1 in each gap', '+ 2 in each gap', '+ 3 in each gap'].map((words, value) => element('option', { value }, words)));
   const does = (words, name, title = name) => button('tool', words, () => wish(name, true), { 'aria-label': name, title });
   const undo = does('↶', 'undo'), redo = does('↷', 'redo'), reset = does('reset', 'reset', 'back to the world’s own settings');

@@ -324,9 +324,10 @@ export function crossings({ horizons, K }, { values, chosenAt }) {
 export const spectrumPanel = {
   name: 'spectrum',
   draw(pen, w, h, scene) {
-    const { state, seen, hover, colours } = scene, { s, r, U, V } = seen.grid, box = inside(w, h);
+    const { model, state, seen, hover, colours } = scene, { s, r, U, V, G } = seen.grid, box = inside(w, h);
+    const learned = (G - 1) / (model.header.added + 1) + 1; // what is interpolated adds none
     const factors = s.map((value) => value ** 2 / (value ** 2 + state.alpha ** 2)), passing = factors.filter((f) => f > 0.5).length;
-    titled(pen, w, 'what alpha lets through', `${passing} of ${r} pass`,
+    titled(pen, w, 'what alpha lets through', `${passing} of ${r} pass${learned < G ? `, ${learned} learned` : ''}`,
       scene);
     const low = Math.floor(Math.log10(s[r - 1])) - 0.3, high = Math.max(0.6, Math.log10(s[0]) + 0.4),
       scale = axes(pen, box, { x: [0.4, r + 0.6], y: [low, high], xTitle: 'component; bars: share let through', yTitle: 'singular value', colours,

@@ -98,7 +98,7 @@ def artefacts(view: View) -> None:
     if beyond:
         st.caption(f"From here on everything is without what only the lens can do: {beyond}.")
     if isinstance(view.subject, Observed) and view.subject.added:
-        st.caption("Interpolated discounts share the errors of their neighbours, which hides some of the noise.")
+        st.caption("Interpolated discounts share the errors of their neighbours: noise is louder than it looks.")
     name = compute.study_for(view).action_names[view.action]
     found, others = compute.artefacts_for(view), compute.artefacts_elsewhere(view)
     st.html(f'<div class="panel-title">artefacts in the tau-space of {escape(name)}</div>')

@@ -54,7 +54,8 @@ def flag_steps(
         space = rollout.space(step)
         # The inverse treats every action by itself.
         alone = replace(space, values=space.values[[action]], constant=space.constant[[action]])
-        for artefact in find_artefacts(study_of_gamma_space(with_added(alone, added), settings), 0):
+        study = study_of_gamma_space(with_added(alone, added), settings)
+        for artefact in find_artefacts(study, 0, searching=False):
             found[step, order[artefact.name]] = True
         if told is not None:
             told(step + 1, len(rollout))

@@ -12,7 +12,7 @@ from playwright.sync_api import expect
 from app.lens import opening_state, payload, structure
 from app.lens.payload import unpacked
 from bench.browser import served
-from bench.lens import PAGE, agreement, bare_page, drag, payloads, random_cases
+from bench.lens import PAGE, agreement, bare_page, drag, network, payloads, random_cases
 from laplace_core import PRESETS, Settings, load_world, study
 from laplace_core.interpolation import left_out
 from laplace_core.verdict import judge
@@ -53,8 +53,9 @@ def picture(page, panel: str) -> str:
 
 def test_javascript_agrees_with_the_library(chromium):
     held = payloads(small=True)
-    page = bare_page(chromium, held)
-    found = agreement(page, held, random_cases(held, 72, 7))
+    cases = random_cases(held, 72, 7) + random_cases(network(), 18, 7)
+    page = bare_page(chromium, held := held | network())
+    found = agreement(page, held, cases)
     page.close()
     left, entries = found.pop("left out"), found.pop("entries")
     assert left < 0.05 * entries
@@ -64,7 +65,7 @@ def test_javascript_agrees_with_the_library(chromium):
 
 def test_interpolation_in_javascript_is_the_library_s(chromium):
     """The player hands the lens the trained discounts only; and the error of each that is left out."""
-    held = payloads(small=True)
+    held = network()
     page = bare_page(chromium, held)
     header, arrays = unpacked(held["network"][0])
     every = header["added"] + 1
@@ -73,8 +74,8 @@ def test_interpolation_in_javascript_is_the_library_s(chromium):
         """([differences, constant]) => {
           const base = read(Uint8Array.from(atob(window.payloads.network), (sign) => sign.charCodeAt(0)));
           const model = remade(base, Float64Array.from(differences), Float64Array.from(constant));
-          return [model.arrays.differences, model.arrays.constant, leftOut(model, model.grids.own.columns.shared.values[1])]
-            .map((each) => Array.from(each));
+          const off = leftOut(model, model.grids.own.columns.shared.values[1]);
+          return [model.arrays.differences, model.arrays.constant, off].map((each) => Array.from(each));
         }""",
         [each.ravel().tolist() for each in trained],
     )
