@@ -5,7 +5,6 @@ from __future__ import annotations
 import streamlit as st
 
 from app import rolled, rollouts, state
-from app.background import Work
 from app.flagging import flagging, for_player
 from app.observations import Scene
 from app.player import name_of, player
@@ -16,7 +15,6 @@ from app.trained import OBSERVED
 from laplace_core import InputError
 from laplace_core.training import environments
 from laplace_core.training.checkpoint import Loaded
-from laplace_core.training.flags import Flags
 from laplace_core.training.frames import animation
 from laplace_core.training.rollout import MOST_SEED, Rollout
 from laplace_core.training.rollout_file import rollout_npz
@@ -136,8 +134,8 @@ def _cancel(rolling: Rolling) -> None:
 def show(rolling: Rolling, scene: Scene, view: View) -> None:
     """The player, with the artefacts of every step under the settings of a view as soon as they are known."""
     rollout, search = rolling.rollout(), flagging(rolling, view)
-    at, going = rolled.step_of(state.chosen(), rollout), search.going
-    flags = None if going else for_player(search.result(), view.settings.alpha)
+    at = rolled.step_of(state.chosen(), rollout)
+    flags = None if search.going else for_player(search.result(), view.settings.alpha)
 
     def heard(step: int) -> None:
         state.choose(AT, min(step, len(rollout) - 1))
@@ -145,13 +143,6 @@ def show(rolling: Rolling, scene: Scene, view: View) -> None:
     names = [(part.name, part.unit) for part in scene.components]
     seconds = max(_SLOWEST, _SECONDS.get(rollout.environment, _SLOWEST))
     player(rolling.packed(), at, state.page_name(), names, scene.actions, heard, seconds, flags)
-    if going:
-        st.fragment(_until_known, run_every=LOOK_EVERY)(search)
-
-
-def _until_known(search: Work[Flags]) -> None:
-    if not search.going:
-        st.rerun()
 
 
 def lead(rolling: Rolling, step: int) -> dict[str, object]:

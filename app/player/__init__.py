@@ -37,7 +37,7 @@ def player(
         names: of the numbers of an observation, with their units; none for a tabular world.
         on_step: called with the step at which the cursor came to rest, before the rerun, as a widget's callback.
         seconds: that a step is shown for while it plays.
-        flags: from :func:`app.flagging.for_player`; None while they are looked for.
+        flags: from :func:`app.flagging.for_player`; None while they are looked for, and the player asks again.
     """
     known = st.session_state.setdefault(f"_player {key}", {"revision": 0, "held": []})
     digest = name_of(data)

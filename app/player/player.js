@@ -4,6 +4,7 @@ import { NEUTRAL, actionColour, axes, canvasPen, line, rounded, short } from './
 import { bySurprise, followedAt, frameAt, modelAt, nextMarked, openReel } from './reel.js';
 
 const REST = 250; // ms without a move before the server hears the step
+const ASK = 400; // ms until the server is asked again for what it looks for in the background
 const reels = globalThis.laplaceReels ??= new Map(), HELD = 2; // by payload; Python counts on as many
 const mounted = new WeakMap();
 const MEANINGS = {
@@ -46,7 +47,8 @@ export default async function ({ data, parentElement, setTriggerValue }) {
 
 function mount(host, reel, told, report) {
   const last = reel.steps - 1, order = bySurprise(reel), differ = reel.differs.reduce((a, b) => a + b, 0);
-  let step = Math.min(told.at, last), playing, resting, url, reported = step, since, rank = -1, flags, begins;
+  let step = Math.min(told.at, last), playing, resting, url, reported = step, since, rank = -1;
+  let flags, begins, asking, asked = 0;
   const returns = Float64Array.from(reel.rewards);
   for (let t = 1; t <= last; t++) returns[t] += returns[t - 1];
   host.times = [];
@@ -100,6 +102,8 @@ function mount(host, reel, told, report) {
 
   // Artefacts of the action taken: bits of names, a number a step; none while the server looks for them.
   function flag(news) {
+    clearTimeout(asking);
+    if (!news) asking = setTimeout(() => host.isConnected && report({ flags: ++asked, id: told.id }), ASK);
     if (JSON.stringify(news) === JSON.stringify(flags)) return;
     flags = news;
     begins = flags?.marks.map((mark, t) => mark & ~(t && flags.marks[t - 1]));
