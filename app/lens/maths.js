@@ -1,5 +1,6 @@
 // The mathematics of the lens: from coefficients and factors to everything that is drawn. Knows no page.
 // Matrices are Float64Arrays in row-major order; (n, m) in a comment is their shape.
+import { filled, softened } from './network.js';
 
 export const FLOOR = 0.05; // below this decoded survival a conditional distribution is noise over noise
 
@@ -99,45 +100,6 @@ function open(header, arrays) {
 export const remade = ({ header, arrays }, differences, constant) => open(header,
   { ...arrays, differences: filled(header, arrays, differences), constant: filled(header, arrays, constant) });
 
-const logTime = (gamma) => Math.log(-1 / Math.log(gamma));
-
-// What lies between two discounts as two weights of what lies at them: (1 - gamma) Q is a line over log time.
-export function weightsBetween(low, gamma, high) {
-  const share = (logTime(gamma) - logTime(low)) / (logTime(high) - logTime(low));
-  return [((1 - share) * (1 - low)) / (1 - gamma), (share * (1 - high)) / (1 - gamma)];
-}
-
-// Values (A, trained, width), and those of the discounts that are added between.
-function filled({ actions, added }, { gammas }, values) {
-  if (!added) return values;
-  const A = actions.length, G = gammas.length, every = added + 1, T = (G - 1) / every + 1, width = values.length / A / T;
-  const out = new Float64Array(A * G * width);
-  for (let a = 0; a < A; a++) {
-    for (let g = 0; g < G; g++) {
-      const t = Math.floor(g / every), from = (a * T + t) * width, to = (a * G + g) * width, left = g % every;
-      const [low, high] = left ? weightsBetween(gammas[g - left], gammas[g], gammas[g - left + every]) : [1, 0];
-      for (let i = 0; i < width; i++) out[to + i] = low * values[from + i] + (left && high * values[from + width + i]);
-    }
-  }
-  return out;
-}
-
-// The most that interpolation misses of (1 - gamma) Q where a trained discount is left out, for each of them but the
-// outermost two; differences (G, H-1) of one action.
-export function leftOut({ header: { added }, arrays: { gammas } }, Z) {
-  const every = added + 1, T = (gammas.length - 1) / every + 1, width = Z.length / gammas.length;
-  return Float64Array.from({ length: Math.max(0, T - 2) }, (_, i) => {
-    const [below, at, above] = [i * every, (i + 1) * every, (i + 2) * every];
-    const [low, high] = weightsBetween(gammas[below], gammas[at], gammas[above]);
-    let sum = 0, worst = 0;
-    for (let h = width - 1; h >= 0; h--) {
-      sum += low * Z[below * width + h] + high * Z[above * width + h] - Z[at * width + h];
-      worst = Math.max(worst, Math.abs(sum));
-    }
-    return worst * (1 - gammas[at]);
-  });
-}
-
 // Columns of gamma-space (one a reward, or one a pair of sensitivities) in the components of the transform.
 function channels(grid, values, A, width) {
   const { G, r, Ut } = grid, each = Array.from({ length: A }, (_, a) => values.subarray(a * G * width, (a + 1) * G * width));
@@ -170,34 +132,6 @@ export function masses(rewards, thetas, slope) { // f_h(r) - f_{h+1}(r), (V, H-1
     }
   });
   return out;
-}
-
-// What a difference leaves at each midpoint under a share of the trained slope, (H-1, H-1): laplace_core.encoding.softening.
-export function softening(places, share) {
-  const H = places.length - 1, out = new Float64Array(H * H), steep = Math.tan((Math.PI * share) / 2);
-  const beyond = (x) => 0.5 + Math.atan(steep * Math.tanh((share * x) / 2)) / (Math.PI * share);
-  for (let j = 0; j < H; j++) {
-    const middle = (places[j] + places[j + 1]) / 2;
-    for (let h = 0, before = beyond(middle - places[0]); h < H; h++) {
-      const after = beyond(middle - places[h + 1]);
-      out[j * H + h] = before - after;
-      before = after;
-    }
-  }
-  return out;
-}
-
-// The most that this map misses of the chance to lie above a threshold, for rewards across the middle gap.
-export function softeningError(places, share, S) {
-  const H = places.length - 1, first = places[H >> 1], gap = places[(H >> 1) + 1] - first;
-  const rewards = Float64Array.from({ length: 9 }, (_, i) => first + (i / 8) * gap), exact = masses(rewards, places, share);
-  let worst = 0;
-  product(masses(rewards, places, 1), S, 9, H, H).reduce((sum, value, i) => {
-    const off = (i % H ? sum : 0) + value - exact[i];
-    worst = Math.max(worst, Math.abs(off));
-    return off;
-  }, 0);
-  return worst;
 }
 
 // ---- the inverse
@@ -333,8 +267,8 @@ export function see(model, state, most = Infinity) {
   const H = thetas.length - 1, midpoints = Float64Array.from({ length: H }, (_, h) => (thetas[h] + thetas[h + 1]) / 2);
   const spaceKey = [state.slope, thetas === arrays.thetas];
   const M = model.truth ? remember(cache, 'masses', spaceKey, () => masses(arrays.rewards, thetas, state.slope)) : null;
-  const softened = () => ({ map: softening(arrays.places, state.slope_share), get off() { return softeningError(arrays.places, state.slope_share, this.map); } });
-  const soft = arrays.places && state.slope_share < 1 ? remember(cache, 'soft', state.slope_share, softened) : null;
+  const soft = arrays.places && state.slope_share < 1
+    ? remember(cache, 'soft', state.slope_share, () => softened(arrays.places, state.slope_share)) : null;
   const map = columns.plain ? soft?.map : M, width = columns.width; // columns -> midpoints; null: they are the midpoints
   const drawn = () => noiseOf(model, grid, state.noise_seed);
   const hum = state.noise > 0 ? remember(cache, 'noise', [grid.name, state.noise_seed], drawn) : null;

@@ -1,7 +1,8 @@
 // The pictures of the lens. Each draws itself with a pen into a box and says in words what it shows.
 // `scene` is { model, state, seen, pinned, hover, colours, kernel, resolution, images }.
 import { NEUTRAL, actionColour, axes, colourBar, heatmap, line, rounded, rowTicks, short, ticks } from './drawing.js';
-import { gammaSpace, leftOut } from './maths.js';
+import { gammaSpace } from './maths.js';
+import { leftOut } from './network.js';
 
 const GHOST = { width: 1.2, dash: [7, 3] }; // the view pinned as A
 const TRUTH = { stroke: '#ffffff', width: 1.5 }, HALO = { stroke: '#111111', width: 3.5 };

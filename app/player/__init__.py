@@ -92,7 +92,7 @@ def player_js() -> str:
 @cache
 def script() -> str:
     own = "\n".join((_HERE / f"{name}.js").read_text(encoding="utf-8") for name in ("reel", "player"))
-    return modules("maths", "drawing", "controls") + chart.joined(own)
+    return modules("maths", "network", "drawing", "controls") + chart.joined(own)
 
 
 __all__ = ["name_of", "payload", "player", "player_js", "script"]

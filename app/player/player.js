@@ -107,7 +107,8 @@ function mount(host, reel, told, report) {
     if (JSON.stringify(news) === JSON.stringify(flags)) return;
     flags = news;
     begins = flags?.marks.map((mark, t) => mark & ~(t && flags.marks[t - 1]));
-    const places = begins?.filter(Boolean).length, counted = flags?.names.map((name, i) => `${name} at ${flags.marks.filter((mark) => mark & (1 << i)).length}`);
+    const places = begins?.filter(Boolean).length, many = (i) => flags.marks.filter((mark) => mark & (1 << i)).length;
+    const counted = flags?.names.map((name, i) => `${name} at ${many(i)}`);
     artefact.disabled = !places;
     artefact.textContent = !flags ? 'artefacts …' : places ? `artefact › ${places}` : 'no artefact';
     artefact.title = !flags ? 'artefacts are looked for' : `next step at which an artefact of the action taken begins, at α ${short(flags.alpha)}; ${counted.join(', ') || 'none'} of ${last + 1} steps`;
