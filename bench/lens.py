@@ -280,7 +280,7 @@ def _agreement(browser, count: int) -> None:
     found = agreement(page, held, cases)
     page.close()
     left, entries = found.pop("left out"), found.pop("entries")
-    print(f"against NumPy, {count} settings, goal <= {GOALS['difference']:g} of the range:")
+    print(f"against NumPy, {len(cases)} settings, goal <= {GOALS['difference']:g} of the range:")
     print("  " + ", ".join(f"{name} {value:.2g}" for name, value in found.items()))
     print(f"  {left:,} of {entries:,} entries are rounding in the library itself and left out")
 

@@ -25,7 +25,9 @@ from app.lens.state import LIVE, checked, opening_state, state_of, values_of
 from app.served import served
 
 _HERE = Path(__file__).resolve().parent
-_MODULES = ("maths", "network", "drawing", "surface", "controls", "world", "panels", "hand", "verdict", "export", "lens")
+_MODULES = (
+    "maths", "network", "drawing", "surface", "controls", "world", "panels", "hand", "verdict", "export", "lens",
+)  # fmt: skip
 _HELD = 2
 """Payloads that a browser keeps (entry.js); what it holds is not sent again."""
 
