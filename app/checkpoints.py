@@ -17,6 +17,7 @@ from app.sources import Observed
 from laplace_core import InputError
 from laplace_core.agents.settings import ENVIRONMENTS, SETTINGS
 from laplace_core.experiments.shipping import TrainingCurve, curves_of, manifest
+from laplace_core.interpolation import with_added
 from laplace_core.training.checkpoint import Loaded, load_checkpoint
 
 SHIPPED = Path(__file__).resolve().parent.parent / "checkpoints"
@@ -152,6 +153,12 @@ def checkpoint(name: str) -> Loaded:
 
 
 @lru_cache(maxsize=64)
-def observe(loaded: Loaded, observation: tuple[float, ...], action_names: tuple[str, ...]) -> Observed:
-    """The same object for the same observation, so that what is cached for it is found again."""
-    return Observed(loaded.agent.gamma_space(np.array(observation)), action_names)
+def observe(
+    loaded: Loaded, observation: tuple[float, ...], action_names: tuple[str, ...], added: int = 0
+) -> Observed:  # fmt: skip
+    """The same object for the same observation, so that what is cached for it is found again.
+
+    ``added`` interpolated discounts go into every gap between those that were trained.
+    """
+    space = with_added(loaded.agent.gamma_space(np.array(observation)), added)
+    return Observed(space, action_names, loaded.agent.sensitivities.places, added)

@@ -155,7 +155,8 @@ def lens_payload(view: View, simulated: Simulated | None = None) -> bytes:
 
 @lru_cache(maxsize=16)
 def _lens_payload(subject: Subject, settings: Settings, simulated: Simulated | None) -> bytes:
-    return payload(_study(subject, settings), simulated)[0]
+    network = {"places": subject.places, "added": subject.added} if isinstance(subject, Observed) else {}
+    return payload(_study(subject, settings), simulated, **network)[0]
 
 
 def forget() -> None:

@@ -203,10 +203,17 @@ def learner(world: World, learned: Learned, index: int | None) -> Learner:
 
 @dataclass(frozen=True, eq=False)
 class Observed:
-    """What a trained agent has learned for one observation."""
+    """What a trained agent has learned for one observation.
+
+    Attributes:
+        gamma_space: at the discounts that were trained, and ``added`` interpolated ones in every gap between them.
+        places: ``(H,)``, of the sensitivities on the axis of the activation, in units of 1/slope.
+    """
 
     gamma_space: GammaSpace
     action_names: tuple[str, ...]
+    places: np.ndarray
+    added: int = 0
 
 
 @dataclass(frozen=True)

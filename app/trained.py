@@ -7,6 +7,7 @@ from collections.abc import Mapping
 import numpy as np
 
 from app import checkpoints, rolled
+from app.lens.state import NETWORK
 from app.lens.state import VIEW as LENS
 from app.observations import Scene, scene_of
 from app.query import VIEW
@@ -21,7 +22,7 @@ OBSERVED = "o."  # prefix of the components of an observation
 DEFAULTS = {"alpha": 1.0}
 _READING = {name: parameter for name, parameter in BY_NAME.items() if name not in ENCODING_NAMES}
 _LOOKING = {parameter.name: parameter for parameter in VIEW if parameter.name in ("action", "horizon", "look")}
-_LOOKING |= {parameter.name: parameter for parameter in LENS}
+_LOOKING |= {parameter.name: parameter for parameter in (*LENS, *NETWORK)}
 
 
 def opening() -> dict[str, object]:
@@ -86,7 +87,8 @@ def view_of(
     Raises:
         InputError: values that do not fit each other.
     """
-    subject = checkpoints.observe(loaded, observation or observation_of(scene, values), scene.actions)
+    seen, added = observation or observation_of(scene, values), int(values.get("added", 0))
+    subject = checkpoints.observe(loaded, seen, scene.actions, added)
     given = {name: value for name, value in values.items() if name in _READING and name != "state"}
     settings = resolve_for_gamma_space(Settings(world=loaded.environment, **(DEFAULTS | given)), loaded.agent.gammas)
     return View(subject, settings, action_of(scene, values), values.get("horizon"))

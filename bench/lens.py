@@ -21,6 +21,7 @@ from app.lens import Simulated, opening_state, payload, script, seen, structure
 from app.lens.payload import unpacked
 from bench.browser import FLAGS, find_chromium, served
 from laplace_core import PRESETS, Settings, load_world, study, study_of_gamma_space
+from laplace_core.interpolation import with_added
 
 ROOT = Path(__file__).resolve().parent.parent
 PAGE = ROOT / "app" / "demo.py"
@@ -78,6 +79,15 @@ def _simulated(count: int) -> Simulated:
     return Simulated(1, SimpleNamespace(count=50, tails=-np.sort(-rng.random((12, count)), axis=1), **lines))
 
 
+def network() -> dict[str, tuple[bytes, Settings]]:
+    """A space as of a network: sensitivities spaced in asinh, discounts added between, a slope that may be softened."""
+    settings = Settings(thetas=40, theta_min=-4.0, theta_max=14.0, theta_spacing="asinh", slope=4.0)
+    space = with_added(study(load_world("two_branch"), settings).gamma_space, 1)
+    added = study_of_gamma_space(space, structure(Settings(world="network", steps=20), None))
+    places = 2.5 / np.diff(np.arcsinh(space.thetas)).max() * np.arcsinh(space.thetas)
+    return {"network": (payload(added, places=places, added=1)[0], added.settings)}
+
+
 def random_cases(held: dict[str, tuple[bytes, Settings]], count: int, seed: int) -> list[dict[str, object]]:
     """States over the whole range of every control, all switches thrown by chance."""
     rng, cases = np.random.default_rng(seed), []
@@ -99,6 +109,8 @@ def random_cases(held: dict[str, tuple[bytes, Settings]], count: int, seed: int)
             **dict(zip(("fold", "mixed", "paper_grid", "clip", "constant", "shift"), map(bool, chance), strict=False)),
             "used": float(rng.integers(0, int(T) + 1)) if chance[6] else 0.0,
         }
+        if "places" in unpacked(held[name][0])[1]:
+            state["slope_share"] = float(rng.choice([1.0, 0.7, 0.2]))
         cases.append({"payload": name, "state": state, "tau": int(rng.integers(settings.steps))})
     return cases
 
@@ -107,7 +119,7 @@ def bare_page(browser, held: dict[str, tuple[bytes, Settings]]):
     """A page with nothing but the mathematics of the lens."""
     page = browser.new_page()
     page.goto("about:blank")
-    names = "read, see, gammaSpace, kernel, resolution, effect, SWITCHES, available, judged"
+    names = "read, remade, see, gammaSpace, kernel, leftOut, resolution, effect, SWITCHES, available, judged"
     names += ", simulatedFor, distances, SLIDERS"
     page.add_script_tag(type="module", content=f"{script()}\nObject.assign(window, {{ {names} }});")
     page.evaluate(
@@ -279,11 +291,12 @@ def main() -> None:
 
 def _agreement(browser, count: int) -> None:
     held = payloads()
-    page = bare_page(browser, held)
-    found = agreement(page, held, random_cases(held, count, 1))
+    cases = random_cases(held, count, 1) + random_cases(network(), count // 5, 1)
+    page = bare_page(browser, held := held | network())
+    found = agreement(page, held, cases)
     page.close()
     left, entries = found.pop("left out"), found.pop("entries")
-    print(f"against NumPy, {count} settings, goal <= {GOALS['difference']:g} of the range:")
+    print(f"against NumPy, {len(cases)} settings, goal <= {GOALS['difference']:g} of the range:")
     print("  " + ", ".join(f"{name} {value:.2g}" for name, value in found.items()))
     print(f"  {left:,} of {entries:,} entries are rounding in the library itself and left out")
 

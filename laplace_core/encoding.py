@@ -154,3 +154,34 @@ def area_around_zero(low: np.ndarray, thetas: np.ndarray, size: Callable[[np.nda
     below, above = size(low), size(low[..., -1:] - low)
     ends = np.where(theta_midpoints(thetas) < 0.0, below[..., :-1] + below[..., 1:], above[..., :-1] + above[..., 1:])
     return (ends / 2.0) @ np.diff(thetas)  # trapezoids
+
+
+def softening(places: np.ndarray, share: float) -> np.ndarray:
+    """S of a softer slope: what a difference Z[j] of gamma-space leaves at each midpoint, shape ``(H-1, H-1)``.
+
+    The activation is the distribution function of a logistic law. A law of ``share`` of its slope is the given one
+    blurred by a third, whose characteristic function is the ratio of theirs, sinh(pi w) / sinh(pi w / share) * 1/share;
+    its distribution function, in units of 1/slope, is
+
+        1/2 + arctan(tan(pi share / 2) tanh(share x / 2)) / (pi share)
+
+    (its density is sin(pi share) / (cosh(share x) + cos(pi share)) / (2 pi)). So softening is a linear map over theta:
+    each difference goes through that function from its midpoint. At share 1 it is a step and S the identity. It is
+    exact but for the width of the gaps: off by at most .008 of a probability at a slope of 2.5 / spacing. What lies
+    outside the sensitivities stays outside.
+
+    Args:
+        places: ``(H,)``, slope * theta, or whatever the activation is a sigmoid of; increasing.
+        share: of the slope, in (0, 1].
+
+    Raises:
+        InputError: a share outside (0, 1].
+    """
+    if not 0.0 < share <= 1.0:
+        raise InputError(f"the share of the slope is {share:g}; it must be above 0 and at most 1.")
+    far = np.subtract.outer(theta_midpoints(places), np.asarray(places, dtype=float))
+    if share == 1.0:
+        beyond = np.heaviside(far, 0.5)
+    else:
+        beyond = 0.5 + np.arctan(np.tan(np.pi * share / 2.0) * np.tanh(share * far / 2.0)) / (np.pi * share)
+    return -np.diff(beyond, axis=-1)

@@ -15,11 +15,14 @@ from app import checkpoints, compute, simulations, trained
 from app.lens.payload import unpacked
 from app.observations import scene_of
 from app.parts import truth
-from laplace_core import InputError
+from laplace_core import InputError, Settings
 from laplace_core.agents import ENVIRONMENTS, LaplaceSettings
+from laplace_core.interpolation import with_added
+from laplace_core.settings import resolve_for_gamma_space
 from laplace_core.training import environments
 from laplace_core.training.checkpoint import load_checkpoint, new_agent, save_checkpoint
 from laplace_core.training.continuations import continue_from
+from laplace_core.training.flags import flag_steps
 from laplace_core.training.rollout import roll_out
 from tests.pages import charts
 
@@ -105,6 +108,10 @@ def test_a_tabular_agent_is_asked_about_a_state(shipped):
         {"gammas": "3"},
         {"state": "long 1"},
         {"nonsense": "1"},
+        {"added": "9"},
+        {"added": "0.5"},
+        {"slope_share": "0"},
+        {"slope_share": "2"},
     ],
 )
 def test_a_bad_link_opens_with_a_note(shipped, query):
@@ -254,6 +261,53 @@ def test_what_is_simulated_is_of_its_state_and_action_only(shipped, few):
     assert "simulated" in lens_arrays(rolled_out(**query))[0]  # of the same state again, nothing is to be waited for
     assert "simulated" not in lens_arrays(rolled_out(**query, **{"r.at": "1"}))[0]
     assert "simulated" not in lens_arrays(rolled_out(**query, action="long"))[0]
+
+
+def test_the_link_adds_discounts_and_softens_the_slope(shipped):
+    page = opened(checkpoint="laplace_CartPole-v1", added="2", slope_share="0.5")
+    loaded = load_checkpoint(shipped / "laplace_CartPole-v1.safetensors")
+    header, arrays = unpacked(payload_of(page))
+    assert told(page, "laplace_lens")["state"]["slope_share"] == 0.5
+    assert header["added"] == 2
+    at = np.array(trained.observation_of(scene_of("CartPole-v1"), {}))
+    space = with_added(loaded.agent.gamma_space(at), 2)
+    np.testing.assert_array_equal(arrays["gammas"], space.gammas)
+    np.testing.assert_array_equal(arrays["differences"], space.differences)
+    np.testing.assert_array_equal(arrays["places"], loaded.agent.sensitivities.places)
+    assert "0.5 of the trained slope" in words(page)
+    assert "louder" in words(page)
+
+
+def payload_of(page: AppTest) -> bytes:
+    message = next(one.proto.bytes for one in page.get("bidi_component") if "laplace_lens" in one.proto.component_name)
+    return message[4 + struct.unpack_from("<I", message)[0] :]
+
+
+def test_other_data_beside_the_same_state_leave_the_hand_its_last_word(shipped):
+    """The lens is moved by another state only: a key pressed while the answer to a step is on its way stays."""
+    page = rolled_out(checkpoint="laplace_CartPole-v1", **{"r.shown": "yes", "r.at": "1"})
+    before = told(page, "laplace_lens")
+    page.session_state["r.at"] = 2
+    page.query_params["r.at"] = "2"
+    page.run()
+    after = told(page, "laplace_lens")
+    assert after["id"] != before["id"]
+    assert after["revision"] == before["revision"]
+
+
+def test_the_artefacts_of_every_step_reach_the_player(shipped):
+    page = rolled_out(checkpoint="laplace_CartPole-v1", alpha="0.001", **{"r.shown": "yes", "r.seed": "5"})
+    for _ in range(200):
+        if told(page, "player")["flags"]:
+            break
+        time.sleep(0.05)
+        page.run()
+    rollout = roll_out(load_checkpoint(shipped / "laplace_CartPole-v1.safetensors").agent, "CartPole-v1", 5)
+    settings = resolve_for_gamma_space(Settings(world="CartPole-v1", alpha=0.001), rollout.gammas)
+    wanted, found = flag_steps(rollout, settings), told(page, "player")["flags"]
+    assert found["alpha"] == 0.001
+    assert found["names"] == list(wanted.names)
+    assert [[bool(mark >> i & 1) for i in range(len(wanted.names))] for mark in found["marks"]] == wanted.marks.tolist()
 
 
 def test_where_no_rollout_is_shown_nothing_is_simulated(shipped):

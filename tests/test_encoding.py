@@ -14,6 +14,7 @@ from laplace_core.encoding import (
     bin_masses,
     discount_grid,
     sensitivity_grid,
+    softening,
     theta_midpoints,
 )
 
@@ -198,3 +199,54 @@ def test_midpoint_proxy_rounds_rewards_once_the_sigmoids_part(overlap, largest):
         harmonics = np.sin(2 * np.pi * np.outer(u, n)) / np.sinh(2 * np.pi**2 * n / x)
     np.testing.assert_allclose(off, 2 * np.pi / x * harmonics.sum(axis=1), atol=1e-9)
     assert np.abs(off).max() == pytest.approx(largest, abs=0.6 * 10.0 ** math.floor(math.log10(largest)))
+
+
+# --- a softer slope ---
+
+PLACES = np.arange(61) * 2.5  # 2.5 = slope * spacing, as agents have
+
+
+def test_the_kernel_of_softening_turns_one_sigmoid_into_the_other():
+    # With share 1/2 the density is 1 / (2 pi cosh(x / 2)). Convolved with that of slope 1, sigmoid'(x), by sums over a
+    # grid around 0, it is the density of slope 1/2.
+    x = np.linspace(-60, 60, 12_001)
+    kernel, slopes = 1 / (2 * np.pi * np.cosh(x / 2)), lambda s: s / (4 * np.cosh(s * x / 2) ** 2)
+    found = 0.01 * np.convolve(kernel, slopes(1.0), "same")
+    np.testing.assert_allclose(found[3000:-3000], slopes(0.5)[3000:-3000], atol=1e-9)
+    # Of a difference at 0, gd(2.5 / 2) / pi then lies between 0 and 2.5, with gd(y) = 2 arctan(tanh(y / 2)).
+    inside = 2 * np.arctan(np.tanh(1.25 / 2)) / np.pi
+    assert softening(np.array([-2.5, 2.5, 5.0]), 0.5)[0, 0] == pytest.approx(2 * inside)
+
+
+def test_at_the_trained_slope_softening_is_the_identity_and_near_it_almost():
+    np.testing.assert_array_equal(softening(PLACES, 1.0), np.eye(60))
+    near = [np.abs(softening(PLACES, share) - np.eye(60)).max() for share in (0.99, 0.999, 0.9999)]
+    assert near[0] < 0.02
+    assert near[0] > near[1] > near[2]
+
+
+@pytest.mark.parametrize("share", [0.95, 0.8, 0.7, 0.5, 0.3, 0.1])
+def test_softening_comes_near_the_softer_activation(share):
+    """Against the exact one; a half is the most that could be missed."""
+    rewards = np.linspace(60, 90, 301)
+    exact = bin_masses(rewards, PLACES, share)
+    found = bin_masses(rewards, PLACES, 1.0) @ softening(PLACES, share)
+    tails = np.abs(np.cumsum((found - exact)[:, ::-1], axis=1)).max()
+    assert tails <= 0.0085
+    # What passes through the softer sigmoid a second time is far off: softening is no such product.
+    twice = bin_masses(rewards, PLACES, 1.0) @ bin_masses(theta_midpoints(PLACES), PLACES, share)
+    assert np.abs(np.cumsum((twice - exact)[:, ::-1], axis=1)).max() > 2 * tails
+
+
+@given(share=st.floats(0.2, 1.0), at=st.integers(25, 34))
+def test_softening_keeps_probability_and_its_mean_away_from_the_edges(share, at):
+    row = softening(PLACES, share)[at]
+    assert np.all(row >= 0)
+    assert row.sum() == pytest.approx(1.0, abs=2e-3)
+    assert row @ theta_midpoints(PLACES) == pytest.approx(theta_midpoints(PLACES)[at], abs=0.6)
+
+
+@pytest.mark.parametrize("share", [0.0, -1.0, 1.01, math.nan])
+def test_a_slope_is_only_softened(share):
+    with pytest.raises(InputError, match="share"):
+        softening(PLACES, share)

@@ -30,7 +30,7 @@ from app.query import parse_query
 from app.sources import view_of
 from laplace_core import PRESETS as WORLDS
 from laplace_core import Settings, load_world, study, study_of_gamma_space
-from laplace_core.encoding import PAPER_GAMMAS, reward_distance
+from laplace_core.encoding import PAPER_GAMMAS, reward_distance, softening
 from laplace_core.inverse import transform_matrix
 
 FULL = {"gammas": 100, "thetas": 250, "steps": 200}
@@ -156,13 +156,26 @@ def test_a_learned_basis_is_what_is_sent():
     assert "paper_shared" not in arrays
 
 
+def test_a_network_s_slope_is_softened_by_a_map_over_theta():
+    found, _ = made("two_branch", thetas=20)
+    own = study_of_gamma_space(found.gamma_space, structure(Settings(world="mine.npz", steps=3), None))
+    places = 2.5 * np.arange(20)
+    data = payload(own, places=places)[0]
+    state = opening_state(own.settings, 3.0)
+    soft, plain = seen(data, {**state, "slope_share": 0.4}), seen(data, state)
+    np.testing.assert_allclose(soft["tau_space"], plain["tau_space"] @ softening(places, 0.4), atol=1e-12)
+    np.testing.assert_array_equal(soft["survival"], plain["survival"])
+    np.testing.assert_allclose(plain["differences"], found.gamma_space.differences, atol=1e-12)
+
+
 def test_the_state_goes_to_the_page_and_back():
     found, _ = made("two_branch")
     opening = opening_state(found.settings, 3.0)
     state = {**opening, "alpha": 0.5, "mixed": True, "fold": True, "action": 1, "used": 2.0, "constant": True}
+    state |= {"slope_share": 0.5, "added": 2}
     values = values_of(state, opening, found.action_names)
     assert values == {"alpha": 0.5, "used": 2.0, "fold": "yes", "action": "long", "policy": "per_gamma",
-                      "deadline": "constant"}  # fmt: skip
+                      "deadline": "constant", "slope_share": 0.5, "added": 2}  # fmt: skip
     settings = replace(found.settings, alpha=0.5, policy="per_gamma", deadline="constant")
     assert state_of(values, settings, 3.0, 1) == state
 
@@ -170,6 +183,7 @@ def test_the_state_goes_to_the_page_and_back():
 @pytest.mark.parametrize("heard", [
     None, 7, [], {"alpha": -1}, {"alpha": "x"}, {"alpha": float("nan")}, {"horizon": 1e9}, {"fold": "yes"},
     {"normalise": "<b>"}, {"action": 99}, {"nonsense": 1}, {"noise_seed": 2.0**40}, {"alpha": True},
+    {"slope_share": 0.0}, {"slope_share": 1.5}, {"added": 4}, {"added": "2"},
 ])  # fmt: skip
 def test_a_state_from_the_browser_is_not_trusted(heard):
     found, _ = made("two_branch")

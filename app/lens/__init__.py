@@ -26,18 +26,9 @@ from app.served import served
 
 _HERE = Path(__file__).resolve().parent
 _MODULES = (
-    "maths",
-    "drawing",
-    "surface",
-    "controls",
-    "world",
-    "simulated",
-    "panels",
-    "hand",
-    "verdict",
-    "export",
+    "maths", "network", "drawing", "surface", "controls", "world", "simulated", "panels", "hand", "verdict", "export",
     "lens",
-)
+)  # fmt: skip
 _HELD = 2
 """Payloads that a browser keeps (entry.js); what it holds is not sent again."""
 
@@ -111,9 +102,12 @@ def lens(
     """
     known = st.session_state.setdefault(f"_lens {key}", {"revision": 0, "held": []})
     digest = _digest(data)
-    if known.get("id") != digest or known.get("heard", known.get("shown")) != dict(state):
-        known.update(id=digest, shown=dict(state), revision=known["revision"] + 1)
+    # Only another state moves the lens: beside other data a hand may have changed it since, and has the last word.
+    if known.get("heard", known.get("shown")) != dict(state):
+        known.update(revision=known["revision"] + 1)
         known.pop("heard", None)
+    if known.get("id") != digest or "heard" not in known:
+        known.update(id=digest, shown=dict(state))
     told = {
         "name": key,
         "id": digest,

@@ -34,6 +34,8 @@ export const SLIDERS = [
   ['alpha', 'α', '', 'Regularisation of the inverse. What of the singular values comes back: s²/(s²+α²).', logarithmic(1e-9, 10)],
   ['slope', 'slope', '/ reward', 'Steepness of the reward activation.',
     (model, base) => model.sloped && logarithmic(base.slope / 30, base.slope * 30, 60)],
+  ['slope_share', 'slope', '· trained', 'Softer than the trained activation, by a linear map over θ; gamma-space says how far it is off. As in a network of that slope, probability leaves over the edges of θ, and means move with it.',
+    ({ arrays }) => arrays.places && linear(0.1, 0.05, 18)],
   ['horizon', 'horizon T', '', 'Deadline of the episode, in steps of the world.',
     ({ horizons, dt, K }) => linear(horizons[0], dt, K - 1)],
   ['used', 'steps used', '', 'Steps of the episode that are over: the time to go is T less these.',
@@ -106,6 +108,8 @@ export function toolbar(model, wish, told) {
   const rows = element('select', { 'aria-label': 'rows of tau-space', onchange: () => wish({ normalise: rows.value }, true) },
     ...[['none', 'rows as decoded'], ['survival', 'rows given survival'], ['paper', 'rows rescaled to 1']].map(([value, words]) =>
       element('option', { value }, words)));
+  const added = element('select', { name: 'added', 'aria-label': 'discounts added', title: 'Discounts that were never trained, each a mean of its two neighbours. They add no information, and at the same α let more noise through.',
+    onchange: () => wish({ added: +added.value }, true) }, ...['trained discounts', '+ 1 in each gap', '+ 2 in each gap', '+ 3 in each gap'].map((words, value) => element('option', { value }, words)));
   const does = (words, name, title = name) => button('tool', words, () => wish(name, true), { 'aria-label': name, title });
   const undo = does('↶', 'undo'), redo = does('↷', 'redo'), reset = does('reset', 'reset', 'back to the world’s own settings');
   const pin = button('tool', 'pin as A', () => wish('pin', true), { title: 'keep this view as A and compare what you change with it' });
@@ -115,12 +119,13 @@ export function toolbar(model, wish, told) {
     setTimeout(() => { link.textContent = 'copy link'; }, 1500);
   }, { title: 'the address bar is a link to exactly this view' });
   const group = (name, ...parts) => element('span', { class: 'group', role: 'group', 'aria-label': name }, ...parts);
-  const box = element('div', { class: 'toolbar' }, group('action', ...chips), group('drawing', ...looks), rows,
+  const box = element('div', { class: 'toolbar' }, group('action', ...chips), group('drawing', ...looks), rows, ...(model.arrays.places && told.live ? [added] : []),
     group('history', undo, redo, reset), ...(told.live ? [group('keep', ...(told.pinnable ? [pin] : []), link)] : []));
   return { box, sync(state, history, { pinned }) {
     chips.forEach((chip, a) => chip.setAttribute('aria-pressed', String(a === state.action)));
     looks.forEach((chip) => chip.setAttribute('aria-pressed', String(chip.textContent === state.look)));
     rows.value = state.normalise;
+    added.value = state.added;
     undo.disabled = history.at <= 0;
     redo.disabled = history.at >= history.states.length - 1;
     pin.textContent = pinned ? 'unpin A' : 'pin as A';

@@ -45,8 +45,8 @@ export default function ({ data, parentElement, setTriggerValue }) {
   const last = released.get(name), state = last?.id === id && last.revision === revision ? last.state : message.state;
   const fresh = { id, revision, shape, world: model.header.world, report: setTriggerValue };
   mounted.set(parentElement, fresh);
-  // The same world in another shape, learned after exact, keeps what the hand did to the pictures.
-  const before = kept?.world === model.header.world ? kept.lens.kept : undefined;
+  // The same world in another shape, learned after exact, keeps what the hand did and is about to do.
+  const before = kept?.world === model.header.world ? kept.lens.leave() : undefined;
   fresh.lens = mount(box, model, { ...told, state, kept: before }, (heard) => {
     released.set(name, { id: fresh.id, revision: fresh.revision, state: heard.state });
     fresh.report('released', { ...heard, id: fresh.id });

@@ -35,7 +35,7 @@ export const shapeOf = ({ header, grids, arrays, sloped }) => JSON.stringify([he
 // `told` is { state, base, presets, said, world, pin, live, template }; `report` hears { state, ... } on release.
 export function mount(root, model, told, report) {
   const host = element('div', { class: 'laplace-lens' });
-  const scene = { model, state: told.state, hover: {}, images: {}, zoom: {}, camera: { turn: -0.6, tilt: 0.75 }, ...told.kept };
+  const scene = { model, state: told.state, hover: {}, images: {}, zoom: {}, camera: { turn: -0.6, tilt: 0.75 }, ...told.kept?.scene };
   const history = { states: [told.state], at: 0 };
   let { state } = told, seen, waiting, resting, later, playing, dragging = false, lastState, lastMost;
   root.replaceChildren(host);
@@ -230,18 +230,31 @@ export function mount(root, model, told, report) {
   new ResizeObserver(draw).observe(host);
   scene.world?.show(told.world);
   draw();
+  const controls = () => [...host.querySelectorAll('button, input, select, canvas')];
+  const nameOf = (control) => `${control.className} ${control.name ?? ''} ${control.textContent}`;
+  controls().find((control) => nameOf(control) === told.kept?.focus)?.focus({ preventScroll: true });
+  if (told.kept?.pending) set({ ...state, ...told.kept.pending }, true);
 
   return host.lens = {
     host,
     // Python has news: another model of the same shape, another state, or words about the present one.
     show(next, news, moved) {
-      if (next !== model) [model, scene.images, scene.pinnedOf, lastState] = [next, {}, undefined, undefined];
+      if (next.grids.own.G !== model.grids.own.G) Object.assign(scene, { hover: {}, zoom: {} }); // other rows
+      if (next !== model) [model, scene.images, scene.pinnedOf, lastState, judge.of] = [next, {}];
       told = { ...told, ...news };
       if (moved && JSON.stringify(told.state) !== JSON.stringify(state)) remember(state = told.state);
       scene.world?.show(told.world);
       draw();
     },
     get lead() { return told.lead; }, get model() { return model; }, get state() { return state; }, get seen() { return seen; }, get hover() { return scene.hover; },
-    get kept() { return { zoom: scene.zoom, camera: scene.camera }; },
+    // Another lens takes its place: what it is handed of the pictures, of the focus, and of a change not yet reported.
+    leave() {
+      clearTimeout(later);
+      cancelAnimationFrame(playing);
+      const reported = history.states[history.at], changed = Object.entries(state).filter(([name, value]) => value !== reported[name]);
+      const focus = controls().find((control) => control === document.activeElement);
+      return { scene: { zoom: scene.zoom, camera: scene.camera }, focus: focus && nameOf(focus),
+        pending: changed.length ? Object.fromEntries(changed) : undefined };
+    },
   };
 }

@@ -1,5 +1,6 @@
 // The mathematics of the lens: from coefficients and factors to everything that is drawn. Knows no page.
 // Matrices are Float64Arrays in row-major order; (n, m) in a comment is their shape.
+import { filled, softened } from './network.js';
 
 export const FLOOR = 0.05; // below this decoded survival a conditional distribution is noise over noise
 
@@ -96,9 +97,10 @@ function open(header, arrays) {
   return model;
 }
 
-// The same model of another gamma-space, of which nothing is simulated: differences (A, G, H-1), constant channel (A, G).
-export const remade = ({ header, arrays }, differences, constant) =>
-  open(header, { ...arrays, differences, constant, simulated_tails: undefined });
+// The same model of another gamma-space at the trained discounts, of which nothing is simulated: differences
+// (A, G, H-1) and constant channel (A, G).
+export const remade = ({ header, arrays }, differences, constant) => open(header, { ...arrays,
+  differences: filled(header, arrays, differences), constant: filled(header, arrays, constant), simulated_tails: undefined });
 
 function simulation({ action, count }, { simulated_tails: tails, simulated_lines: lines }) {
   const length = lines.length / 5, [reward, rewardError, survival, survivalError, chance] =
@@ -273,7 +275,9 @@ export function see(model, state, most = Infinity) {
   const H = thetas.length - 1, midpoints = Float64Array.from({ length: H }, (_, h) => (thetas[h] + thetas[h + 1]) / 2);
   const spaceKey = [state.slope, thetas === arrays.thetas];
   const M = model.truth ? remember(cache, 'masses', spaceKey, () => masses(arrays.rewards, thetas, state.slope)) : null;
-  const map = columns.plain ? null : M, width = columns.width; // columns -> midpoints; null: they are the midpoints
+  const soft = arrays.places && state.slope_share < 1
+    ? remember(cache, 'soft', state.slope_share, () => softened(arrays.places, state.slope_share)) : null;
+  const map = columns.plain ? soft?.map : M, width = columns.width; // columns -> midpoints; null: they are the midpoints
   const drawn = () => noiseOf(model, grid, state.noise_seed);
   const hum = state.noise > 0 ? remember(cache, 'noise', [grid.name, state.noise_seed], drawn) : null;
   const readRow = rowAt(model, state.constant ? state.horizon : Math.max(0, state.horizon - state.used));
@@ -335,7 +339,7 @@ export function see(model, state, most = Infinity) {
   }
   const chosenAt = (row) => greedy(values.map((line) => line[row]));
   const seen = { grid, thetas, midpoints, H, n, inverse, readRow, leftRow, tau, survival, rewards, values, masses: M, columns,
-    map, hum,
+    map, hum, soft,
     chosen: chosenAt(readRow), chosenAt, whole: !values[0].some(Number.isNaN), d };
   if (model.truth) {
     const truth = truthOf(model, state), optimumAt = (row) => values.map((_, a) => arrays.optimum[a * K + row]);

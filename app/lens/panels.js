@@ -2,6 +2,7 @@
 // `scene` is { model, state, seen, pinned, hover, colours, kernel, resolution, images }.
 import { NEUTRAL, actionColour, axes, colourBar, heatmap, line, rounded, rowTicks, short, ticks } from './drawing.js';
 import { gammaSpace } from './maths.js';
+import { leftOut } from './network.js';
 import { distancesOf, drawDistances, drawSimulated, simulatedFor, simulatedRow, simulatedWords } from './simulated.js';
 
 const GHOST = { width: 1.2, dash: [7, 3] }; // the view pinned as A
@@ -85,29 +86,50 @@ function drawSpace(pen, w, h, scene, { values, n, rows, limit, title, note, yTit
   return scale;
 }
 
+const isAdded = ({ model }, gamma) => Boolean(model.header.added && gamma % (model.header.added + 1));
+
+// What interpolation misses at each trained discount that is left out; null where nothing is interpolated.
+function missed({ model, seen, state, images }) {
+  if (!model.header.added) return null;
+  const Z = seen.columns.values[state.action];
+  if (images.missedFor !== Z) Object.assign(images, { missedFor: Z, missed: leftOut(model, Z) });
+  return images.missed;
+}
+
 export const gammaPanel = {
   name: 'gamma-space',
   rows: 'gamma',
   draw(pen, w, h, scene) {
     const { seen, state, hover, colours, images } = scene;
-    const version = JSON.stringify([state.slope, state.action, state.noise && [state.noise, state.noise_seed], state.mixed,
+    const version = JSON.stringify([state.slope, state.slope_share, state.action, state.noise && [state.noise, state.noise_seed], state.mixed,
       state.paper_grid, state.clip, scene.model.id]);
     if (images.gammaFor !== version) Object.assign(images, { Z: gammaSpace(seen, state), gammaFor: version });
     const { Z } = images, { gammas, G } = seen.grid, limit = top(Z) || 1;
-    const margin = { right: 36 };
+    const margin = { right: 36 }, found = missed(scene);
+    const notes = [seen.soft && `soft ±${short(seen.soft.off, 2)}`, found && `dotted: interpolated ±${short(top(found), 2)}`];
     const scale = drawSpace(pen, w, h, scene, { values: Z, n: G, rows: G, limit, labels: gammas, title: 'gamma-space',
       yTitle: 'discount γ', margin, image: 'gamma', version,
       note: hover.theta !== undefined && hover.gamma !== undefined
-        ? `θ ${short(hover.theta)} · γ ${short(gammas[hover.gamma])} · ${short(Z[hover.gamma * seen.H + columnAt(seen, hover.theta)])}` : 'discounted steps' });
+        ? `θ ${short(hover.theta)} · γ ${short(gammas[hover.gamma])} · ${short(Z[hover.gamma * seen.H + columnAt(seen, hover.theta)])}${isAdded(scene, hover.gamma) ? ' interpolated' : ''}`
+        : notes.filter(Boolean).join(' · ') || 'discounted steps' });
+    pen.clip(scale.box.x - 5, scale.box.y, scale.box.w + 5, scale.box.h, () => gammas.forEach((_, g) => {
+      if (!isAdded(scene, g)) return;
+      const { box, Y } = scale, y = Y(g), wide = Y(0) - Y(1) >= 5 ? box.w : 0; // of narrow rows only the ticks
+      pen.path([[box.x - 5, y], [box.x + wide, y]], { stroke: NEUTRAL, dash: [1, 3] });
+    }));
     colourBar(pen, images.bar ??= document.createElement('canvas'), { x: w - 32, y: scale.box.y, w: 7, h: scale.box.h }, limit,
       colours);
     marked(pen, scale, { x: hover.theta, y: hover.gamma }, colours);
     return scale;
   },
   point: ({ seen }, x, y) => ({ theta: x, gamma: Math.min(seen.grid.G - 1, Math.max(0, Math.round(y))) }),
-  words: ({ model, state, seen, images }) =>
-    `Gamma-space of ${model.header.actions[state.action]}: ${seen.grid.G} discounts from ${short(seen.grid.gammas[0])} to ${short(seen.grid.gammas[seen.grid.G - 1])}, `
-    + `${seen.H} sensitivities from ${short(seen.thetas[0])} to ${short(seen.thetas[seen.H])}; the largest entry is ${short(top(images.Z ?? []))} discounted steps.`,
+  words: (scene) => {
+    const { model, state, seen, images } = scene, found = missed(scene);
+    return `Gamma-space of ${model.header.actions[state.action]}: ${seen.grid.G} discounts from ${short(seen.grid.gammas[0])} to ${short(seen.grid.gammas[seen.grid.G - 1])}, `
+    + `${seen.H} sensitivities from ${short(seen.thetas[0])} to ${short(seen.thetas[seen.H])}; the largest entry is ${short(top(images.Z ?? []))} discounted steps.`
+      + (found ? ` The dotted discounts are interpolated: where a trained one is left out, a probability is off by up to ${short(top(found), 2)}.` : '')
+      + (seen.soft ? ` At ${short(state.slope_share)} of the trained slope, a probability is off by up to ${short(seen.soft.off, 2)}.` : '');
+  },
 };
 
 export const columnAt = ({ thetas, H }, theta) => {
@@ -308,9 +330,10 @@ export function crossings({ horizons, K }, { values, chosenAt }) {
 export const spectrumPanel = {
   name: 'spectrum',
   draw(pen, w, h, scene) {
-    const { state, seen, hover, colours } = scene, { s, r, U, V } = seen.grid, box = inside(w, h);
+    const { model, state, seen, hover, colours } = scene, { s, r, U, V, G } = seen.grid, box = inside(w, h);
+    const learned = (G - 1) / (model.header.added + 1) + 1; // what is interpolated adds none
     const factors = s.map((value) => value ** 2 / (value ** 2 + state.alpha ** 2)), passing = factors.filter((f) => f > 0.5).length;
-    titled(pen, w, 'what alpha lets through', `${passing} of ${r} pass`,
+    titled(pen, w, 'what alpha lets through', `${passing} of ${r} pass${learned < G ? `, ${learned} learned` : ''}`,
       scene);
     const low = Math.floor(Math.log10(s[r - 1])) - 0.3, high = Math.max(0.6, Math.log10(s[0]) + 0.4),
       scale = axes(pen, box, { x: [0.4, r + 0.6], y: [low, high], xTitle: 'component; bars: share let through', yTitle: 'singular value', colours,
@@ -436,7 +459,8 @@ export const fitPanel = {
     const scale = axes(pen, box, { x, y: rounded(Math.min(...all), Math.max(...all), 1e-6), xTitle: 'time constant of γ (steps)',
       yTitle: '(1 − γ) value', colours, xTicks: ticks(...x, 4).filter((tick) => Number.isInteger(tick)).map((tick) => [tick, short(10 ** tick)]) });
     const xs = Array.from(times, scale.X);
-    given.forEach((value, g) => pen.path(disc(xs[g], scale.Y(value), 3.4), { stroke: colours.soft, width: 1.6, close: true }));
+    given.forEach((value, g) => pen.path(disc(xs[g], scale.Y(value), G > 40 && isAdded(scene, g) ? 1.8 : 3.4), { stroke: colours.soft, width: 1.6, close: true,
+      fill: model.header.added && !isAdded(scene, g) ? colours.soft : undefined }));
     line(pen, xs, back.map(scale.Y), { stroke: actionColour(state.action), width: 2.2 });
     if (hover.gamma !== undefined) marked(pen, scale, { x: times[hover.gamma] }, colours);
     return { ...scale, times };

@@ -49,10 +49,17 @@ def structure(settings: Settings, world: World | None) -> Settings:
     return replace(settings, **LIVE, **({"slope": 1.0, "policy": "shared"} if free else {}))
 
 
-def payload(study: Study, simulated: Simulated | None = None) -> tuple[bytes, dict[str, object]]:
+def payload(
+    study: Study, simulated: Simulated | None = None, places: np.ndarray | None = None, added: int = 0
+) -> tuple[bytes, dict[str, object]]:
     """Arrays and their header, as one block of bytes, and the header once more for Python.
 
     The study's settings are those of :func:`structure`: its gamma-space is free of noise.
+
+    Args:
+        places: of a network's sensitivities on the axis of its activation, ``(H,)``, as in
+            :func:`laplace_core.encoding.softening`.
+        added: how many of the discounts between two that were trained are interpolated.
 
     Arrays by name, with A actions, G discounts, V distinct rewards, K rows, r usable singular values:
         ``shared``, ``per_gamma``, ``paper_shared``, ``paper_per_gamma``: reward-indicator coefficients ``(A, G, V)``
@@ -63,6 +70,7 @@ def payload(study: Study, simulated: Simulated | None = None) -> tuple[bytes, di
         ``rewards``, ``timeline`` ``(A, N, V)``, ``optimum`` ``(A, K)``: the truth, where there is a world.
         ``simulated_tails`` ``(N, H)``, in 65,535ths, and ``simulated_lines`` ``(5, N)``: reward, survival, each with
             its standard error, and the W1 distance that chance alone makes; of the first N whole steps.
+        ``places``: as given.
     """
     s, space = study.settings, study.gamma_space
     arrays = {"thetas": space.thetas, **_transform("", space.gammas, s.steps, s.time_step)}
@@ -70,7 +78,10 @@ def payload(study: Study, simulated: Simulated | None = None) -> tuple[bytes, di
         arrays |= {"differences": space.differences, "constant": space.constant}
     else:
         arrays |= _of_world(study)
+    if places is not None:
+        arrays["places"] = places
     header = {
+        "added": added,
         "world": s.world,
         "state": s.state or "",
         "actions": list(study.action_names),

@@ -9,7 +9,7 @@ import numpy as np
 
 from app.lens.payload import LEVELS, unpacked
 from laplace_core import GammaSpace
-from laplace_core.encoding import reward_distance, theta_midpoints
+from laplace_core.encoding import reward_distance, softening, theta_midpoints
 from laplace_core.horizon import (
     deadline_weights,
     discount_kernel,
@@ -90,7 +90,10 @@ def _space(header: Mapping[str, object], arrays: Mapping[str, np.ndarray], state
     prefix = "paper_" if state["paper_grid"] and "paper_gammas" in arrays else ""
     gammas, thetas = arrays[f"{prefix}gammas"], arrays["thetas"]
     if "differences" in arrays:
-        tails = np.cumsum(arrays["differences"][..., ::-1], axis=-1)[..., ::-1]
+        differences = arrays["differences"]
+        if "places" in arrays:
+            differences = differences @ softening(arrays["places"], state["slope_share"])
+        tails = np.cumsum(differences[..., ::-1], axis=-1)[..., ::-1]
         values = np.concatenate([tails, np.zeros((*tails.shape[:-1], 1))], axis=-1)
         space = GammaSpace(values, arrays["constant"], gammas, thetas)
     else:

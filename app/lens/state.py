@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from laplace_core import Settings, Study
+from laplace_core.interpolation import MOST_ADDED
 from laplace_core.parameters import Parameter
 
 VIEW = (
@@ -17,8 +18,15 @@ VIEW = (
 )
 """What the lens adds to the values of a page; the rest of its state are settings of the study."""
 
+NETWORK = (
+    Parameter("slope_share", 1.0, 0.05, 1, "Slope of the activation, as a share of the one that was trained."),
+    Parameter("added", 0, 0, MOST_ADDED, "Interpolated discounts between any two that were trained."),
+)
+"""What it adds on a network's gamma-space: what a world has exactly is there a linear map of what was learned."""
+
 _SETTINGS = ("alpha", "slope", "softness", "noise", "noise_seed", "normalise")
-LIVE = (*_SETTINGS, "horizon", "policy", "deadline", *(parameter.name for parameter in VIEW))
+_OWN = ("value_gamma", "used", "slope_share", "added")
+LIVE = (*_SETTINGS, "horizon", "policy", "deadline", *(parameter.name for parameter in (*VIEW, *NETWORK)))
 """Values of a page that the lens sets, and that its Reset takes back."""
 
 
@@ -41,6 +49,8 @@ def opening_state(study_settings: Settings, horizon: float, action: int = 0, loo
         "constant": s.deadline == "constant",
         "used": 0.0,
         "shift": False,
+        "slope_share": 1.0,
+        "added": 0,
         "action": action,
         "look": look,
     }
@@ -49,14 +59,14 @@ def opening_state(study_settings: Settings, horizon: float, action: int = 0, loo
 def state_of(values: Mapping[str, object], settings: Settings, horizon: float, action: int) -> dict:
     """The state for the values of a page, whose settings are resolved."""
     state = opening_state(settings, horizon, action, str(values.get("look", "heatmap")))
-    state |= {name: values[name] for name in ("value_gamma", "used") if values.get(name) is not None}
+    state |= {name: values[name] for name in _OWN if values.get(name) is not None}
     return state | {name: values.get(name) == "yes" for name in ("fold", "paper_grid", "clip", "shift")}
 
 
 def values_of(state: Mapping[str, object], before: Mapping[str, object], actions: tuple[str, ...]) -> dict[str, object]:
     """The values of a page that a released state changes against the state before; None takes one back."""
     new = {name: state[name] for name in state if state[name] != before.get(name)}
-    values = {name: new[name] for name in (*_SETTINGS, "horizon", "value_gamma", "used", "look") if name in new}
+    values = {name: new[name] for name in (*_SETTINGS, "horizon", *_OWN, "look") if name in new}
     values |= {name: "yes" if new[name] else None for name in ("fold", "paper_grid", "clip", "shift") if name in new}
     if "action" in new:
         values["action"] = actions[new["action"]]
@@ -82,6 +92,8 @@ def checked(heard: object, study: Study) -> dict[str, object]:
         "value_gamma": (1e-6, 0.999999),
         "noise": (0, 1),
         "noise_seed": (0, 2**31 - 1),
+        "slope_share": (0.05, 1),
+        "added": (0, MOST_ADDED),
         "action": (0, actions - 1),
     }
     words = {"normalise": ("none", "survival", "paper"), "look": ("heatmap", "surface")}
@@ -89,7 +101,7 @@ def checked(heard: object, study: Study) -> dict[str, object]:
         if name in limits and isinstance(value, int | float) and not isinstance(value, bool):
             low, high = limits[name]
             if low <= value <= high:
-                found[name] = int(value) if name in ("noise_seed", "action") else float(value)
+                found[name] = int(value) if name in ("noise_seed", "action", "added") else float(value)
         elif (name in words and value in words[name]) or (
             name in found and isinstance(found[name], bool) and isinstance(value, bool)
         ):

@@ -41,7 +41,7 @@ export function judged(model, state, seen) {
 
 // Whether a state holds what only the lens knows: the library's verdict then speaks of another picture.
 export const beyondLibrary = ({ header }, state) => state.fold || state.paper_grid || state.clip || state.shift
-  || state.used > 0 || Math.abs(state.value_gamma - header.acting_gamma) > 1e-12;
+  || state.used > 0 || state.slope_share < 1 || Math.abs(state.value_gamma - header.acting_gamma) > 1e-12;
 
 // What every switch does here, by name.
 export const effects = (model, state) => Object.fromEntries(

@@ -10,7 +10,7 @@ import streamlit as st
 from app import compute, state
 from app.lens import PRESETS, Graph, Preset, Released, Said, Simulated, checked, lens, state_of, values_of
 from app.parts import compare
-from app.sources import View
+from app.sources import Observed, View
 from laplace_core.artifacts import Artefact
 
 TONES = {"right": "ok", "lucky": "warn", "wrong": "bad", "unknown": "unknown"}
@@ -88,6 +88,8 @@ def lens_only(view: View) -> str:
     on = [words for name, words in _LENS_ONLY.items() if shown[name]]
     if abs(shown["value_gamma"] - view.settings.acting_gamma) > 1e-12:
         on.append(f"gamma {shown['value_gamma']:g} in the value")
+    if shown["slope_share"] != 1.0:
+        on.append(f"{shown['slope_share']:g} of the trained slope")
     return ", ".join(on)
 
 
@@ -96,6 +98,8 @@ def artefacts(view: View) -> None:
     beyond = lens_only(view)
     if beyond:
         st.caption(f"From here on everything is without what only the lens can do: {beyond}.")
+    if isinstance(view.subject, Observed) and view.subject.added:
+        st.caption("Interpolated discounts share the errors of their neighbours: noise is louder than it looks.")
     name = compute.study_for(view).action_names[view.action]
     found, others = compute.artefacts_for(view), compute.artefacts_elsewhere(view)
     st.html(f'<div class="panel-title">artefacts in the tau-space of {escape(name)}</div>')

@@ -25,7 +25,8 @@ def view(loaded: Loaded, scene: Scene, asked: Rolling | None) -> None:
         if asked is not None:
             rollout = asked.rollout()
             with above:
-                at = rolling.show(asked, scene)
+                rolling.show(asked, scene)
+            at = rolled.step_of(state.chosen(), rollout)
     except InputError as error:
         st.error(str(error))
         return

@@ -5,10 +5,12 @@ from __future__ import annotations
 import streamlit as st
 
 from app import rolled, rollouts, state
+from app.flagging import flagging, for_player
 from app.observations import Scene
 from app.player import name_of, player
 from app.rolled import ADAPTED, AT, GAMMA, HORIZON, PARAMETERS, RULE, SEED, SHOWN
 from app.rollouts import Rolling
+from app.sources import View
 from app.trained import OBSERVED
 from laplace_core import InputError
 from laplace_core.training import environments
@@ -134,18 +136,23 @@ def _cancel(rolling: Rolling) -> None:
     _close()
 
 
-def show(rolling: Rolling, scene: Scene) -> int:
-    """The player; returns the step under the cursor."""
+def show(rolling: Rolling, scene: Scene, view: View | None = None) -> None:
+    """The player, with the artefacts of every step under the settings of a view as soon as they are known.
+
+    Without a view there is nothing decoded that artefacts could be in.
+    """
     rollout = rolling.rollout()
-    at = rolled.step_of(state.chosen(), rollout)
+    at, flags = rolled.step_of(state.chosen(), rollout), {"alpha": 0.0, "names": [], "marks": []}
+    if view is not None:
+        search = flagging(rolling, view)
+        flags = None if search.going else for_player(search.result(), view.settings.alpha)
 
     def heard(step: int) -> None:
         state.choose(AT, min(step, len(rollout) - 1))
 
     names = [(part.name, part.unit) for part in scene.components]
     seconds = max(_SLOWEST, _SECONDS.get(rollout.environment, _SLOWEST))
-    player(rolling.packed(), at, state.page_name(), names, scene.actions, heard, seconds)
-    return rolled.step_of(state.chosen(), rollout)
+    player(rolling.packed(), at, state.page_name(), names, scene.actions, heard, seconds, flags)
 
 
 def lead(rolling: Rolling, step: int) -> dict[str, object]:

@@ -27,7 +27,7 @@ _HELD = 2
 
 def player(
     data: bytes, at: int, key: str, names: Sequence[tuple[str, str]], action_names: Sequence[str],
-    on_step: Callable[[int], None] | None = None, seconds: float = 0.05,
+    on_step: Callable[[int], None] | None = None, seconds: float = 0.05, flags: Mapping[str, object] | None = None,
 ) -> None:  # fmt: skip
     """Draw the player.
 
@@ -37,6 +37,7 @@ def player(
         names: of the numbers of an observation, with their units; none for a tabular world.
         on_step: called with the step at which the cursor came to rest, before the rerun, as a widget's callback.
         seconds: that a step is shown for while it plays.
+        flags: from :func:`app.flagging.for_player`; None while they are looked for, and the player asks again.
     """
     known = st.session_state.setdefault(f"_player {key}", {"revision": 0, "held": []})
     digest = name_of(data)
@@ -61,7 +62,7 @@ def player(
 
     told = {
         "id": digest, "revision": known["revision"], "at": at, "names": list(names), "actions": list(action_names),
-        "seconds": seconds,
+        "seconds": seconds, "flags": flags,
     }  # fmt: skip
     text = json.dumps(told).encode()
     text += b" " * (-(len(text) + 4) % 8)
@@ -91,7 +92,7 @@ def player_js() -> str:
 @cache
 def script() -> str:
     own = "\n".join((_HERE / f"{name}.js").read_text(encoding="utf-8") for name in ("reel", "peers", "player"))
-    return modules("maths", "drawing", "controls") + chart.joined(own)
+    return modules("maths", "network", "drawing", "controls") + chart.joined(own)
 
 
 __all__ = ["name_of", "payload", "player", "player_js", "script"]

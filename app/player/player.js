@@ -5,6 +5,7 @@ import { follow } from './peers.js';
 import { bySurprise, followedAt, frameAt, modelAt, nextMarked, openReel } from './reel.js';
 
 const REST = 250; // ms without a move before the server hears the step
+const ASK = 400; // ms until the server is asked again for what it looks for in the background
 const reels = globalThis.laplaceReels ??= new Map(), HELD = 2; // by payload; Python counts on as many
 const mounted = new WeakMap();
 const MEANINGS = {
@@ -32,6 +33,7 @@ export default async function ({ data, parentElement, setTriggerValue }) {
   if (kept && kept.id === told.id && kept.host.isConnected) {
     kept.report = setTriggerValue;
     if (kept.revision !== told.revision) kept.go(told.at);
+    kept.flag(told.flags);
     kept.revision = told.revision;
     return;
   }
@@ -47,6 +49,7 @@ export default async function ({ data, parentElement, setTriggerValue }) {
 function mount(host, reel, told, report) {
   const last = reel.steps - 1, order = bySurprise(reel), differ = reel.differs.reduce((a, b) => a + b, 0);
   let step = Math.min(told.at, last), playing, resting, url, reported = step, since, rank = -1;
+  let flags, begins, asking, asked = 0;
   const returns = Float64Array.from(reel.rewards);
   for (let t = 1; t <= last; t++) returns[t] += returns[t - 1];
   host.times = [];
@@ -62,15 +65,17 @@ function mount(host, reel, told, report) {
     rank = order[rank] === step ? (rank + 1) % Math.min(order.length, 10) : 0;
     go(order[rank]);
   });
-  const where = element('b', {});
+  const artefact = button('artefact ›', '', () => go(nextMarked(begins, step)));
+  const where = element('b', {}), here = element('span', { class: 'here' });
   const values = element('table', { class: 'values' }), seen = element('table', { class: 'seen' });
-  const buttons = element('div', { class: 'buttons' },
+  const moves = element('div', { class: 'buttons' },
     button('|‹', 'first step', () => go(0)), button('‹', 'one step back', () => go(step - 1)), play,
-    button('›', 'one step on', () => go(step + 1)), button('›|', 'last step', () => go(last)), differs, surprise);
+    button('›', 'one step on', () => go(step + 1)), button('›|', 'last step', () => go(last)));
+  const jumps = element('div', { class: 'buttons' }, differs, surprise, artefact);
   const facts = element('table', { class: 'facts' }), numbers = element('div', { class: 'numbers' },
     element('div', {}, values, facts), ...(told.names.length ? [seen] : []));
-  const middle = element('div', { class: 'middle' }, element('div', { class: 'line' }, where), canvas, bar, buttons);
-  host.append(...(reel.ends.length ? [frame] : []), middle, numbers);
+  const middle = element('div', { class: 'middle' }, element('div', { class: 'line' }, where, here), canvas, bar, ...(reel.ends.length ? [] : [moves]), jumps);
+  host.append(...(reel.ends.length ? [element('div', { class: 'screen' }, frame, moves)] : []), middle, numbers);
 
   const cell = (words, kind = '') => element('td', { class: kind }, words);
   const valueRows = told.actions.map((name, a) => {
@@ -95,6 +100,23 @@ function mount(host, reel, told, report) {
   const lead = globalThis.laplaceLead = { id: told.id, get step() { return step; }, over(model) {
     return [modelAt(reel, step, model), { said: null, followed: followedAt(reel, step) }];
   } };
+
+  // Artefacts of the action taken: bits of names, a number a step; none while the server looks for them.
+  function flag(news) {
+    clearTimeout(asking);
+    if (!news) asking = setTimeout(() => host.isConnected && report({ flags: ++asked, id: told.id }), ASK);
+    if (JSON.stringify(news) === JSON.stringify(flags)) return;
+    flags = news;
+    begins = flags?.marks.map((mark, t) => mark & ~(t && flags.marks[t - 1]));
+    const places = begins?.filter(Boolean).length, many = (i) => flags.marks.filter((mark) => mark & (1 << i)).length;
+    const counted = flags?.names.map((name, i) => `${name} at ${many(i)}`);
+    artefact.disabled = !places;
+    artefact.hidden = flags?.marks.length === 0; // nothing is decoded
+    artefact.textContent = !flags ? 'artefacts …' : places ? `artefact › ${places}` : 'no artefact';
+    artefact.title = !flags ? 'artefacts are looked for' : `next step at which an artefact of the action taken begins, at α ${short(flags.alpha)}; ${counted.join(', ') || 'none'} of ${last + 1} steps`;
+    artefact.setAttribute('aria-label', artefact.textContent);
+    draw();
+  }
 
   function go(next) {
     next = Math.max(0, Math.min(last, next));
@@ -132,6 +154,7 @@ function mount(host, reel, told, report) {
     }
     bar.value = step;
     where.textContent = `step ${step} of ${last}`;
+    here.textContent = flags?.names.filter((_, i) => flags.marks[step] & (1 << i)).join(' · ') ?? '';
     [reel.rewards[step], returns[step], reel.predicted[step], reel.received[step], reel.surprise[step]].forEach((value, i) => {
       factCells[i].textContent = short(value, 4);
     });
@@ -160,7 +183,8 @@ function mount(host, reel, told, report) {
     const half = (h - 24) / 2, upper = { x: 46, y: 4, w: w - 56, h: half - 4 }, lower = { ...upper, y: half + 8, h: half - 4 };
     const top = axes(pen, upper, { x, y: range(reel.rewards), yTicks: range(reel.rewards), xTicks: [], yTitle: 'reward', colours });
     const low = axes(pen, lower, { x, y: range(reel.surprise), yTicks: range(reel.surprise), yTitle: 'surprise', colours });
-    const bars = [];
+    const bars = [], flagged = flags?.marks.flatMap((mark, t) => (mark ? [[top.X(t - 0.5), 1.5], [top.X(t + 0.5), 1.5], null] : []));
+    if (flagged) pen.path(flagged, { stroke: '#e8a100', width: 3 });
     reel.rewards.forEach((reward, t) => bars.push([top.X(t), top.Y(0)], [top.X(t), top.Y(reward)], null));
     pen.path(bars, { stroke: NEUTRAL, width: Math.max(1, Math.min(6, (0.7 * upper.w) / (last + 1))) });
     line(pen, Array.from(reel.surprise, (_, t) => low.X(t)), reel.surprise.map(low.Y), { stroke: '#d6336c', width: 1.3 });
@@ -204,5 +228,6 @@ function mount(host, reel, told, report) {
   host.addEventListener('transitionend', (event) => { if (event.target === host) drawReel(); }); // its colour follows the theme
   const lens = lensOf(), exact = lens?.lead?.id === told.id && lens.lead.step === step && !String(lens.model.id).startsWith(reel.id);
   if (exact) draw(); else show(); // what Python has told the lens of this very step is better
-  return { host, stop, go(next) { stop(); go(next); reported = step; clearTimeout(resting); } };
+  flag(told.flags);
+  return { host, stop, flag, go(next) { stop(); go(next); reported = step; clearTimeout(resting); } };
 }

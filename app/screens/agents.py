@@ -96,8 +96,7 @@ def _view(loaded: Loaded, scene: Scene, asked: Rolling | None) -> None:
     try:
         if asked is not None:
             rollout = asked.rollout()
-            with above:
-                at = rolling.show(asked, scene)
+            at = rolled.step_of(state.chosen(), rollout)
             observation = rolled.observation_at(rollout, at)
             follow = {"lead": rolling.lead(asked, at), "followed": rolled.followed(rollout, at)}
         view = view_of(loaded, scene, state.chosen(), observation)
@@ -108,6 +107,7 @@ def _view(loaded: Loaded, scene: Scene, asked: Rolling | None) -> None:
         return
     if asked is not None:
         with above:
+            rolling.show(asked, scene, view)
             simulated = truth.ask(view, loaded, asked.rollout(), at)
     panels.pictures(view, base, simulated=simulated, **follow)
     if asked is not None:

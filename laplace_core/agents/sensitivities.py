@@ -19,6 +19,7 @@ class Sensitivities:
 
     Attributes:
         thetas: ``(H,)``, in units of reward, float64.
+        places: ``(H,)``, slope * theta on the axis of the activation, float64; evenly spaced.
         bin_values: ``(H+1,)``, what a reward in each bin counts as: the midpoints, and for the two outermost bins,
             below the first and above the last threshold, those thresholds themselves.
     """
@@ -30,6 +31,7 @@ class Sensitivities:
         places = self.thetas if self._scale is None else np.arcsinh(self.thetas / self._scale)
         self._places = torch.tensor(places, dtype=torch.float32)
         self.slope = s.slope_times_spacing / float(np.diff(places).max())
+        self.places = self.slope * places
         midpoints = theta_midpoints(self.thetas)
         self.bin_values = np.concatenate([self.thetas[:1], midpoints, self.thetas[-1:]])
 

@@ -33,15 +33,19 @@ MEASURES: dict[str, Callable[[Look], Artefact | None]] = {
 """Every artefact by name, the gravest kinds first."""
 
 
-def find_artefacts(study: Study, action: int, horizon: float | None = None) -> list[Artefact]:
+def find_artefacts(
+    study: Study, action: int, horizon: float | None = None, searching: bool = True
+) -> list[Artefact]:  # fmt: skip
     """Every artefact present in the tau-space of one action, the gravest kinds first.
 
     A gamma-space without a world has no truth to measure against; only what shows in the data is found.
 
     Args:
         horizon: the T at which a constant horizon is judged; default: the one at which it costs most.
+        searching: whether to search for an alpha that removes what is found, which takes most of the time; without,
+            sentences and remedies are as if there were none.
     """
-    look = Look(study, action, horizon)
+    look = Look(study, action, horizon, searching)
     found = (measure(look) for measure in MEASURES.values())
     return [artefact for artefact in found if artefact is not None]
 

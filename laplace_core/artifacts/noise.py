@@ -55,7 +55,8 @@ def _from_violations(look: Look) -> Artefact | None:
     size = _expected_change(look, error)
     if size < VISIBLE:
         return None
-    calm = [a for a in _larger(look.settings.alpha) if _expected_change(look, error, a) < VISIBLE][:1]
+    larger = _larger(look.settings.alpha) if look.searching else []
+    calm = next(([a] for a in larger if _expected_change(look, error, a) < VISIBLE), [])
     return Artefact(
         "noise amplification",
         size,

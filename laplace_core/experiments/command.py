@@ -50,6 +50,12 @@ def add_report(verbs: argparse._SubParsersAction) -> None:
     horizon.add_argument("--json", action="store_true", help="print JSON")
     horizon.set_defaults(run=_horizon)
 
+    interpolation = kinds.add_parser("interpolation", help="how far discounts put between those trained are off")
+    interpolation.add_argument("checkpoint", metavar="CHECKPOINT", help="an agent with values at many discounts")
+    interpolation.add_argument("--seed", default="0", metavar="N", help="start seed of the episode (default: 0)")
+    interpolation.add_argument("--json", action="store_true", help="print JSON")
+    interpolation.set_defaults(run=_interpolation)
+
 
 def _detectors(options: argparse.Namespace) -> None:
     from laplace_core.experiments import detector  # only this verb needs it
@@ -86,6 +92,14 @@ def _horizon(options: argparse.Namespace) -> None:
 
     paths = [Path(path) for path in options.checkpoints]
     numbers, text = horizon.report(paths, options.rule, horizons, episodes, seed, given)
+    print(json.dumps(numbers, indent=1) if options.json else text)
+
+
+def _interpolation(options: argparse.Namespace) -> None:
+    seed = checked_number("seed", options.seed, int, 0, 10**6)
+    from laplace_core.experiments import interpolation  # loads torch
+
+    numbers, text = interpolation.report(Path(options.checkpoint), seed)
     print(json.dumps(numbers, indent=1) if options.json else text)
 
 

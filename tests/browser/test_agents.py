@@ -9,10 +9,14 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from laplace_core.encoding import theta_midpoints
+from laplace_core import GammaSpace, Settings
+from laplace_core.encoding import softening, theta_midpoints
 from laplace_core.horizon import expected_rewards
+from laplace_core.interpolation import with_added
 from laplace_core.inverse import decode
+from laplace_core.settings import resolve_for_gamma_space
 from laplace_core.training.checkpoint import load_checkpoint
+from laplace_core.training.flags import flag_steps
 from laplace_core.training.rollout import roll_out
 
 pytestmark = pytest.mark.browser
@@ -65,31 +69,104 @@ def test_the_whole_path_and_its_numbers(page, address, environment):
     rolled_out(page, address, environment)
     scrub(page, STEP)
     page.wait_for_url(f"**r.at={STEP}*")
-    for _ in range(4):  # the answer to the step, that observation's exact gamma-space, may come between the keys
-        page.wait_for_timeout(2_000)
-        page.locator("input[name=alpha]").focus()
-        for _ in range(12):
-            page.keyboard.press("ArrowLeft")
-        page.wait_for_timeout(2_000)
-        if "alpha=" in page.url:
-            break
-    assert "alpha=" in page.url
+    page.locator("input[name=alpha]").focus()
+    for _ in range(12):
+        page.keyboard.press("ArrowLeft")
+    page.wait_for_url("**alpha=*")
+    exactly(page, loaded, rollout)
 
-    lines = saved(page, "save CSV").decode().splitlines()
-    rows = [[float(x) for x in row] for row in csv.reader(io.StringIO("\n".join(lines[2:])))]
-    found, head = np.array(rows), next(csv.reader([lines[1]]))
-    told = page.evaluate("() => document.querySelector('.laplace-lens').lens.state")
+    found, told = taken_along(page)
     assert told["alpha"] < 0.6
     space = loaded.agent.gamma_space(rollout.observations[STEP])
     tau_space = decode(space.differences, space.gammas, len(found), told["alpha"], 1.0)[told["action"]]
-    first = next(i for i, name in enumerate(head) if name.startswith("P at"))
-    np.testing.assert_allclose(found[:, first:], tau_space, atol=1e-6)
+    np.testing.assert_allclose(found[:, -tau_space.shape[1] :], tau_space, atol=1e-6)
     np.testing.assert_allclose(found[:, 1], expected_rewards(tau_space, theta_midpoints(space.thetas)), atol=1e-5)
 
     file = np.load(io.BytesIO(saved(page, "NPZ")))
     np.testing.assert_array_equal(file["actions"], rollout.actions)
     np.testing.assert_allclose(file["gamma_space"][STEP], space.values, rtol=1e-5, atol=1e-5)
     np.testing.assert_array_equal(file["observations"], rollout.observations)
+
+
+def taken_along(page) -> tuple[np.ndarray, dict[str, object]]:
+    """The table of the lens, tau-space last, and the state that it was saved under."""
+    lines = saved(page, "save CSV").decode().splitlines()
+    rows = [[float(x) for x in row] for row in csv.reader(io.StringIO("\n".join(lines[2:])))]
+    return np.array(rows), page.evaluate("() => document.querySelector('.laplace-lens').lens.state")
+
+
+def exactly(page, loaded, rollout, step=STEP, added=0) -> GammaSpace:
+    """Wait until the lens has the exact gamma-space of a step, and not the player's rounded one; returns it."""
+    space = with_added(loaded.agent.gamma_space(rollout.observations[step]), added)
+    for _ in range(100):
+        found = shown(page)
+        if found.size == space.differences.size and np.abs(found.ravel() - space.differences.ravel()).max() < 1e-9:
+            return space
+        page.wait_for_timeout(100)
+    raise AssertionError("the exact gamma-space did not come")
+
+
+def test_a_softer_slope_and_added_discounts(page, address, wanted):
+    loaded, rollout = wanted
+    rolled_out(page, address)
+    scrub(page, STEP)
+    page.get_by_role("combobox", name="discounts added").select_option("+ 1 in each gap")
+    page.wait_for_url("**added=1*")
+    page.locator("input[name=slope_share]").focus()
+    for _ in range(10):
+        page.keyboard.press("ArrowLeft")
+    page.wait_for_url("**slope_share=0.5*")
+    space = exactly(page, loaded, rollout, added=1)
+    found, told = taken_along(page)
+    assert (told["added"], told["slope_share"]) == (1, 0.5)
+    soft = space.differences[told["action"]] @ softening(loaded.agent.sensitivities.places, 0.5)
+    wanted_ = decode(soft, space.gammas, len(found), told["alpha"], 1.0)
+    np.testing.assert_allclose(found[:, -soft.shape[1] :], wanted_, atol=1e-9)
+
+    # The next step comes from the player, which has the trained discounts only.
+    scrub(page, STEP + 1)
+    drawn = shown(page).reshape(space.differences.shape)
+    exact = with_added(rollout.space(STEP + 1), 1).differences
+    assert np.abs(drawn - exact).max() < 2e-4 * np.abs(exact).max()
+    page.wait_for_timeout(500)  # what a picture says is renewed when the hand rests
+    said = page.locator("canvas.gamma-space").get_attribute("aria-label")
+    assert "29 discounts" in said
+    assert "interpolated" in said
+    assert "0.5 of the trained slope" in said
+
+
+def test_a_key_pressed_while_a_step_is_answered_is_not_lost(page, address):
+    """The answer brings other data and the state from before the key; sooner or later after the step, nobody knows."""
+    rolled_out(page, address)
+    page.locator("input[name=alpha]").focus()
+    alpha = "() => document.querySelector('.laplace-lens').lens.state.alpha"
+    for i, delay in enumerate((100, 150, 200, 250, 300, 350, 400, 500)):
+        scrub(page, 5 + i)
+        page.wait_for_timeout(delay)
+        page.keyboard.press("ArrowLeft")
+        pressed = page.evaluate(alpha)
+        page.wait_for_url(f"**alpha={pressed:g}*")
+        page.wait_for_url(f"**r.at={5 + i}*")
+        page.wait_for_timeout(300)
+        assert page.evaluate(alpha) == pressed
+        assert page.evaluate("() => document.activeElement.name") == "alpha"
+
+
+def test_artefacts_are_marked_and_one_button_leads_from_one_to_the_next(page, address, wanted):
+    _, rollout = wanted
+    rollout_of = f"checkpoint=laplace_CartPole-v1&r.rule=fading&r.horizon=60&r.seed={SEED}&r.shown=yes"
+    page.goto(f"{address}/agents?{rollout_of}&alpha=0.1")
+    settings = resolve_for_gamma_space(Settings(world="CartPole-v1", alpha=0.1), rollout.gammas)
+    flags = flag_steps(rollout, settings)
+    begins = np.flatnonzero(flags.begins)
+    button = page.get_by_role("button", name=f"artefact › {len(begins)}")
+    step = 0
+    for _ in range(min(3, len(begins))):
+        step = int(begins[(begins > step).argmax()])  # around the end to the first
+        button.click()
+        page.wait_for_function(f"() => document.querySelector('input[name=step]').value == {step}")
+        names = [name for name, mark in zip(flags.names, flags.marks[step], strict=True) if mark]
+        assert page.locator(".laplace-player .here").inner_text() == " · ".join(names)
 
 
 def test_scrubbing_needs_no_server_and_shows_the_next_step_at_once(page, address, wanted):

@@ -10,9 +10,11 @@ import pytest
 from playwright.sync_api import expect
 
 from app.lens import opening_state, payload, structure
+from app.lens.payload import unpacked
 from bench.browser import served
-from bench.lens import PAGE, agreement, bare_page, drag, payloads, random_cases
+from bench.lens import PAGE, agreement, bare_page, drag, network, payloads, random_cases
 from laplace_core import PRESETS, Settings, load_world, study
+from laplace_core.interpolation import left_out
 from laplace_core.verdict import judge
 
 pytestmark = pytest.mark.browser
@@ -51,8 +53,9 @@ def picture(page, panel: str) -> str:
 
 def test_javascript_agrees_with_the_library(chromium):
     held = payloads(small=True)
-    page = bare_page(chromium, held)
-    found = agreement(page, held, random_cases(held, 72, 7))
+    cases = random_cases(held, 72, 7) + random_cases(network(), 18, 7)
+    page = bare_page(chromium, held := held | network())
+    found = agreement(page, held, cases)
     page.close()
     left, entries = found.pop("left out"), found.pop("entries")
     assert left < 0.05 * entries
@@ -73,6 +76,29 @@ def test_every_key_press_on_a_slider_moves_it(chromium):
     })""")
     page.close()
     assert stuck == []
+
+
+def test_interpolation_in_javascript_is_the_library_s(chromium):
+    """The player hands the lens the trained discounts only; and the error of each that is left out."""
+    held = network()
+    page = bare_page(chromium, held)
+    header, arrays = unpacked(held["network"][0])
+    every = header["added"] + 1
+    trained = np.ascontiguousarray(arrays["differences"][:, ::every]), arrays["constant"][:, ::every].copy()
+    found = page.evaluate(
+        """([differences, constant]) => {
+          const base = read(Uint8Array.from(atob(window.payloads.network), (sign) => sign.charCodeAt(0)));
+          const model = remade(base, Float64Array.from(differences), Float64Array.from(constant));
+          const off = leftOut(model, model.grids.own.columns.shared.values[1]);
+          return [model.arrays.differences, model.arrays.constant, off].map((each) => Array.from(each));
+        }""",
+        [each.ravel().tolist() for each in trained],
+    )
+    page.close()
+    for shown, name in zip(found, ("differences", "constant"), strict=False):
+        np.testing.assert_allclose(np.reshape(shown, arrays[name].shape), arrays[name], rtol=1e-12, atol=1e-14)
+    tails = np.cumsum(trained[0][1][:, ::-1], axis=-1)[:, ::-1]
+    np.testing.assert_allclose(found[2], left_out(tails, arrays["gammas"][::every]).max(axis=-1), rtol=1e-9)
 
 
 _JUDGED = """({ payload, state }) => {

@@ -1,0 +1,46 @@
+"""Artefacts at every step of a rollout, looked for in the background under the settings that a page has."""
+
+from __future__ import annotations
+
+import threading
+from collections import OrderedDict
+from dataclasses import replace
+from weakref import WeakKeyDictionary
+
+import numpy as np
+
+from app.background import Told, Work
+from app.rollouts import Rolling
+from app.sources import View
+from laplace_core import Settings
+from laplace_core.training.flags import Flags, flag_steps
+
+MOST_KEPT = 8
+"""Searches for one rollout, of some kilobytes each; they go when it goes."""
+_kept: WeakKeyDictionary[Rolling, OrderedDict[tuple[Settings, int], Work[Flags]]] = WeakKeyDictionary()
+_lock = threading.Lock()
+
+
+def flagging(rolling: Rolling, view: View) -> Work[Flags]:
+    """The search for a rollout that is done under the settings of a view: the one there is, or a new one."""
+    rollout, added = rolling.rollout(), view.subject.added
+    # Without a truth no artefact depends on how values are read.
+    key = settings, _ = replace(view.settings, softness=0.0, deadline="time_to_go"), added
+
+    def make(told: Told) -> Flags:
+        return flag_steps(rollout, settings, added, told)
+
+    with _lock:
+        kept = _kept.setdefault(rolling, OrderedDict())
+        if key not in kept or kept[key].gone:
+            kept[key] = Work(make)
+        kept.move_to_end(key)
+        while len(kept) > MOST_KEPT:
+            kept.popitem(last=False)[1].cancel()
+        return kept[key]
+
+
+def for_player(flags: Flags, alpha: float) -> dict[str, object]:
+    """What the player is told: names, and at every step which of them are there, a bit each."""
+    marks = flags.marks @ (1 << np.arange(len(flags.names)))
+    return {"alpha": alpha, "names": list(flags.names), "marks": marks.astype(int).tolist()}

@@ -1,0 +1,61 @@
+// What only a network's gamma-space can be asked for: discounts between those that were trained, and a softer slope.
+// Both are linear maps of what was learned (laplace_core/interpolation.py, laplace_core/encoding.py).
+import { masses, product } from './maths.js';
+
+const logTime = (gamma) => Math.log(-1 / Math.log(gamma));
+
+// What lies between two discounts as two weights of what lies at them: (1 - gamma) Q is a line over log time.
+function weightsBetween(low, gamma, high) {
+  const share = (logTime(gamma) - logTime(low)) / (logTime(high) - logTime(low));
+  return [((1 - share) * (1 - low)) / (1 - gamma), (share * (1 - high)) / (1 - gamma)];
+}
+
+// Values (A, trained, width), and those of the discounts that are added between.
+export function filled({ actions, added }, { gammas }, values) {
+  if (!added) return values;
+  const A = actions.length, G = gammas.length, every = added + 1, T = (G - 1) / every + 1, width = values.length / A / T;
+  const out = new Float64Array(A * G * width);
+  for (let a = 0; a < A; a++) {
+    for (let g = 0; g < G; g++) {
+      const t = Math.floor(g / every), from = (a * T + t) * width, to = (a * G + g) * width, left = g % every;
+      const [low, high] = left ? weightsBetween(gammas[g - left], gammas[g], gammas[g - left + every]) : [1, 0];
+      for (let i = 0; i < width; i++) out[to + i] = low * values[from + i] + (left && high * values[from + width + i]);
+    }
+  }
+  return out;
+}
+
+// The most that interpolation misses of (1 - gamma) Q where a trained discount is left out, for each of them but the
+// outermost two; differences (G, H-1) of one action.
+export function leftOut({ header: { added }, arrays: { gammas } }, Z) {
+  const every = added + 1, T = (gammas.length - 1) / every + 1, width = Z.length / gammas.length;
+  return Float64Array.from({ length: Math.max(0, T - 2) }, (_, i) => {
+    const [below, at, above] = [i * every, (i + 1) * every, (i + 2) * every];
+    const [low, high] = weightsBetween(gammas[below], gammas[at], gammas[above]);
+    let sum = 0, worst = 0;
+    for (let h = width - 1; h >= 0; h--) {
+      sum += low * Z[below * width + h] + high * Z[above * width + h] - Z[at * width + h];
+      worst = Math.max(worst, Math.abs(sum));
+    }
+    return worst * (1 - gammas[at]);
+  });
+}
+
+// A softer slope: `map`, what a difference leaves at each midpoint, (H-1, H-1), and `off`, the most that it misses of the
+// chance to lie above a threshold, for rewards across the middle gap.
+export function softened(places, share) {
+  const H = places.length - 1, map = new Float64Array(H * H), steep = Math.tan((Math.PI * share) / 2);
+  const beyond = (x) => 0.5 + Math.atan(steep * Math.tanh((share * x) / 2)) / (Math.PI * share);
+  for (let j = 0; j < H; j++) {
+    const middle = (places[j] + places[j + 1]) / 2;
+    for (let h = 0; h < H; h++) map[j * H + h] = beyond(middle - places[h]) - beyond(middle - places[h + 1]);
+  }
+  const first = places[H >> 1], gap = places[(H >> 1) + 1] - first;
+  const rewards = Float64Array.from({ length: 9 }, (_, i) => first + (i / 8) * gap), exact = masses(rewards, places, share);
+  let off = 0, sum = 0;
+  product(masses(rewards, places, 1), map, 9, H, H).forEach((value, i) => {
+    sum = (i % H ? sum : 0) + value - exact[i];
+    off = Math.max(off, Math.abs(sum));
+  });
+  return { map, off };
+}
