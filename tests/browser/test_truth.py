@@ -34,7 +34,7 @@ def test_continuations_are_drawn_held_against_tau_space_and_gone_with_their_stat
     page.goto(f"{address}/agents?{query}")
     page.locator(".laplace-player canvas").wait_for()
     page.locator("canvas.tau-space").wait_for()
-    page.get_by_role("button", name="Simulate").click()
+    page.get_by_role("button", name="Simulate", exact=True).click()
     page.wait_for_function(f"{_SIMULATED.removeprefix('() => ')} === {COUNT}")
     page.get_by_text("calibration of P(r > θ, alive)").wait_for()
     page.wait_for_function("() => document.querySelector('canvas.tau-space').ariaLabel.includes('outlined')")
@@ -63,6 +63,6 @@ def test_continuations_are_drawn_held_against_tau_space_and_gone_with_their_stat
     scrub(page, STEP + 3)
     assert page.evaluate(_SIMULATED) == 0
     page.wait_for_url(f"**r.at={STEP + 3}*")
-    page.get_by_role("button", name="Simulate").and_(page.locator(":enabled")).wait_for()
+    page.get_by_role("button", name="Simulate", exact=True).and_(page.locator(":enabled")).wait_for()
     scrub(page, STEP)  # and back to what is known
     page.wait_for_function(f"{_SIMULATED.removeprefix('() => ')} === {COUNT}")
