@@ -67,7 +67,7 @@ def test_every_key_press_on_a_slider_moves_it(chromium):
     """A place whose value leads back to another place is one that no arrow key leaves."""
     page = bare_page(chromium, {})
     stuck = page.evaluate("""() => SLIDERS.flatMap(([name, , , , made]) => {
-      const model = { sloped: true, horizons: [1, 2, 3, 4], dt: 1, K: 4, truth: true };
+      const model = { sloped: true, arrays: { places: true }, horizons: [1, 2, 3, 4], dt: 1, K: 4, truth: true };
       return [1, 0.02, 25, 3.3].flatMap((slope) => {
         const scale = typeof made === 'function' ? made(model, { slope }) : made;
         const places = [...Array(scale.count + 1).keys()];
@@ -162,7 +162,7 @@ def test_keys_held_down_are_one_release(page, demo):
     page.locator("input[name=alpha]").focus()
     for _ in range(8):
         page.keyboard.press("ArrowLeft")
-    page.get_by_text(f"runs {before + 1}, alpha 0.13").wait_for()
+    page.get_by_text(f"runs {before + 1}, alpha 0.126").wait_for()
     page.wait_for_timeout(600)
     assert runs(page) == before + 1
 
