@@ -9,6 +9,7 @@ from collections.abc import Mapping
 from functools import lru_cache
 
 from laplace_core import InputError
+from laplace_core.parameters import Parameter
 
 LONGEST = 7_000
 """Characters of a link's values; proxies and chat programs cut much longer ones off."""
@@ -40,3 +41,25 @@ def unpack(word: str) -> str:
 
 def fits(query: Mapping[str, str]) -> bool:
     return sum(map(len, query.values())) <= LONGEST
+
+
+def read_values(
+    query: Mapping[str, str], known: Mapping[str, Parameter], read: tuple[str, ...] = ()
+) -> tuple[dict[str, object], list[str]]:
+    """Values of the entries that a page knows, and a note about every other one.
+
+    Args:
+        read: entries that were dealt with before.
+    """
+    found, notes = {}, []
+    for name, text in query.items():
+        if name in read:
+            continue
+        if name not in known:
+            notes.append(f"The link has an entry {name[:40]!r} that means nothing here.")
+            continue
+        try:
+            found[name] = known[name].parse(text)
+        except InputError as error:
+            notes.append(f"Left out of the link: {error}")
+    return found, notes

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from app import checkpoints, training_runs
+from app.link import read_values
 from app.races import Control
 from laplace_core import InputError, Settings
 from laplace_core.agents.agent import Agent
@@ -27,15 +28,6 @@ FIRST_AGENT = "laplace_LunarLander-v3"
 USUAL_HORIZON, USUAL_COUNT = 50, 100
 _STOPS = (1, 2, 3, 4, 5, 6, 8, 10, 15, 20, 25, 30, 40, 50, 60, 80, 100, 125, 150, 200, 250, 300, 400, 500, 700, 1000)
 
-TITLES = {
-    "greedy": "greedy at a discount",
-    "matched": "for T: nearest discount",
-    "fading": "for T: fading deadline",
-    "readout": "for T: readout of all discounts",
-    "decoded": "for T: decoded tau-space (slow)",
-    "own": "for T: learned values",
-}
-"""Rules in a list to choose from."""
 _NAMES = {
     "greedy": "greedy", "matched": "nearest discount", "fading": "fading deadline", "readout": "readout",
     "decoded": "decoded tau-space", "own": "learned values",
@@ -44,7 +36,7 @@ REMARKS = {
     "CartPole-v1": "Every step pays 1 while the pole stands: what is best hardly depends on the deadline.",
     "Acrobot-v1": "Every step costs 1 until the tip is up: the fastest way is best for any deadline that it makes.",
 }
-REMARKS |= {"CartPole-v0": REMARKS["CartPole-v1"]}
+REMARKS["CartPole-v0"] = REMARKS["CartPole-v1"]
 REMARKS["MountainCar-v0"] = "Every step costs 1 until the flag: the fastest way is best for any deadline that it makes."
 
 
@@ -136,17 +128,8 @@ def parse_query(query: Mapping[str, str]) -> tuple[dict[str, object], list[str]]
         else:
             notes.append(f"Left out of the link: {query[AGAINST][:40]!r} is no other agent of {loaded.environment}.")
     known = parameters(loaded, other)
-    for name, text in query.items():
-        if name in (AGENT, AGAINST):
-            continue
-        if name not in known:
-            notes.append(f"The link has an entry {name[:40]!r} that means nothing here.")
-            continue
-        try:
-            found[name] = known[name].parse(text)
-        except InputError as error:
-            notes.append(f"Left out of the link: {error}")
-    return found, notes
+    values, more = read_values(query, known, (AGENT, AGAINST))
+    return found | values, notes + more
 
 
 def control_of(values: Mapping[str, object]) -> Control:

@@ -9,6 +9,7 @@ import numpy as np
 from app import checkpoints, rolled
 from app.lens.state import NETWORK
 from app.lens.state import VIEW as LENS
+from app.link import read_values
 from app.observations import Scene, scene_of
 from app.query import VIEW
 from app.sources import View
@@ -50,17 +51,8 @@ def parse_query(query: Mapping[str, str]) -> tuple[dict[str, object], list[str]]
     known.pop("state")
     if scene.states:
         known["state"] = Parameter("state", None, 0, 0, "State that is observed.", str, scene.states)
-    for name, text in query.items():
-        if name == "checkpoint":
-            continue
-        if name not in known:
-            notes.append(f"The link has an entry {name[:40]!r} that means nothing here.")
-            continue
-        try:
-            found[name] = known[name].parse(text)
-        except InputError as error:
-            notes.append(f"Left out of the link: {error}")
-    return found, notes
+    values, more = read_values(query, known, ("checkpoint",))
+    return found | values, notes + more
 
 
 def action_of(scene: Scene, values: Mapping[str, object]) -> int:

@@ -381,3 +381,17 @@ def test_schemas_and_defaults_agree(algorithm):
     assert AGENTS[algorithm].settings_class is kind
     assert {parameter.name: parameter.default for parameter in kind.SCHEMA} == kind().as_dict()
     assert all(parameter.help.endswith(".") for parameter in kind.SCHEMA)
+
+
+@pytest.mark.parametrize("algorithm", PEERS)
+def test_an_output_of_one_stands_for_a_reward_of_one_at_every_step(algorithm):
+    """Returns are 1 + gamma + gamma^2 + ... = 100 times a reward a step at .99; C51's outputs are no returns."""
+    agent, batch = peer(algorithm, gamma=0.99), batch_of(9)
+    before = agent.network(batch.observations)
+    agent.network.head.bias.data += 1.0
+    wanted = before + (1.0 if algorithm == "c51" else 100.0)
+    torch.testing.assert_close(agent.network(batch.observations), wanted, rtol=1e-5, atol=1e-3)
+    outputs = agent.network(batch.observations)[torch.arange(9), 0, batch.actions[:, 0]]
+    prepared = agent.prepare(batch)
+    wanted = agent.loss(outputs, *prepared) / (1.0 if algorithm == "c51" else 100.0)
+    torch.testing.assert_close(agent.losses(batch, *prepared)[:, 0], wanted)

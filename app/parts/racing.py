@@ -10,8 +10,9 @@ import streamlit as st
 from app import checkpoints, raced, races, state
 from app.background import Work
 from app.observations import scene_of
-from app.raced import AGAINST, AGENT, AT, COUNT, GAMMA, HORIZON, LEFT, RIGHT, START, TITLES
+from app.raced import AGAINST, AGENT, AT, COUNT, GAMMA, HORIZON, LEFT, RIGHT, START
 from app.races import Control
+from app.rolled import TITLES
 from app.track import track
 from laplace_core import InputError
 from laplace_core.training.frames import animation, side_by_side
