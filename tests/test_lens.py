@@ -217,9 +217,9 @@ def test_the_file_of_its_own_asks_for_nothing():
 
 
 def test_a_message_begins_on_a_multiple_of_eight():
-    from app.lens import _message
+    from app.message import pack
 
-    message = _message({"state": {"x": 1}}, b"12345678")
+    message = pack({"state": {"x": 1}}, b"12345678")
     (length,) = struct.unpack_from("<I", message)
     assert (4 + length) % 8 == 0
     assert json.loads(message[4 : 4 + length]) == {"state": {"x": 1}}

@@ -7,9 +7,7 @@ computes everything else; Python hears a state when a control is released.
 from __future__ import annotations
 
 import base64
-import hashlib
 import json
-import struct
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict, dataclass
 from functools import cache
@@ -17,7 +15,7 @@ from pathlib import Path
 
 import streamlit as st
 
-from app import chart
+from app import chart, message
 from app.lens.payload import Simulated, payload, structure
 from app.lens.presets import PRESETS, Preset, presets_for
 from app.lens.seen import seen
@@ -101,7 +99,7 @@ def lens(
         followed: what came, to be drawn on the timeline; see :func:`app.rolled.followed`.
     """
     known = st.session_state.setdefault(f"_lens {key}", {"revision": 0, "held": []})
-    digest = _digest(data)
+    digest = message.name_of(data)
     # Only another state moves the lens: beside other data a hand may have changed it since, and has the last word.
     if known.get("heard", known.get("shown")) != dict(state):
         known.update(revision=known["revision"] + 1)
@@ -127,17 +125,16 @@ def lens(
 
     def heard() -> None:
         found = st.session_state[widget].released
-        if isinstance(found, Mapping) and "missing" in found:
-            known["held"] = []
+        known["held"] = message.held(known["held"], digest, found, _HELD)
+        if not known["held"]:
             return
-        known["held"] = [digest, *(each for each in known["held"] if each != digest)][:_HELD]
         released = _released(found)
         known["heard"] = released.state
         if on_release is not None:
             on_release(released)
 
     sent = b"" if digest in known["held"] else data
-    result = _component()(key=widget, data=_message(told, sent), on_released_change=heard, height="content")
+    result = _component()(key=widget, data=message.pack(told, sent), on_released_change=heard, height="content")
     return None if result.released is None else _released(result.released)
 
 
@@ -158,17 +155,6 @@ def _released(found: object) -> Released:
 def _index(value: object) -> int | None:
     whole = isinstance(value, int | float) and not isinstance(value, bool) and 0 <= value < 2**31
     return int(value) if whole else None
-
-
-def _message(told: Mapping[str, object], data: bytes) -> bytes:
-    """A length, JSON and the payload, which begins on a multiple of 8 bytes."""
-    text = json.dumps(told).encode()
-    text += b" " * (-(len(text) + 4) % 8)
-    return struct.pack("<I", len(text)) + text + data
-
-
-def _digest(data: bytes) -> str:
-    return hashlib.sha256(data).hexdigest()[:16]
 
 
 @cache

@@ -7,6 +7,18 @@ const VIRIDIS = ['#440154', '#472d7b', '#3b528b', '#2c728e', '#21918c', '#28ae80
 
 // ---- pens: path, text, image, clip
 
+// A canvas as large as it is on the page, cleared, and a pen for it; nothing while it is not shown.
+export function sheet(canvas, font) {
+  const width = canvas.clientWidth, height = canvas.clientHeight, dense = Math.min(2, devicePixelRatio);
+  if (!width) return undefined;
+  const size = { width: Math.round(width * dense), height: Math.round(height * dense) };
+  if (canvas.width !== size.width || canvas.height !== size.height) Object.assign(canvas, size);
+  const context = canvas.getContext('2d');
+  context.setTransform(dense, 0, 0, dense, 0, 0);
+  context.clearRect(0, 0, width, height);
+  return { pen: canvasPen(context, font), width, height };
+}
+
 export function canvasPen(context, font) {
   return {
     path(points, { stroke, width = 1, dash = [], fill, close } = {}) {

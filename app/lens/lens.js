@@ -1,6 +1,6 @@
 // The lens: one state, the pictures that it makes, and what is done to both. Python hears releases only.
 import { element, footer, sliders, switchboard, toolbar } from './controls.js';
-import { canvasPen } from './drawing.js';
+import { sheet } from './drawing.js';
 import { saveCsv, saveHtml, savePng, saveSvg } from './export.js';
 import { isSpace, listen } from './hand.js';
 import { gammaSpace, kernel, resolution, see } from './maths.js';
@@ -180,14 +180,8 @@ export function mount(root, model, told, report) {
     look(dragging ? PER_FRAME : AT_REST);
     scene.colours ??= coloursOf(host);
     for (const each of panels) {
-      const { canvas } = each, w = canvas.clientWidth, h = canvas.clientHeight, dense = Math.min(2, devicePixelRatio);
-      const size = { width: Math.round(w * dense), height: Math.round(h * dense) };
-      if (!w) continue;
-      if (canvas.width !== size.width || canvas.height !== size.height) Object.assign(canvas, size);
-      const context = canvas.getContext('2d');
-      context.setTransform(dense, 0, 0, dense, 0, 0);
-      context.clearRect(0, 0, w, h);
-      canvas.scale = drawOne(canvasPen(context, scene.colours.font), each, w, h) ?? canvas.scale;
+      const { canvas } = each, found = sheet(canvas, scene.colours.font);
+      if (found) canvas.scale = drawOne(found.pen, each, found.width, found.height) ?? canvas.scale;
     }
     handles.sync(state);
     board.sync(state);

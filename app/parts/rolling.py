@@ -6,8 +6,9 @@ import streamlit as st
 
 from app import rolled, rollouts, state
 from app.flagging import flagging, for_player
+from app.message import name_of
 from app.observations import Scene
-from app.player import name_of, player
+from app.player import player
 from app.rolled import ADAPTED, AT, GAMMA, HORIZON, PARAMETERS, RULE, SEED, SHOWN
 from app.rollouts import Rolling
 from app.sources import View

@@ -6,23 +6,19 @@ gamma-space of each step; when it comes to rest Python hears the step, and the l
 
 from __future__ import annotations
 
-import hashlib
-import json
-import struct
 from collections.abc import Callable, Mapping, Sequence
 from functools import cache
 from pathlib import Path
 
 import streamlit as st
 
-from app import chart
+from app import chart, cursor
+from app.cursor import under_cursor
 from app.lens import modules
 from app.player.payload import payload
 from app.served import served
 
 _HERE = Path(__file__).resolve().parent
-_HELD = 2
-"""Episodes that a browser keeps (player.js)."""
 
 
 def player(
@@ -39,41 +35,8 @@ def player(
         seconds: that a step is shown for while it plays.
         flags: from :func:`app.flagging.for_player`; None while they are looked for, and the player asks again.
     """
-    known = st.session_state.setdefault(f"_player {key}", {"revision": 0, "held": []})
-    digest = name_of(data)
-    if known.get("id") != digest or known.get("at") != at:
-        known.update(id=digest, at=at, revision=known["revision"] + 1)
-    widget = f"player {key}"
-
-    def heard() -> None:
-        found = st.session_state[widget].rested
-        if not isinstance(found, Mapping):
-            return
-        if "missing" in found:
-            known["held"] = []
-            return
-        known["held"] = [digest, *(each for each in known["held"] if each != digest)][:_HELD]
-        step = found.get("step")
-        whole = isinstance(step, int | float) and not isinstance(step, bool) and 0 <= step < 1e6
-        if whole and found.get("id") == digest:
-            known["at"] = int(step)
-            if on_step is not None:
-                on_step(int(step))
-
-    told = {
-        "id": digest, "revision": known["revision"], "at": at, "names": list(names), "actions": list(action_names),
-        "seconds": seconds, "flags": flags,
-    }  # fmt: skip
-    text = json.dumps(told).encode()
-    text += b" " * (-(len(text) + 4) % 8)
-    sent = b"" if digest in known["held"] else data
-    message = struct.pack("<I", len(text)) + text + sent
-    _component()(key=widget, data=message, on_rested_change=heard, height="content")
-
-
-def name_of(data: bytes) -> str:
-    """What the browser knows an episode by."""
-    return hashlib.sha256(data).hexdigest()[:16]
+    told = {"names": list(names), "actions": list(action_names), "seconds": seconds, "flags": flags}
+    under_cursor(_component(), "player", key, data, at, told, on_step)
 
 
 @cache
@@ -92,7 +55,7 @@ def player_js() -> str:
 @cache
 def script() -> str:
     own = "\n".join((_HERE / f"{name}.js").read_text(encoding="utf-8") for name in ("reel", "peers", "player"))
-    return modules("maths", "network", "drawing", "controls") + chart.joined(own)
+    return modules("maths", "network", "drawing", "controls") + chart.joined(f"{cursor.script()}\n{own}")
 
 
 __all__ = ["name_of", "payload", "player", "player_js", "script"]

@@ -1,13 +1,11 @@
 // The player inside Streamlit: the frame, a timeline to drag over, buttons, and the numbers of the step under the cursor.
 import { element } from './controls.js';
-import { NEUTRAL, actionColour, axes, canvasPen, line, rounded, short } from './drawing.js';
+import { button, component, stepper } from './cursor.js';
+import { NEUTRAL, actionColour, axes, line, rounded, sheet, short } from './drawing.js';
 import { follow } from './peers.js';
 import { bySurprise, followedAt, frameAt, modelAt, nextMarked, openReel } from './reel.js';
 
-const REST = 250; // ms without a move before the server hears the step
 const ASK = 400; // ms until the server is asked again for what it looks for in the background
-const reels = globalThis.laplaceReels ??= new Map(), HELD = 2; // by payload; Python counts on as many
-const mounted = new WeakMap();
 const MEANINGS = {
   expected: 'discounted return that the agent expected of the action taken',
   came: 'discounted return that came; where the episode was cut off, the best value of the last observation stands for the rest',
@@ -15,66 +13,32 @@ const MEANINGS = {
 };
 const lensOf = () => document.querySelector('.laplace-lens')?.lens;
 
-async function reelOf(id, bytes) {
-  const reel = bytes.length && !reels.has(id) ? { ...await openReel(bytes), id } : reels.get(id);
-  if (!reel) return undefined;
-  reels.delete(id);
-  reels.set(id, reel);
-  while (reels.size > HELD) reels.delete(reels.keys().next().value);
-  return reel;
-}
-
-export default async function ({ data, parentElement, setTriggerValue }) {
-  const view = new DataView(data.buffer, data.byteOffset), length = view.getUint32(0, true);
-  const told = JSON.parse(new TextDecoder().decode(data.subarray(4, 4 + length)));
-  const reel = await reelOf(told.id, data.subarray(4 + length));
-  if (!reel) { setTriggerValue('rested', { missing: told.id }); return; }
-  let kept = mounted.get(parentElement);
-  if (kept && kept.id === told.id && kept.host.isConnected) {
-    kept.report = setTriggerValue;
-    if (kept.revision !== told.revision) kept.go(told.at);
-    kept.flag(told.flags);
-    kept.revision = told.revision;
-    return;
-  }
-  kept?.stop();
-  const host = element('div', { class: 'laplace-player' });
-  parentElement.querySelectorAll('.laplace-player').forEach((old) => old.remove());
-  parentElement.append(host);
-  kept = mount(host, reel, told, (heard) => kept.report('rested', heard));
-  Object.assign(kept, { id: told.id, revision: told.revision, report: setTriggerValue });
-  mounted.set(parentElement, kept);
-}
+export default component({ kind: 'player', mount, open: async (bytes, id) => ({ ...await openReel(bytes), id }) });
 
 function mount(host, reel, told, report) {
   const last = reel.steps - 1, order = bySurprise(reel), differ = reel.differs.reduce((a, b) => a + b, 0);
-  let step = Math.min(told.at, last), playing, resting, url, reported = step, since, rank = -1;
-  let flags, begins, asking, asked = 0;
+  let url, rank = -1, flags, begins, asking, asked = 0;
   const returns = Float64Array.from(reel.rewards);
   for (let t = 1; t <= last; t++) returns[t] += returns[t - 1];
   host.times = [];
 
   const frame = element('img', { class: 'frame', alt: 'the environment before this step' });
   const canvas = element('canvas', { class: 'reel', role: 'img', 'aria-label': 'rewards and surprise of the episode' });
-  const bar = element('input', { type: 'range', min: 0, max: last, step: 1, 'aria-label': 'step of the episode', name: 'step' });
-  const button = (words, title, does) => element('button', { type: 'button', title, 'aria-label': title, onclick: does }, words);
-  const play = button('▶', 'play', () => (playing ? stop() : begin()));
-  const differs = button(differ ? `not greedy › ${differ}` : 'always greedy', 'next step whose action is not the greedy one', () => go(nextMarked(reel.differs, step)));
+  const at = stepper({ host, told, last, name: 'step', label: 'step of the episode', show, report });
+  const differs = button(differ ? `not greedy › ${differ}` : 'always greedy', 'next step whose action is not the greedy one', () => at.to(nextMarked(reel.differs, at.step)));
   differs.disabled = !differ;
   const surprise = button('surprise ›', 'largest surprise; again for the next largest', () => { // on from the last one, while it is still shown
-    rank = order[rank] === step ? (rank + 1) % Math.min(order.length, 10) : 0;
-    go(order[rank]);
+    rank = order[rank] === at.step ? (rank + 1) % Math.min(order.length, 10) : 0;
+    at.to(order[rank]);
   });
-  const artefact = button('artefact ›', '', () => go(nextMarked(begins, step)));
+  const artefact = button('artefact ›', '', () => at.to(nextMarked(begins, at.step)));
   const where = element('b', {}), here = element('span', { class: 'here' });
   const values = element('table', { class: 'values' }), seen = element('table', { class: 'seen' });
-  const moves = element('div', { class: 'buttons' },
-    button('|‹', 'first step', () => go(0)), button('‹', 'one step back', () => go(step - 1)), play,
-    button('›', 'one step on', () => go(step + 1)), button('›|', 'last step', () => go(last)));
+  const moves = element('div', { class: 'buttons' }, ...at.moves);
   const jumps = element('div', { class: 'buttons' }, differs, surprise, artefact);
   const facts = element('table', { class: 'facts' }), numbers = element('div', { class: 'numbers' },
     element('div', {}, values, facts), ...(told.names.length ? [seen] : []));
-  const middle = element('div', { class: 'middle' }, element('div', { class: 'line' }, where, here), canvas, bar, ...(reel.ends.length ? [] : [moves]), jumps);
+  const middle = element('div', { class: 'middle' }, element('div', { class: 'line' }, where, here), canvas, at.bar, ...(reel.ends.length ? [] : [moves]), jumps);
   host.append(...(reel.ends.length ? [element('div', { class: 'screen' }, frame, moves)] : []), middle, numbers);
 
   const cell = (words, kind = '') => element('td', { class: kind }, words);
@@ -97,8 +61,8 @@ function mount(host, reel, told, report) {
     return value;
   });
 
-  const lead = globalThis.laplaceLead = { id: told.id, get step() { return step; }, over(model) {
-    return [modelAt(reel, step, model), { said: null, followed: followedAt(reel, step) }];
+  const lead = globalThis.laplaceLead = { id: told.id, get step() { return at.step; }, over(model) {
+    return [modelAt(reel, at.step, model), { said: null, followed: followedAt(reel, at.step) }];
   } };
 
   // Artefacts of the action taken: bits of names, a number a step; none while the server looks for them.
@@ -118,24 +82,9 @@ function mount(host, reel, told, report) {
     draw();
   }
 
-  function go(next) {
-    next = Math.max(0, Math.min(last, next));
-    if (next === step) return;
-    step = next;
-    show();
-    clearTimeout(resting);
-    if (!playing) resting = setTimeout(rest, REST);
-  }
-
-  function rest() {
-    if (!host.isConnected || step === reported) return;
-    reported = step;
-    report({ step, id: told.id });
-  }
-
   function show() {
     const began = performance.now(), lens = lensOf();
-    if (!reel.levels) follow(reel, step); // no gamma-space, no lens
+    if (!reel.levels) follow(reel, at.step); // no gamma-space, no lens
     else if (lens && globalThis.laplaceLead === lead) {
       const [model, news] = lead.over(lens.model);
       lens.show(model, news, false);
@@ -146,13 +95,13 @@ function mount(host, reel, told, report) {
   }
 
   function draw() {
-    const picture = frameAt(reel, step);
+    const { step } = at, picture = frameAt(reel, step);
     if (picture) {
       const old = url;
       frame.src = url = URL.createObjectURL(new Blob([picture], { type: 'image/jpeg' }));
       if (old) setTimeout(() => URL.revokeObjectURL(old), 500);
     }
-    bar.value = step;
+    at.bar.value = step;
     where.textContent = `step ${step} of ${last}`;
     here.textContent = flags?.names.filter((_, i) => flags.marks[step] & (1 << i)).join(' · ') ?? '';
     [reel.rewards[step], returns[step], reel.predicted[step], reel.received[step], reel.surprise[step]].forEach((value, i) => {
@@ -171,14 +120,9 @@ function mount(host, reel, told, report) {
   }
 
   function drawReel() {
-    const w = canvas.clientWidth, h = canvas.clientHeight, dense = Math.min(2, devicePixelRatio);
-    if (!w) return;
-    const size = { width: Math.round(w * dense), height: Math.round(h * dense) };
-    if (canvas.width !== size.width || canvas.height !== size.height) Object.assign(canvas, size);
-    const context = canvas.getContext('2d'), style = getComputedStyle(host), pen = canvasPen(context, style.fontFamily);
-    const colours = { text: style.color, soft: NEUTRAL }, x = [-0.5, last + 0.5];
-    context.setTransform(dense, 0, 0, dense, 0, 0);
-    context.clearRect(0, 0, w, h);
+    const found = sheet(canvas, getComputedStyle(host).fontFamily), { step } = at;
+    if (!found) return;
+    const { pen, width: w, height: h } = found, colours = { text: getComputedStyle(host).color, soft: NEUTRAL }, x = [-0.5, last + 0.5];
     const range = (all) => rounded(all.reduce((a, b) => Math.min(a, b), 0), all.reduce((a, b) => Math.max(a, b), 0));
     const half = (h - 24) / 2, upper = { x: 46, y: 4, w: w - 56, h: half - 4 }, lower = { ...upper, y: half + 8, h: half - 4 };
     const top = axes(pen, upper, { x, y: range(reel.rewards), yTicks: range(reel.rewards), xTicks: [], yTitle: 'reward', colours });
@@ -195,39 +139,11 @@ function mount(host, reel, told, report) {
     canvas.toStep = (px) => Math.round(((px - upper.x) / upper.w) * (last + 1) - 0.5);
   }
 
-  function begin() {
-    if (step === last) go(0);
-    clearTimeout(resting);
-    since = undefined;
-    const tick = (now) => {
-      if (!playing || !host.isConnected) return;
-      since ??= now;
-      const steps = Math.floor((now - since) / (1000 * told.seconds));
-      if (steps) { since += steps * 1000 * told.seconds; go(step + steps); }
-      if (step >= last) { stop(); return; }
-      playing = requestAnimationFrame(tick);
-    };
-    playing = requestAnimationFrame(tick);
-    play.textContent = '❚❚';
-    play.title = 'pause';
-  }
-
-  function stop() {
-    if (!playing) return;
-    cancelAnimationFrame(playing);
-    playing = undefined;
-    play.textContent = '▶';
-    play.title = 'play';
-    resting = setTimeout(rest, REST);
-  }
-
-  bar.oninput = () => { stop(); go(+bar.value); };
-  canvas.onpointerdown = (event) => { canvas.setPointerCapture(event.pointerId); stop(); go(canvas.toStep(event.offsetX)); };
-  canvas.onpointermove = (event) => { if (event.buttons) go(canvas.toStep(event.offsetX)); };
+  at.over(canvas);
   new ResizeObserver(drawReel).observe(host);
   host.addEventListener('transitionend', (event) => { if (event.target === host) drawReel(); }); // its colour follows the theme
-  const lens = lensOf(), exact = lens?.lead?.id === told.id && lens.lead.step === step && !String(lens.model.id).startsWith(reel.id);
+  const lens = lensOf(), exact = lens?.lead?.id === told.id && lens.lead.step === at.step && !String(lens.model.id).startsWith(reel.id);
   if (exact) draw(); else show(); // what Python has told the lens of this very step is better
   flag(told.flags);
-  return { host, stop, flag, go(next) { stop(); go(next); reported = step; clearTimeout(resting); } };
+  return { stop: at.stop, place: at.place, news: ({ flags: news }) => flag(news) };
 }

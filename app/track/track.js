@@ -1,10 +1,7 @@
 // The race track inside Streamlit: both episodes under one cursor, buttons, and both returns until the deadline.
 import { element } from './controls.js';
-import { NEUTRAL, axes, canvasPen, line, rounded, short, ticks } from './drawing.js';
-
-const REST = 250; // ms without a move before the server hears the step
-const races = globalThis.laplaceRaces ??= new Map(), HELD = 4; // by payload; Python counts on as many
-const mounted = new WeakMap();
+import { button, component, stepper } from './cursor.js';
+import { NEUTRAL, axes, line, rounded, sheet, short, ticks } from './drawing.js';
 
 // A race as it is drawn: of each side the return after 0, 1, ... steps.
 function opened(bytes) {
@@ -19,77 +16,28 @@ function opened(bytes) {
   return race;
 }
 
-function raceOf(id, bytes) {
-  const race = bytes.length && !races.has(id) ? opened(bytes) : races.get(id);
-  if (!race) return undefined;
-  races.delete(id);
-  races.set(id, race);
-  while (races.size > HELD) races.delete(races.keys().next().value);
-  return race;
-}
-
-export default function ({ data, parentElement, setTriggerValue }) {
-  const view = new DataView(data.buffer, data.byteOffset), length = view.getUint32(0, true);
-  const told = JSON.parse(new TextDecoder().decode(data.subarray(4, 4 + length)));
-  const race = raceOf(told.id, data.subarray(4 + length));
-  if (!race) { setTriggerValue('rested', { missing: told.id }); return; }
-  const shown = JSON.stringify([told.id, told.names]);
-  let kept = mounted.get(parentElement);
-  if (kept && kept.shown === shown && kept.host.isConnected) {
-    kept.report = setTriggerValue;
-    if (kept.revision !== told.revision) kept.go(told.at);
-    kept.revision = told.revision;
-    return;
-  }
-  kept?.stop();
-  const host = element('div', { class: 'laplace-track' });
-  parentElement.querySelectorAll('.laplace-track').forEach((old) => old.remove());
-  parentElement.append(host);
-  kept = mount(host, race, told, (heard) => kept.report('rested', heard));
-  Object.assign(kept, { shown, revision: told.revision, report: setTriggerValue });
-  mounted.set(parentElement, kept);
-}
+export default component({ kind: 'track', open: opened, mount, shown: (told) => JSON.stringify([told.id, told.names]) });
 
 const returnAfter = (side, step) => side.returns[Math.min(step, side.steps)];
 
 function mount(host, race, told, report) {
   const { last, sides } = race;
-  let step = Math.min(told.at, last), reported = step, playing, resting, since;
+  const at = stepper({ host, told, last, name: 'over', label: 'steps that are over', show, report });
 
   const lanes = sides.map((side, i) => lane(race, side, told.names[i], told.colours[i], told.actions));
   const canvas = element('canvas', { class: 'course', role: 'img', 'aria-label': 'returns of both sides until the deadline, and their difference' });
-  const bar = element('input', { type: 'range', min: 0, max: last, step: 1, 'aria-label': 'steps that are over', name: 'over' });
-  const button = (words, title, does) => element('button', { type: 'button', title, 'aria-label': title, onclick: does }, words);
-  const play = button('▶', 'play', () => (playing ? stop() : begin()));
   const parting = button(race.parting === null ? 'never apart' : `first apart · ${race.parting + 1}`,
-    'the first step at which the actions differ', () => { stop(); go(race.parting + 1); });
+    'the first step at which the actions differ', () => at.to(race.parting + 1));
   parting.disabled = race.parting === null;
   const where = element('b', {}), ahead = element('span', { class: 'ahead' });
-  const still = (to) => () => { stop(); go(to()); };
-  host.append(element('div', { class: 'lanes' }, ...lanes.map((one) => one.box)), canvas, bar,
-    element('div', { class: 'buttons' },
-      button('|‹', 'the start', still(() => 0)), button('‹', 'one step back', still(() => step - 1)), play,
-      button('›', 'one step on', still(() => step + 1)), button('›|', 'the end', still(() => last)), parting, where, ahead));
-
-  function go(next) {
-    next = Math.max(0, Math.min(last, next));
-    if (next === step) return;
-    step = next;
-    show();
-    clearTimeout(resting);
-    if (!playing) resting = setTimeout(rest, REST);
-  }
-
-  function rest() {
-    if (!host.isConnected || step === reported) return;
-    reported = step;
-    report({ step, id: told.id });
-  }
+  host.append(element('div', { class: 'lanes' }, ...lanes.map((one) => one.box)), canvas, at.bar,
+    element('div', { class: 'buttons' }, ...at.moves, parting, where, ahead));
 
   function show() {
+    const { step } = at;
     lanes.forEach((one) => one.at(step));
-    bar.value = step;
-    bar.setAttribute('aria-valuetext', `${step} of ${race.horizon} steps`);
+    at.bar.value = step;
+    at.bar.setAttribute('aria-valuetext', `${step} of ${race.horizon} steps`);
     where.textContent = `step ${step} of ${race.horizon}`;
     const lead = returnAfter(sides[1], step) - returnAfter(sides[0], step);
     ahead.textContent = Math.abs(lead) < 1e-9 ? 'level' : `${told.names[lead > 0 ? 1 : 0]} ahead by ${Math.abs(lead).toFixed(1)}`;
@@ -97,53 +45,15 @@ function mount(host, race, told, report) {
   }
 
   function draw() {
-    const w = canvas.clientWidth, h = canvas.clientHeight, dense = Math.min(2, devicePixelRatio);
-    if (!w) return;
-    const size = { width: Math.round(w * dense), height: Math.round(h * dense) };
-    if (canvas.width !== size.width || canvas.height !== size.height) Object.assign(canvas, size);
-    const context = canvas.getContext('2d'), style = getComputedStyle(host), pen = canvasPen(context, style.fontFamily);
-    context.setTransform(dense, 0, 0, dense, 0, 0);
-    context.clearRect(0, 0, w, h);
-    canvas.toStep = course(pen, w, h, race, told, step, { text: style.color, soft: NEUTRAL });
+    const found = sheet(canvas, getComputedStyle(host).fontFamily), colours = { text: getComputedStyle(host).color, soft: NEUTRAL };
+    if (found) canvas.toStep = course(found.pen, found.width, found.height, race, told, at.step, colours);
   }
 
-  function begin() {
-    if (step === last) go(0);
-    clearTimeout(resting);
-    since = undefined;
-    const tick = (now) => {
-      if (!playing || !host.isConnected) return;
-      since ??= now;
-      const steps = Math.floor((now - since) / (1000 * told.seconds));
-      if (steps) { since += steps * 1000 * told.seconds; go(step + steps); }
-      if (step >= last) { stop(); return; }
-      playing = requestAnimationFrame(tick);
-    };
-    playing = requestAnimationFrame(tick);
-    label('❚❚', 'pause');
-  }
-
-  function stop() {
-    if (!playing) return;
-    cancelAnimationFrame(playing);
-    playing = undefined;
-    label('▶', 'play');
-    resting = setTimeout(rest, REST);
-  }
-
-  function label(words, title) {
-    play.textContent = words;
-    play.title = title;
-    play.setAttribute('aria-label', title);
-  }
-
-  bar.oninput = () => { stop(); go(+bar.value); };
-  canvas.onpointerdown = (event) => { canvas.setPointerCapture(event.pointerId); stop(); go(canvas.toStep(event.offsetX)); };
-  canvas.onpointermove = (event) => { if (event.buttons) go(canvas.toStep(event.offsetX)); };
+  at.over(canvas);
   new ResizeObserver(draw).observe(canvas);
   host.addEventListener('transitionend', (event) => { if (event.target === host) draw(); }); // its colour follows the theme
   show();
-  return { host, stop, go(next) { stop(); go(next); reported = step; clearTimeout(resting); } };
+  return { stop: at.stop, place: at.place };
 }
 
 // One side: its picture after so many steps, the step that led there, and the return so far.

@@ -207,7 +207,7 @@ def test_it_plays_and_pauses(page, address):
     rolled_out(page, address)
     page.get_by_role("button", name="play").click()
     page.wait_for_function("() => document.querySelector('input[name=step]').value > 5")
-    page.get_by_role("button", name="play").click()
+    page.get_by_role("button", name="pause").click()
     page.wait_for_timeout(600)
     at = page.locator("input[name=step]").input_value()
     page.wait_for_timeout(400)

@@ -40,7 +40,7 @@ def test_a_race_is_watched_and_then_run_from_many_starts(page, address, sides):
     page.get_by_role("button", name="the first step at which the actions differ").click()
     assert shown(page) == returns_after(one, one.parting + 1)
     page.wait_for_url(f"**d.at={one.parting + 1}*")
-    page.get_by_role("button", name="the end").click()
+    page.get_by_role("button", name="last step").click()
 
     page.get_by_role("button", name=f"Race over {COUNT} starts").click()
     page.locator(".race-facts").wait_for()

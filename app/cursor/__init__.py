@@ -1,0 +1,58 @@
+"""What the player and the race track share: something sent to the browser once, under a cursor over its steps.
+
+To move the cursor needs no server. When it comes to rest Python hears the step, so that the link holds it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from pathlib import Path
+
+import streamlit as st
+
+from app import message
+
+_FILE = Path(__file__).resolve().parent / "cursor.js"
+HELD = 4
+"""Payloads of each kind that a browser keeps (cursor.js)."""
+
+
+def under_cursor(
+    component: Callable, kind: str, key: str, data: bytes, at: int, told: Mapping[str, object],
+    on_step: Callable[[int], None] | None,
+) -> None:  # fmt: skip
+    """Draw a component whose script is built on cursor.js.
+
+    Args:
+        kind: of component; ``kind`` and ``key`` are its widget's name.
+        data: the payload.
+        at: the step under the cursor.
+        told: what else it needs, with every answer.
+        on_step: called with the step at which the cursor came to rest, before the rerun, as a widget's callback.
+    """
+    widget = f"{kind} {key}"
+    known = st.session_state.setdefault(f"_{widget}", {"revision": 0, "held": []})
+    digest = message.name_of(data)
+    if known.get("id") != digest or known.get("at") != at:
+        known.update(id=digest, at=at, revision=known["revision"] + 1)
+
+    def heard() -> None:
+        found = st.session_state[widget].rested
+        if not isinstance(found, Mapping):
+            return
+        known["held"] = message.held(known["held"], digest, found, HELD)
+        step = found.get("step")
+        whole = isinstance(step, int | float) and not isinstance(step, bool) and 0 <= step < 1e6
+        if whole and found.get("id") == digest:
+            known["at"] = int(step)
+            if on_step is not None:
+                on_step(int(step))
+
+    sent = b"" if digest in known["held"] else data
+    packed = message.pack({"id": digest, "revision": known["revision"], "at": at, **told}, sent)
+    component(key=widget, data=packed, on_rested_change=heard, height="content")
+
+
+def script() -> str:
+    """cursor.js, a module; it needs the lens's controls."""
+    return _FILE.read_text(encoding="utf-8")
