@@ -117,6 +117,11 @@ def opened() -> dict[str, Loaded]:
     return st.session_state.setdefault("_opened_checkpoints", {})
 
 
+def names() -> tuple[str, ...]:
+    """All agents there are: those that ship, those of runs, the one that was opened."""
+    return (*shipped(), *trained(), *opened())
+
+
 def open_checkpoint(name: str, data: bytes) -> str:
     """Check an uploaded checkpoint and keep it for this session; returns its digest.
 

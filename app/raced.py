@@ -40,19 +40,14 @@ REMARKS["CartPole-v0"] = REMARKS["CartPole-v1"]
 REMARKS["MountainCar-v0"] = "Every step costs 1 until the flag: the fastest way is best for any deadline that it makes."
 
 
-def names() -> tuple[str, ...]:
-    """All agents there are, as the page of trained agents lists them."""
-    return (*checkpoints.shipped(), *checkpoints.trained(), *checkpoints.opened())
-
-
 def opening() -> dict[str, object]:
-    listed = names()
+    listed = checkpoints.names()
     return {AGENT: FIRST_AGENT if FIRST_AGENT in listed else listed[0]} if listed else {}
 
 
 def rivals(name: str, environment: str) -> tuple[str, ...]:
     """Other agents of the same environment."""
-    return tuple(other for other in names() if other != name and _environment(other) == environment)
+    return tuple(other for other in checkpoints.names() if other != name and _environment(other) == environment)
 
 
 def _environment(name: str) -> str | None:
@@ -160,7 +155,12 @@ def sides(control: Control) -> tuple[str, str]:
     left, right = _NAMES[control.left_rule], _NAMES[control.right_rule]
     if control.gamma is not None:
         left += f" (γ {control.gamma:.3g})"
-    return (f"{left}, other agent", right) if control.left is not control.right else (left, right)
+    if control.left is control.right:
+        return left, right
+    if control.left.algorithm == control.right.algorithm:
+        return f"{left}, other agent", right
+    codes = (checkpoints.ALGORITHMS[side.algorithm] for side in (control.left, control.right))
+    return tuple(f"{code}: {rule}" for code, rule in zip(codes, (left, right), strict=True))
 
 
 def alike(control: Control) -> bool:

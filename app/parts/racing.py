@@ -27,17 +27,13 @@ _SAME = "the same agent"
 
 def choose() -> None:
     """Which agent."""
-    listed = raced.names()
+    listed = checkpoints.names()
     if listed:
         key = state.show(AGENT, raced.opening()[AGENT])
         st.selectbox(
-            "Agent", listed, key=key, on_change=_another, format_func=title,
+            "Agent", listed, key=key, on_change=_another, format_func=checkpoints.title,
             help="A checkpoint opened on the page of trained agents is listed here, too.",
         )  # fmt: skip
-
-
-def title(name: str) -> str:
-    return "opened file" if name in checkpoints.opened() else name.replace(checkpoints.RUN, "run: ").replace("_", " ")
 
 
 def _another() -> None:
@@ -89,7 +85,8 @@ def _left(control: Control) -> None:
         key = state.put(AGAINST, state.chosen().get(AGAINST, _SAME))
         st.selectbox(
             "Agent of the left side", (_SAME, *others), key=key, on_change=_rival,
-            format_func=lambda name: name if name == _SAME else title(name), help="Another agent of this environment.",
+            format_func=lambda name: name if name == _SAME else checkpoints.title(name),
+            help="Another agent of this environment.",
         )  # fmt: skip
 
 

@@ -49,7 +49,7 @@ def page() -> None:
 
 
 def _choose() -> None:
-    names = (*checkpoints.shipped(), *checkpoints.trained(), *checkpoints.opened())
+    names = checkpoints.names()
     if names:
         key = state.show("checkpoint", names[0])
         st.selectbox("Agent", names, key=key, on_change=_chosen, format_func=checkpoints.title)
