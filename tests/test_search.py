@@ -48,6 +48,16 @@ def test_a_search_ranks_and_is_not_repeated(tmp_path, capsys, monkeypatch):
     assert [row["scores"] for row in again] == [row["scores"] for row in kept["trials"]]
 
 
+def test_several_at_once_find_the_same(tmp_path, capsys):
+    vary = ("--vary", "learning_rate=0.001,0.01", "--set", "evaluate_episodes=2", "--json")
+    found = []
+    for jobs in ("1", "3"):
+        assert run(tmp_path / jobs, *vary, "--jobs", jobs) == 0
+        found.append([(row["trial"], row["scores"]) for row in json.loads(capsys.readouterr().out)])
+    assert found[0] == found[1]
+    assert len(found[0]) == 2
+
+
 @pytest.mark.parametrize(
     "more",
     [
@@ -56,6 +66,7 @@ def test_a_search_ranks_and_is_not_repeated(tmp_path, capsys, monkeypatch):
         ("--vary", "learning_rate"),
         ("--vary", "seed=1,2"),
         ("--seeds", "0"),
+        ("--jobs", "0"),
         ("--vary", "epsilon_final=2"),
     ],
 )

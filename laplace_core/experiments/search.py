@@ -11,7 +11,11 @@ import hashlib
 import itertools
 import json
 import time
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from concurrent.futures import ProcessPoolExecutor
+from contextlib import contextmanager
+from functools import partial
+from multiprocessing import get_context
 from pathlib import Path
 
 import numpy as np
@@ -68,29 +72,49 @@ def search(
     seeds: int,
     folder: Path,
     one_at_a_time: bool = False,
+    jobs: int = 1,
 ) -> Iterator[dict[str, object]]:
     """Train and score, trial by trial; ``search.json`` in the folder always holds what is known.
 
+    Args:
+        jobs: trainings at once, each in a process of its own where there are several.
+
     Yields:
-        a trial's settings, scores of its seeds, their median, and the seconds that this search spent on it.
-    """  # fmt: skip
+        a trial's settings, scores of its seeds, their median, and the seconds that their trainings took.
+    """
     found: list[dict[str, object]] = []
-    for trial in trials(varied, one_at_a_time):
-        began, scores = time.monotonic(), []
-        for seed in range(seeds):
-            scores.append(_score(settings_for(algorithm, environment, common, trial, seed), folder))
-        row = {"trial": trial, "scores": scores, "median": float(np.median(scores))}
-        found.append(row | {"seconds": round(time.monotonic() - began, 1)})
-        about = {
-            "command": command(algorithm, environment, common, varied, seeds, one_at_a_time),
-            "algorithm": algorithm,
-            "environment": environment,
-            "common": common,
-            "seeds": seeds,
-            "trials": found,
-        }
-        write_whole(folder / RESULTS, (json.dumps(about, indent=1) + "\n").encode())
-        yield found[-1]
+    tried = trials(varied, one_at_a_time)
+    planned = [settings_for(algorithm, environment, common, trial, seed) for trial in tried for seed in range(seeds)]
+    with _started(planned, folder, jobs) as results:
+        for i, trial in enumerate(tried):
+            scores, seconds = zip(*(result() for result in results[i * seeds : (i + 1) * seeds]), strict=True)
+            found.append(
+                {"trial": trial, "scores": scores, "median": float(np.median(scores)), "seconds": round(sum(seconds), 1)}
+            )
+            about = {
+                "command": command(algorithm, environment, common, varied, seeds, one_at_a_time),
+                "algorithm": algorithm,
+                "environment": environment,
+                "common": common,
+                "seeds": seeds,
+                "trials": found,
+            }
+            write_whole(folder / RESULTS, (json.dumps(about, indent=1) + "\n").encode())
+            yield found[-1]
+
+
+@contextmanager
+def _started(planned: Sequence[LoopSettings], folder: Path, jobs: int) -> Iterator[list[Callable[[], tuple]]]:
+    """For each training a call that answers with its score and seconds, as soon as they are known."""
+    if jobs == 1:
+        yield [partial(_score, settings, folder) for settings in planned]
+        return
+    with ProcessPoolExecutor(jobs, get_context("spawn")) as pool:
+        try:
+            yield [pool.submit(_score, settings, folder).result for settings in planned]
+        except BaseException:
+            pool.shutdown(cancel_futures=True)
+            raise
 
 
 def command(
@@ -129,8 +153,8 @@ def _finished(run: Path) -> bool:
     return (run / "last.safetensors").exists()
 
 
-def _score(settings: LoopSettings, folder: Path) -> float:
-    run = folder / _name(settings)
+def _score(settings: LoopSettings, folder: Path) -> tuple[float, float]:
+    began, run = time.monotonic(), folder / _name(settings)
     there = (run / "config.json").exists()
     if there and read_config(run / "config.json") != settings:
         raise InputError(f"{run} was made with other settings: name another folder.")
@@ -138,4 +162,5 @@ def _score(settings: LoopSettings, folder: Path) -> float:
         for _ in train(None if there else settings, run, resume=there):
             pass
     agent = load_checkpoint(run / "best.safetensors").agent
-    return round(evaluate(agent, settings.environment, EPISODES, START_SEEDS + settings.seed).mean, 3)
+    score = evaluate(agent, settings.environment, EPISODES, START_SEEDS + settings.seed).mean
+    return round(score, 3), time.monotonic() - began

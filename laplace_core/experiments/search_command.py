@@ -25,6 +25,7 @@ def add_search(verbs: argparse._SubParsersAction) -> None:
     search.add_argument("--seeds", default="3", metavar="N", help="how many, from seed 0 (default: 3)")
     search.add_argument("--one-at-a-time", action="store_true", help="each value by itself, against the settings file")
     search.add_argument("--runs", default="runs/search", metavar="FOLDER", help="where the runs are (runs/search)")
+    search.add_argument("--jobs", default="1", metavar="N", help="trainings at once, one core each (default: 1)")
     search.add_argument("--budget", action="store_true", help="print what it would cost, and stop")
     search.add_argument("--json", action="store_true", help="print JSON")
     search.set_defaults(run=_search)
@@ -32,6 +33,7 @@ def add_search(verbs: argparse._SubParsersAction) -> None:
 
 def _search(options: argparse.Namespace) -> None:
     seeds, folder = checked_number("seeds", options.seeds, int, 1, 100), Path(options.runs)
+    jobs = checked_number("jobs", options.jobs, int, 1, 256)
     varied = {name: text.split(",") for name, text in named_params(options.vary).items()}
     common = dict(named_params(options.set))
     if "seed" in varied or "seed" in common:
@@ -51,7 +53,7 @@ def _search(options: argparse.Namespace) -> None:
     folder.mkdir(parents=True, exist_ok=True)
     rows = []
     for row in search.search(
-        options.algorithm, options.environment, common, varied, seeds, folder, options.one_at_a_time
+        options.algorithm, options.environment, common, varied, seeds, folder, options.one_at_a_time, jobs
     ):
         rows.append(row)
         if not options.json:
