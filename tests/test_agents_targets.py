@@ -201,6 +201,27 @@ def test_losses_equal_a_loop_over_discounts_and_channels(name, consistency):
     np.testing.assert_allclose(agent.losses(batch).detach(), expected, rtol=2e-4, atol=1e-5)
 
 
+def test_the_acting_discount_may_have_a_share_of_the_loss_and_long_discounts_more_of_the_consistency():
+    """Three discounts, a share of .7: weights 3 * .15, 3 * .15 and 3 * .7. Exponent .5 for 1: (1 - gamma)^-.5 more."""
+    batch, losses = batch_of(5), {}
+    for consistency in (0.0, 1.0):
+        for more in ({}, {"acting_share": 0.7}, {"consistency_exponent": 0.5}):
+            agent = small(consistency=consistency, **more)
+            losses[consistency, *more] = agent.losses(batch).detach().numpy()
+    assert agent.acting_head == 2
+    shares = [0.45, 0.45, 2.1]
+    np.testing.assert_allclose(losses[1.0, "acting_share"], losses[1.0,] * shares, rtol=1e-4)
+    np.testing.assert_allclose(losses[0.0, "consistency_exponent"], losses[0.0,], rtol=1e-6)
+    plain, more = losses[1.0,] - losses[0.0,], losses[1.0, "consistency_exponent"] - losses[0.0,]
+    np.testing.assert_allclose(more, plain / np.sqrt(1 - agent.gammas), rtol=1e-3, atol=1e-5)
+
+
+def test_a_single_discount_has_all_of_the_loss():
+    batch = batch_of(5)
+    losses = [small(gammas=1, acting_share=share).losses(batch).detach().numpy() for share in (0.0, 0.3)]
+    np.testing.assert_array_equal(*losses)
+
+
 def huber(error: float) -> float:
     return error**2 / 2 if abs(error) < 1 else abs(error) - 0.5
 

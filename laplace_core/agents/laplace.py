@@ -40,6 +40,8 @@ class LaplaceAgent(Agent):
         self.heads = len(self.gammas)
         self.acting_head = int(np.abs(self.gammas - settings.acting_gamma).argmin())
         self._gammas = torch.tensor(self.gammas, dtype=torch.float32)
+        self._consistency = settings.consistency * (1.0 - self._gammas) ** settings.consistency_exponent
+        self._shares = self._shares_of(settings.acting_share)
         super().__init__(settings, observation, actions, time_limit)
 
     def _build(self) -> nn.Module:
@@ -77,13 +79,14 @@ class LaplaceAgent(Agent):
         ended = batch.terminated.unsqueeze(-1)
         if ended.any():
             later = torch.where(ended, self._after_the_end(batch), later)
-        later = later * (gammas**batch.lengths).unsqueeze(-1)
+        later = later.mul_((gammas**batch.lengths).unsqueeze(-1))
         step = torch.arange(batch.rewards.shape[-1])
         counts = (step < batch.lengths.unsqueeze(-1)).float() * gammas[:, None] ** step  # (B, G, n)
         counts = counts * (1.0 - gammas)[:, None]
-        for k in range(len(step)):
-            later += counts[..., k, None] * code.encode(batch.rewards[..., k])
-        return later
+        encoded = code.encode(batch.rewards)  # (B, g, n, C)
+        if encoded.shape[1] == 1:  # one product a transition for all discounts
+            return torch.baddbmm(later, counts, encoded[:, 0])
+        return later + torch.einsum("bgn,bgnc->bgc", counts, encoded)
 
     def _after_the_end(self, batch: Batch) -> Tensor:
         """Scaled outputs after termination, broadcast against ``(B, G, C)``.
@@ -104,11 +107,20 @@ class LaplaceAgent(Agent):
         outputs = self.network(batch.observations, actions=batch.actions.expand(-1, self.heads))
         losses, scaled = self.code.loss(outputs, target, self._gammas)
         if self.settings.consistency > 0:
-            # Squared, because Huber's loss would move a value to a median of its noisy targets and not to their mean;
-            # times 1 - gamma, half way between the scale of Q and that of the outputs.
+            # Squared, because Huber's loss would move a value to a median of its noisy targets and not to their mean.
+            # Weighed, because 1 / (1 - gamma) sizes both the values and their gradients, and the noise of one reward
+            # does not: an exponent of 2 is the scale of the outputs, 0 that of Q.
             error = self._values(scaled, self._gammas) - self._values(target, self._gammas)
-            losses = losses + self.settings.consistency * 0.5 * (1.0 - self._gammas) * error**2
-        return losses
+            losses = losses + 0.5 * self._consistency * error**2
+        return losses * self._shares
+
+    def _shares_of(self, acting_share: float) -> Tensor:
+        """Weights of the discounts in the loss, ``(G,)``, with a mean of 1; all are 1 where no share is named."""
+        if acting_share == 0 or self.heads == 1:
+            return torch.ones(self.heads)
+        shares = torch.full((self.heads,), (1.0 - acting_share) / (self.heads - 1))
+        shares[self.acting_head] = acting_share
+        return shares * self.heads
 
     @torch.no_grad()
     def gamma_spaces(self, observations: np.ndarray, gammas: np.ndarray | None = None) -> tuple[np.ndarray, np.ndarray]:

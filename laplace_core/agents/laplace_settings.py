@@ -36,6 +36,8 @@ LAPLACE_SCHEMA = (
     Parameter("features", 64, 1, 512, "Features a discount in front of the shared last layer."),
     Parameter("parametrisation", "softmax", 0, 0, "What the network's outputs mean.", str, PARAMETRISATIONS),
     Parameter("consistency", 1.0, 0, 1e3, "Weight of the loss on the value that the outputs imply."),
+    Parameter("consistency_exponent", 1.0, 0, 2, "Power of 1 - gamma that weighs the consistency loss of a discount."),
+    Parameter("acting_share", 0.0, 0, 1, "Share of the acting discount in the loss; 0 is the same as the others'."),
     Parameter("target_policy", "shared", 0, 0, "Whose policy every discount evaluates.", str, POLICIES),
     Parameter("acting_gamma", 0.99, 1e-6, 0.9999, "Discount whose greedy actions are taken; the nearest is used."),
     Parameter("termination", "plain", 0, 0, "What follows the end of an episode.", str, TERMINATIONS),
@@ -61,6 +63,8 @@ class LaplaceSettings(LoopSettings):
     features: int = 64
     parametrisation: str = "softmax"
     consistency: float = 1.0
+    consistency_exponent: float = 1.0
+    acting_share: float = 0.0
     target_policy: str = "shared"
     acting_gamma: float = 0.99
     termination: str = "plain"

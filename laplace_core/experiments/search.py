@@ -88,9 +88,8 @@ def search(
     with _started(planned, folder, jobs) as results:
         for i, trial in enumerate(tried):
             scores, seconds = zip(*(result() for result in results[i * seeds : (i + 1) * seeds]), strict=True)
-            found.append(
-                {"trial": trial, "scores": scores, "median": float(np.median(scores)), "seconds": round(sum(seconds), 1)}
-            )
+            row = {"trial": trial, "scores": scores, "median": float(np.median(scores))}
+            found.append(row | {"seconds": round(sum(seconds), 1)})
             about = {
                 "command": command(algorithm, environment, common, varied, seeds, one_at_a_time),
                 "algorithm": algorithm,

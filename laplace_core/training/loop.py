@@ -44,6 +44,7 @@ def train(
     """
     folder = RunFolder(run_folder, settings, resume)
     torch.set_num_threads(folder.settings.threads)
+    memory.keep()
     run = _Run(folder)
     try:
         yield from run.events(resume, stop or (lambda: False))
