@@ -45,6 +45,9 @@ def add_report(verbs: argparse._SubParsersAction) -> None:
     horizon.add_argument("--stretch", metavar="C", help="of the rule fading")
     horizon.add_argument("--alpha", metavar="A", help="of the rules readout and decoded")
     horizon.add_argument("--softness", metavar="W", help="of the rules readout and decoded")
+    horizon.add_argument(
+        "--reference", action="append", default=[], metavar="CHECKPOINT", help="another agent to show beside them"
+    )
     horizon.add_argument("--episodes", default="100", metavar="N", help="episodes of each agent (default: 100)")
     horizon.add_argument("--seed", default="0", metavar="N", help="which start seeds (default: 0)")
     horizon.add_argument("--json", action="store_true", help="print JSON")
@@ -90,8 +93,8 @@ def _horizon(options: argparse.Namespace) -> None:
     }
     from laplace_core.experiments import horizon  # loads torch
 
-    paths = [Path(path) for path in options.checkpoints]
-    numbers, text = horizon.report(paths, options.rule, horizons, episodes, seed, given)
+    paths, references = ([Path(path) for path in several] for several in (options.checkpoints, options.reference))
+    numbers, text = horizon.report(paths, options.rule, horizons, episodes, seed, given, references)
     print(json.dumps(numbers, indent=1) if options.json else text)
 
 

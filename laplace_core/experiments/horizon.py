@@ -6,8 +6,9 @@ bootstrap that draws agents first and, within each, episodes, so that few agents
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
+from types import MappingProxyType
 
 import numpy as np
 
@@ -15,8 +16,10 @@ from laplace_core.errors import InputError
 from laplace_core.training.bootstrap import interval
 from laplace_core.training.checkpoint import Loaded, load_checkpoint
 from laplace_core.training.evaluation import evaluate
+from laplace_core.training.rules import suited
 
 AGAINST = ("greedy", "matched")
+NOTHING: Mapping[str, float] = MappingProxyType({})
 
 
 def report(
@@ -26,6 +29,7 @@ def report(
     episodes: int,
     seed: int,
     options: dict[str, float],
+    references: Sequence[Path] = (),
 ) -> tuple[dict[str, object], str]:  # fmt: skip
     """Numbers and a table.
 
@@ -34,17 +38,26 @@ def report(
         horizons: T of each row; None is the environment's own limit.
         seed: which start seeds.
         options: of the rule, as in :func:`laplace_core.training.evaluation.evaluate`.
+        references: checkpoints of that environment that show what is to be had, each by the rule that suits it: a
+            fixed-horizon agent by the time to go that it has learned.
 
     Raises:
         InputError: no checkpoints, or of several environments.
     """
-    agents = [load_checkpoint(path) for path in paths]
-    if len({agent.environment for agent in agents}) != 1:
+    agents, others = ([load_checkpoint(path) for path in several] for several in (paths, references))
+    if len({agent.environment for agent in (*agents, *others)}) != 1:
         raise InputError("name the checkpoints of one environment.")
-    rows = [_row(agents, rule, horizon, episodes, seed, options) for horizon in horizons]
+    rows = []
+    for horizon in horizons:
+        rows.append(_row(agents, rule, horizon, episodes, seed, options))
+        if others:
+            rows[-1]["references"] = [
+                float(_returns(each, suited(each.agent, horizon), horizon, episodes, seed).mean()) for each in others
+            ]
     numbers = {
         "environment": agents[0].environment, "agents": [str(path) for path in paths], "rule": rule,
-        "options": options, "episodes": episodes, "seed": seed, "rows": rows,
+        "options": options, "episodes": episodes, "seed": seed, "references": [str(path) for path in references],
+        "rows": rows,
     }  # fmt: skip
     return numbers, _table(numbers)
 
@@ -54,16 +67,10 @@ def _row(
 ) -> dict[str, object]:
     returns = {
         name: np.array(
-            [
-                evaluate(
-                    each.agent, each.environment, episodes, seed, horizon=horizon, rule=name,
-                    **(options if name == rule else {}),
-                ).returns
-                for each in agents
-            ]
+            [_returns(each, name, horizon, episodes, seed, options if name == rule else {}) for each in agents]
         )
         for name in (*AGAINST, rule)
-    }  # fmt: skip
+    }
     told = {"horizon": horizon, "means": {name: each.mean(axis=1).tolist() for name, each in returns.items()}}
     for name in AGAINST:
         difference = returns[rule] - returns[name]
@@ -73,6 +80,14 @@ def _row(
             "interval": interval(difference),
         }
     return told
+
+
+def _returns(
+    loaded: Loaded, rule: str, horizon: int | None, episodes: int, seed: int, options: Mapping[str, float] = NOTHING
+) -> np.ndarray:
+    """``(episodes,)``."""
+    told = {"horizon": horizon, "rule": rule, **options}
+    return evaluate(loaded.agent, loaded.environment, episodes, seed, **told).returns
 
 
 def _table(numbers: dict[str, object]) -> str:
@@ -91,6 +106,12 @@ def _table(numbers: dict[str, object]) -> str:
             low, high = found["interval"]
             line += f"  {found['mean']:+9.1f} {f'{low:+.1f} to {high:+.1f}':>16}"
         lines.append(line)
+    if numbers["references"]:
+        each = ", ".join(
+            f"T = {row['horizon'] or 'full'}: {' '.join(f'{mean:.1f}' for mean in row['references'])}"
+            for row in numbers["rows"]
+        )
+        lines.append(f"beside them {', '.join(Path(path).stem for path in numbers['references'])}: {each}")
     for row in numbers["rows"]:
         each = ", ".join(f"{a:.1f} -> {b:.1f}" for a, b in zip(row["means"]["greedy"], row["means"][rule], strict=True))
         lines.append(f"T = {row['horizon'] or 'full'}, each agent, greedy -> {rule}: {each}")
