@@ -40,6 +40,8 @@ TRAINING = r"""
 **Return.** Faint: the return of each episode while training, exploration included; where there are very many, a mean
 over neighbours. Dotted: its moving average. Solid: evaluation, whole episodes without exploration from start seeds
 that are never trained on, with the standard error of their mean. The checkpoint that is kept is that of the best one.
+Grey, where agents of this algorithm and environment ship: their evaluations, the median of the seeds dashed, from the
+lowest to the highest shaded.
 
 **Values too high or too low.** At each evaluation the agent says at the start what it expects at every discount
 $\gamma$, and then acts. Drawn is the difference to what came, per step of its time constant:

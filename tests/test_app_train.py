@@ -7,6 +7,7 @@ import shlex
 from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import pytest
 from streamlit.testing.v1 import AppTest
 
@@ -72,6 +73,27 @@ def test_with_no_run_one_button_starts_the_small_default(runs):
     assert runs.get("laplace_CartPole-v1_0").settings.environment == "CartPole-v1"
     assert "CartPole-v1 · seed 0" in words(page)
     assert "Cancel" in labels(page)
+
+
+def shown(figure: dict) -> list[str]:
+    """What its legend names."""
+    return [trace["name"] for trace in figure["data"] if trace.get("showlegend")]
+
+
+def test_what_ships_is_there_before_and_behind_own_runs(runs):
+    page = opened(environment="LunarLander-v3")
+    algorithms = ("Laplace DQN", "C51", "QR-DQN", "DQN")
+    assert shown(charts(page)["shipped"]) == [f"{name}, 5 seeds" for name in algorithms]
+    medians = [trace for trace in charts(page)["shipped"]["data"] if trace.get("showlegend")]
+    curves = checkpoints.shipped_curves("LunarLander-v3")["dqn"]
+    np.testing.assert_allclose(
+        numbers(medians[3]["y"])[-1], np.median([curve.scores[-1] for curve in curves]), rtol=0.02
+    )
+    assert "shipped" not in charts(opened(environment="two_branch"))  # nothing ships for it
+    made(runs, "own", settings_of("qrdqn", "Acrobot-v1", {}))
+    assert shown(charts(opened())["training"]) == ["shipped QR-DQN, 5 seeds", "QR-DQN, seed 0 (own)"]
+    made(runs, "toy")
+    assert shown(charts(opened(run="toy"))["training"]) == ["Laplace DQN, seed 0 (toy)"]
 
 
 def test_what_is_set_is_what_is_trained(runs):
@@ -223,7 +245,7 @@ def test_curves_of_runs_of_one_environment_stand_side_by_side(runs):
     assert len(drawn) == 6  # three traces of two runs
     assert numbers(drawn[4]["y"]).tolist() == [4, 9, 9]
     page.button(key="show pole").click()
-    assert len(charts(run(page))["training"]["data"]) == 3
+    assert len(charts(run(page))["training"]["data"]) == 5  # and two of what ships
     assert link(page)["run"] == "pole"
 
 

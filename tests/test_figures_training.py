@@ -9,7 +9,8 @@ import plotly.graph_objects as go
 import pytest
 
 from app.figures import to_json
-from app.figures.training import Line, discount_errors, learning_curves, values_by_discount
+from app.figures.training import Band, Line, discount_errors, learning_curves, shipped_curves, values_by_discount
+from laplace_core.experiments.shipping import TrainingCurve
 from laplace_core.training.curves import Curves
 from tests.pages import numbers
 
@@ -50,6 +51,27 @@ def test_each_run_has_its_returns_their_average_and_its_scores():
         np.testing.assert_allclose(numbers(trace["y"]), values, rtol=1e-6)
     assert [trace["name"] for trace in traces if trace["showlegend"]] == ["one", "two"]
     np.testing.assert_allclose(traces[4]["error_y"]["array"], one.errors)
+
+
+def test_seeds_are_drawn_as_their_median_between_the_lowest_and_the_highest():
+    """Three seeds, read at the steps of the one that ends first, 10 and 20. The last is there at 30: halfway at 20."""
+    seeds = [
+        TrainingCurve(0, (10.0, 20.0), (1.0, 5.0), (0.0, 0.0)),
+        TrainingCurve(1, (10.0, 30.0), (3.0, 7.0), (0.0, 0.0)),
+        TrainingCurve(2, (10.0, 20.0, 30.0), (2.0, 9.0, 0.0), (0.0,) * 3),
+    ]
+    band = Band.of("shipped", "#8a8f98", seeds)
+    wanted = {"steps": [10, 20], "lowest": [1, 5], "median": [2, 5], "highest": [3, 9]}
+    for name, values in wanted.items():
+        np.testing.assert_allclose(getattr(band, name), values)
+    line = Line("one", "#0072B2", curves())
+    area, median, *rest = drawn(learning_curves("title", [line], 40, band))["data"]
+    np.testing.assert_allclose(numbers(area["x"]), [10, 20, 20, 10])  # once around
+    np.testing.assert_allclose(numbers(area["y"]), [1, 5, 9, 3])
+    np.testing.assert_allclose(numbers(median["y"]), [2, 5])
+    assert len(rest) == len(drawn(learning_curves("title", [line], 40))["data"])
+    both = drawn(shipped_curves("title", [band, Band.of("other", "#0072B2", seeds[:1])]))["data"]
+    assert [trace["name"] for trace in both if trace["showlegend"]] == ["shipped", "other"]
 
 
 def test_each_discount_has_a_line_of_its_error_in_reward_a_step():

@@ -13,6 +13,10 @@ from laplace_core.training.curves import Curves
 
 TALL, CARD = 330, 132
 _MANY = 200  # episodes, which would hide what lies behind them
+_LEGEND = {
+    "orientation": "v", "x": 1.0, "xanchor": "right", "y": 0.0, "yanchor": "bottom", "font": {"size": 10},
+    "tracegroupgap": 0, "bgcolor": "rgba(128,128,128,0.12)",
+}  # fmt: skip
 _BARE = {"showticklabels": False, "showgrid": False}
 _SHADES = ("#4f6bdc", "#2a9d8f", "#e0a030", "#d1495b")
 """From the smallest discount to the largest: of middling lightness, to be read on light and on dark."""
@@ -36,8 +40,32 @@ class Scored(Protocol):
     errors: Sequence[float]
 
 
-def learning_curves(title: str, lines: Sequence[Line], steps: int) -> Figure:
-    """Returns of episodes while training, faint and smoothed, and evaluation scores with their standard errors."""
+@dataclass(frozen=True, eq=False)
+class Band:
+    """Evaluations of several seeds as they are drawn: their median between the lowest and the highest, ``(N,)``."""
+
+    name: str
+    colour: str
+    steps: np.ndarray
+    lowest: np.ndarray
+    median: np.ndarray
+    highest: np.ndarray
+
+    @classmethod
+    def of(cls, name: str, colour: str, curves: Sequence[Scored]) -> Band:
+        """Seeds are evaluated a few steps apart: all are read, linearly, at the steps of the one that ends first."""
+        steps = np.asarray(min((curve.steps for curve in curves), key=lambda steps: steps[-1]), dtype=float)
+        scores = np.array([np.interp(steps, curve.steps, curve.scores) for curve in curves])
+        return cls(name, colour, steps, scores.min(axis=0), np.median(scores, axis=0), scores.max(axis=0))
+
+
+def learning_curves(title: str, lines: Sequence[Line], steps: int, shipped: Band | None = None) -> Figure:
+    """Returns of episodes while training, faint and smoothed, and evaluation scores with their standard errors.
+
+    Args:
+        steps: of the longest run.
+        shipped: evaluations of the agents that ship, to be drawn behind.
+    """
     raw, smooth, scores = [], [], []
     for line in lines:
         c, common = line.curves, {"type": "scatter", "legendgroup": line.name, "name": line.name}
@@ -55,15 +83,41 @@ def learning_curves(title: str, lines: Sequence[Line], steps: int) -> Figure:
                        "hovertemplate": evaluated})  # fmt: skip
     return build(
         title,
-        [*raw, *smooth, *scores],  # what matters lies on top
+        [*(_banded(shipped) if shipped else ()), *raw, *smooth, *scores],  # what matters lies on top
         margin={"l": 56},
         height=TALL,
-        legend={"orientation": "v", "x": 1.0, "xanchor": "right", "y": 0.0, "yanchor": "bottom", "font": {"size": 10},
-                "tracegroupgap": 0, "bgcolor": "rgba(128,128,128,0.12)"},
+        legend=_LEGEND,
         xaxis=axis("step", range=[0, 1.02 * steps]),
         yaxis=axis("return"),
         annotations=_note("no episode has ended yet") if not any(len(line.curves.returns) for line in lines) else [],
-    )  # fmt: skip
+    )
+
+
+def shipped_curves(title: str, bands: Sequence[Band]) -> Figure:
+    """Evaluations of the agents that ship, algorithm beside algorithm."""
+    return build(
+        title,
+        [trace for band in bands for trace in _banded(band, shade=0.07, dash="solid")],
+        margin={"l": 56},
+        height=TALL,
+        legend=_LEGEND,
+        xaxis=axis("step", rangemode="tozero"),
+        yaxis=axis("return"),
+    )
+
+
+def _banded(band: Band, shade: float = 0.14, dash: str = "dash") -> list[dict[str, object]]:
+    common = {"type": "scatter", "legendgroup": band.name, "name": band.name}
+    around = np.concatenate([band.lowest, band.highest[::-1]])
+    return [
+        {**common, "x": np.concatenate([band.steps, band.steps[::-1]]), "y": around, "mode": "lines", "fill": "toself",
+         "fillcolor": translucent(band.colour, shade), "line": {"width": 0}, "hoverinfo": "skip", "showlegend": False},
+        {**common, "x": band.steps, "y": band.median, "mode": "lines", "showlegend": True,
+         "line": {"color": band.colour, "width": 1.8, "dash": dash},
+         "customdata": np.stack([band.lowest, band.highest], axis=-1),
+         "hovertemplate": f"{band.name}<br>step %{{x:,.0f}}<br>median %{{y:.4g}}, from %{{customdata[0]:.4g}} to "
+                          "%{customdata[1]:.4g}<extra></extra>"},
+    ]  # fmt: skip
 
 
 def score_curve(curves: Sequence[Scored], step: int) -> Figure:

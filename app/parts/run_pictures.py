@@ -7,11 +7,11 @@ from collections.abc import Sequence
 import numpy as np
 import streamlit as st
 
-from app import explain, state, training_runs
+from app import checkpoints, explain, state, training_runs
 from app.chart import chart
 from app.controls import world_title
-from app.figures.theme import action_colour, to_json
-from app.figures.training import TALL, Line, discount_errors, learning_curves, values_by_discount
+from app.figures.theme import NEUTRAL, action_colour, to_json
+from app.figures.training import TALL, Band, Line, discount_errors, learning_curves, shipped_curves, values_by_discount
 from app.training_form import MOST_AT_ONCE, NOTHING, algorithm_title, names_in
 from laplace_core.training.queue import Run
 
@@ -51,7 +51,13 @@ def pictures(runs: Sequence[Run], run: Run) -> None:
     lines = [Line(label(one), colour_of(runs, one), training_runs.curves(one)) for one in drawn]
     with places[0]:
         steps = max(one.settings.steps for one in drawn)
-        figure = learning_curves(f"{world_title(run.settings.environment)}: return", lines, steps)
+        ships = checkpoints.shipped_curves(run.settings.environment).get(run.settings.ALGORITHM)
+        band = (
+            Band.of(f"shipped {algorithm_title(run.settings.ALGORITHM)}, {len(ships)} seeds", NEUTRAL, ships)
+            if ships
+            else None
+        )
+        figure = learning_curves(f"{world_title(run.settings.environment)}: return", lines, steps, band)
         alt = f"Return over steps of {len(drawn)} runs: while training, and in evaluation with standard errors."
         chart(to_json(figure), "training", alt, TALL, f"{run.settings.environment} {steps}")
     if discounts is None:
@@ -65,6 +71,22 @@ def pictures(runs: Sequence[Run], run: Run) -> None:
         alt = f"Expected and real discounted return of {label(run)} from the start, over the discounts."
         figure = values_by_discount(mine, gammas, colour_of(runs, run), first)
         chart(to_json(figure), "value at the start", alt, TALL, run.name)
+
+
+def shipped(environment: str) -> None:
+    """What ships for an environment, where nothing has been trained yet; nothing if nothing does."""
+    bands = [
+        Band.of(f"{algorithm_title(algorithm)}, {len(curves)} seeds", action_colour(i), curves)
+        for i, (algorithm, curves) in enumerate(checkpoints.shipped_curves(environment).items())
+    ]
+    if not bands:
+        return
+    title = world_title(environment)
+    alt = f"Evaluations over the steps of training of the agents that ship for {title}: {len(bands)} algorithms."
+    chart(to_json(shipped_curves(f"{title}: agents that ship", bands)), "shipped", alt, TALL, environment)
+    st.caption(
+        "Dashed: the median of the seeds; shaded: from the lowest to the highest. Your runs are drawn over them."
+    )
 
 
 def _beside(same: Sequence[Run], run: Run) -> list[Run]:

@@ -6,7 +6,7 @@ import streamlit as st
 
 from app import state, training_runs
 from app.parts import run_cards, run_pictures, train_form
-from app.training_form import parse_query
+from app.training_form import OPENING, parse_query
 from laplace_core import InputError
 from laplace_core.training.queue import Run
 
@@ -39,6 +39,7 @@ def _view(going: bool) -> None:
     if not runs:
         st.info("No run is here yet. A run trains in a process of its own: this page may be closed meanwhile.")
         st.button("Train Laplace DQN on CartPole", type="primary", on_click=_first)
+        run_pictures.shipped(str(state.chosen().get("environment", OPENING["environment"])))
         return
     looked = run_pictures.looked_at(runs)
     if looked is not None:
