@@ -89,19 +89,17 @@ def _shipped_curves(name: str) -> tuple[TrainingCurve, ...]:
 
 def shipped_curves(environment: str) -> dict[str, tuple[TrainingCurve, ...]]:
     """Evaluations while training of the agents that ship for an environment, by algorithm, those of several seeds."""
-    found = [_parts(name) for name in shipped()]
-    named = {
-        algorithm: _shipped_curves(f"{algorithm}_{place}")
-        for algorithm, place in found
-        if place == environment.replace(":", "-")
-    }
-    return {algorithm: curves for algorithm, curves in named.items() if len(curves) > 1}
+    found = {_parts(name)[0]: _shipped_curves(name) for name in _shipped_for(environment)}
+    return {algorithm: curves for algorithm, curves in found.items() if len(curves) > 1}
 
 
 def same_environment(loaded: Loaded) -> list[Loaded]:
     """Agents that ship, of this environment."""
-    found = [name for name in shipped() if _parts(name)[1] == loaded.environment.replace(":", "-")]
-    return [_shipped(name) for name in found]
+    return [_shipped(name) for name in _shipped_for(loaded.environment)]
+
+
+def _shipped_for(environment: str) -> list[str]:
+    return [name for name in shipped() if _parts(name)[1] == environment.replace(":", "-")]
 
 
 @lru_cache(maxsize=16)

@@ -10,6 +10,7 @@ import pytest
 
 from laplace_core.cli import main
 from laplace_core.experiments import search
+from laplace_core.training.command import settings_of
 
 KEPT = sorted((Path(__file__).parent.parent / "docs" / "searches").glob("*.json"))
 QUICK = ["--set", "steps=200", "--set", "learning_starts=100", "--set", "hidden=8", "--set", "features=4",
@@ -48,14 +49,17 @@ def test_a_search_ranks_and_is_not_repeated(tmp_path, capsys, monkeypatch):
     assert [row["scores"] for row in again] == [row["scores"] for row in kept["trials"]]
 
 
-def test_several_at_once_find_the_same(tmp_path, capsys):
-    vary = ("--vary", "learning_rate=0.001,0.01", "--set", "evaluate_episodes=2", "--json")
+def test_several_at_once_find_the_same_and_train_nothing_twice(tmp_path, capsys):
+    usual = settings_of("laplace", "two_branch", {}).learning_rate
+    vary = ("--one-at-a-time", "--vary", f"learning_rate={usual},0.01", "--set", "evaluate_episodes=2", "--json")
     found = []
     for jobs in ("1", "3"):
         assert run(tmp_path / jobs, *vary, "--jobs", jobs) == 0
         found.append([(row["trial"], row["scores"]) for row in json.loads(capsys.readouterr().out)])
+        assert len(list((tmp_path / jobs).glob("laplace_*"))) == 4  # the unchanged settings and another rate, two seeds
     assert found[0] == found[1]
-    assert len(found[0]) == 2
+    assert len(found[0]) == 3
+    assert found[0][0][1] == found[0][1][1]
 
 
 @pytest.mark.parametrize(

@@ -108,8 +108,8 @@ class LaplaceAgent(Agent):
         losses, scaled = self.code.loss(outputs, target, self._gammas)
         if self.settings.consistency > 0:
             # Squared, because Huber's loss would move a value to a median of its noisy targets and not to their mean.
-            # Weighed, because 1 / (1 - gamma) sizes both the values and their gradients, and the noise of one reward
-            # does not: an exponent of 2 is the scale of the outputs, 0 that of Q.
+            # Times a power of 1 - gamma: with 0 an error counts as in Q, where long discounts outweigh all others, with
+            # 2 as in the outputs, where short ones do.
             error = self._values(scaled, self._gammas) - self._values(target, self._gammas)
             losses = losses + 0.5 * self._consistency * error**2
         return losses * self._shares

@@ -110,7 +110,9 @@ def _started(planned: Sequence[LoopSettings], folder: Path, jobs: int) -> Iterat
         return
     with ProcessPoolExecutor(jobs, get_context("spawn")) as pool:
         try:
-            yield [pool.submit(_score, settings, folder).result for settings in planned]
+            # A value that is the file's own makes the unchanged settings once more: one run must have one process.
+            futures = {settings: pool.submit(_score, settings, folder) for settings in dict.fromkeys(planned)}
+            yield [futures[settings].result for settings in planned]
         except BaseException:
             pool.shutdown(cancel_futures=True)
             raise

@@ -1,9 +1,9 @@
 """How the C library serves a training, and what it gives back to the system.
 
-An update makes dozens of tensors of about a megabyte. By default each comes from the system and goes back to it, to be
-cleared page by page the next time: a sixth of the time of a Laplace update. Kept instead, they leave gaps, as batches
-have groups of another size at every update: a run of 300,000 steps on LunarLander grew by more than a gigabyte. So
-they are kept between two calls of :func:`give_back`, and a run stays at its size.
+An update makes dozens of tensors of about a megabyte. By default the C library may fetch each from the system and hand
+it back, to be cleared page by page the next time. Kept instead, they leave gaps, as batches have groups of another size
+at every update: a run of 300,000 steps on LunarLander grew by more than a gigabyte. So they are kept between two calls
+of :func:`give_back`, and a run stays at its size.
 """
 
 from __future__ import annotations
