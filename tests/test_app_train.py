@@ -85,6 +85,7 @@ def test_what_ships_is_there_before_and_behind_own_runs(runs):
     algorithms = ("Laplace DQN", "C51", "QR-DQN", "DQN")
     assert shown(charts(page)["shipped"]) == [f"{name}, 5 seeds" for name in algorithms]
     medians = [trace for trace in charts(page)["shipped"]["data"] if trace.get("showlegend")]
+    assert {trace["line"]["dash"] for trace in medians} == {"solid"}
     curves = checkpoints.shipped_curves("LunarLander-v3")["dqn"]
     np.testing.assert_allclose(
         numbers(medians[3]["y"])[-1], np.median([curve.scores[-1] for curve in curves]), rtol=0.02

@@ -84,9 +84,7 @@ def shipped(environment: str) -> None:
     title = world_title(environment)
     alt = f"Evaluations over the steps of training of the agents that ship for {title}: {len(bands)} algorithms."
     chart(to_json(shipped_curves(f"{title}: agents that ship", bands)), "shipped", alt, TALL, environment)
-    st.caption(
-        "Dashed: the median of the seeds; shaded: from the lowest to the highest. Your runs are drawn over them."
-    )
+    st.caption("The median of the seeds, shaded from the lowest to the highest. Your own runs are drawn over it.")
 
 
 def _beside(same: Sequence[Run], run: Run) -> list[Run]:
