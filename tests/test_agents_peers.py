@@ -23,7 +23,7 @@ PEERS = ("c51", "qrdqn", "expectile", "dqn")
 OTHERS = (*PEERS, "fixed_horizon")
 FEW = {
     "c51": {"atoms": 5, "v_min": -2.0, "v_max": 3.0}, "qrdqn": {"quantiles": 4}, "expectile": {"expectiles": 5},
-    "dqn": {}, "fixed_horizon": {"horizon": 6, "times": 3},
+    "dqn": {}, "fixed_horizon": {"horizon": 6, "times": 3}, "laplace": {},
 }  # fmt: skip
 
 
@@ -76,11 +76,30 @@ def test_a_round_equals_updates_one_by_one_with_the_targets_of_its_start():
     batch = batch_of(12)
     one, other = (peer("qrdqn", double=False, averaging=1e-5) for _ in range(2))
     losses, each = one.learn(batch, 3, 0.5)
-    slowly = [other.update(part, 0.5) for part in batch.split(4)]
+    slowly = [other.update(part, 0.5) for part in batch.split(3)]
     np.testing.assert_allclose(losses, [loss for loss, _ in slowly], rtol=1e-4)
     np.testing.assert_allclose(each, np.concatenate([found for _, found in slowly]), rtol=1e-4)
     for mine, theirs in zip(one.network.parameters(), other.network.parameters(), strict=True):
         torch.testing.assert_close(mine, theirs, atol=1e-5, rtol=1e-4)
+
+
+@pytest.mark.parametrize("algorithm", (*OTHERS, "laplace"))
+def test_an_update_follows_the_gradient_of_the_weighted_mean(algorithm, monkeypatch):
+    """Five rows and, of Laplace DQN, fifteen discounts: no mean is over a power of two, or over the wrong axis."""
+    weights = torch.tensor([0.1, 1.0, 0.4, 0.0, 0.7])
+    agent, batch = peer(algorithm), replace(batch_of(5), weights=weights)
+    state = agent.random.bit_generator.state
+    losses = agent.losses(batch, *agent.prepare(batch))
+    expected = (weights.unsqueeze(1) * losses).mean()
+    gradients = torch.autograd.grad(expected, list(agent.network.parameters()))
+    agent.random.bit_generator.state = state
+    found = []
+    monkeypatch.setattr(agent.optimiser, "step", lambda *_: found.extend(p.grad for p in agent.network.parameters()))
+    loss, each = agent.update(batch, 0.5)
+    assert loss == pytest.approx(expected.item(), rel=1e-5)
+    np.testing.assert_allclose(each, losses.detach().mean(1), rtol=1e-5)
+    for mine, theirs in zip(found, gradients, strict=True):
+        torch.testing.assert_close(mine, theirs, rtol=1e-4, atol=1e-6)
 
 
 @pytest.mark.parametrize("algorithm", OTHERS)

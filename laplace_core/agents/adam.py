@@ -22,8 +22,9 @@ class Adam:
 
     def __init__(self, parameters: list[nn.Parameter]):
         self._parameters = parameters
+        self._steps = torch.zeros(len(parameters))
         self.moments: dict[str, list[Tensor]] = {
-            "step": [torch.zeros(()) for _ in parameters],
+            "step": list(self._steps.unbind()),
             "exp_avg": [torch.zeros_like(parameter.data) for parameter in parameters],
             "exp_avg_sq": [torch.zeros_like(parameter.data) for parameter in parameters],
         }
@@ -36,13 +37,19 @@ class Adam:
             rate: step size.
             largest: norm of all gradients together that they are scaled down to where it is greater.
         """
-        # A part of the network that has not been used has no gradient, and stays as it is.
-        rows = [row for row in zip(self._parameters, *self.moments.values(), strict=True) if row[0].grad is not None]
-        parameters, steps, averages, squares = map(list, zip(*rows, strict=True))
+        parameters, steps, averages, squares = self._parameters, *self.moments.values()
         gradients = [parameter.grad for parameter in parameters]
-        norm = torch.linalg.vector_norm(torch.stack(torch._foreach_norm(gradients)))
-        torch._foreach_mul_(gradients, (largest / (norm + 1e-6)).clamp(max=1.0))
-        torch._foreach_add_(steps, 1.0)
+        if any(gradient is None for gradient in gradients):
+            # A part of the network that has not been used has no gradient, and stays as it is.
+            used = [i for i, gradient in enumerate(gradients) if gradient is not None]
+            parts = (parameters, gradients, steps, averages, squares)
+            parameters, gradients, steps, averages, squares = ([part[i] for i in used] for part in parts)
+            torch._foreach_add_(steps, 1.0)
+        else:
+            self._steps.add_(1.0)
+        norm = torch.linalg.vector_norm(torch.stack(torch._foreach_norm(gradients))) + 1e-6
+        if norm > largest:
+            torch._foreach_mul_(gradients, largest / norm)
         torch._fused_adam_(
             parameters, gradients, averages, squares, [], steps, lr=rate, beta1=BETAS[0], beta2=BETAS[1],
             weight_decay=0.0, eps=EPSILON, amsgrad=False, maximize=False, grad_scale=None, found_inf=None,

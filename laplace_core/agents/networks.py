@@ -160,6 +160,7 @@ class Single(nn.Module):
         self.scale = scale
         width = hidden * (2 if self.dueling else 1)
         self.trunk = nn.Sequential(nn.Linear(observation, hidden), nn.ReLU(), nn.Linear(hidden, width), nn.ReLU())
+        self._hidden_layers = self.trunk[0], self.trunk[2]
         self.head = nn.Linear(hidden, actions * initial.numel())
         self.state = nn.Linear(hidden, initial.numel()) if self.dueling else None
         for layer in (self.head, self.state) if self.dueling else (self.head,):
@@ -167,12 +168,18 @@ class Single(nn.Module):
             layer.bias.data = initial.repeat(layer.out_features // initial.numel())
 
     def forward(self, observations: Tensor) -> Tensor:
-        outputs = self._outputs(self.trunk(observations))
-        return outputs if self.scale == 1.0 else outputs * self.scale
+        # For networks as small as these, calls of modules and views cost as much as arithmetic: the hidden layers are
+        # applied without the former, and to the rows of one matrix.
+        features = observations.flatten(0, -2)
+        for layer in self._hidden_layers:
+            features = torch.relu(nn.functional.linear(features, layer.weight, layer.bias))
+        outputs = self._outputs(features)
+        outputs = outputs if self.scale == 1.0 else outputs * self.scale
+        return outputs.view(*observations.shape[:-1], *self.shape)
 
     def _outputs(self, features: Tensor) -> Tensor:
         if not self.dueling:
-            return self.head(features).unflatten(-1, self.shape)
+            return self.head(features)
         stated, advantaged = features.chunk(2, dim=-1)
         advantages = self.head(advantaged).unflatten(-1, self.shape)
         return self.state(stated).unsqueeze(-2) + advantages - advantages.mean(-2, keepdim=True)

@@ -88,7 +88,8 @@ class Peer(Agent):
         return rewards + discounts * later, masses
 
     def losses(self, batch: Batch, locations: Tensor, masses: Tensor) -> Tensor:
-        outputs = self.network(batch.observations)[torch.arange(len(locations)), 0, batch.actions[:, 0]]
+        outputs = self.network(batch.observations)[:, 0]  # (B, A, C)
+        outputs = outputs.gather(1, batch.actions.unsqueeze(2).expand(-1, -1, outputs.shape[2]))[:, 0]
         # Over the scale: half way between that of the returns and that of the last layer.
         return self.loss(outputs, locations, masses).unsqueeze(1) / self.scale
 

@@ -59,7 +59,8 @@ def quantile_huber(quantiles: Tensor, locations: Tensor, levels: Tensor) -> Tens
     """
     if quantiles.shape[1] * locations.shape[1] > MOST_PAIRS:
         return _of_many(quantiles, locations, levels)
-    q, y = torch.broadcast_tensors(quantiles.unsqueeze(2), locations.unsqueeze(1))
+    q = quantiles.unsqueeze(2).expand(-1, -1, locations.shape[1])
+    y = locations.unsqueeze(1).expand_as(q)
     weights = torch.where(y < q, 1.0 - levels.unsqueeze(1), levels.unsqueeze(1))
     return (weights * huber_loss(q, y, reduction="none")).sum((1, 2)) / locations.shape[1]
 
