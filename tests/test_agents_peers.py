@@ -83,7 +83,7 @@ def test_a_round_equals_updates_one_by_one_with_the_targets_of_its_start():
         torch.testing.assert_close(mine, theirs, atol=1e-5, rtol=1e-4)
 
 
-@pytest.mark.parametrize("algorithm", (*OTHERS, "laplace"))
+@pytest.mark.parametrize("algorithm", [*OTHERS, "laplace"])
 def test_an_update_follows_the_gradient_of_the_weighted_mean(algorithm, monkeypatch):
     """Five rows and, of Laplace DQN, fifteen discounts: no mean is over a power of two, or over the wrong axis."""
     weights = torch.tensor([0.1, 1.0, 0.4, 0.0, 0.7])
