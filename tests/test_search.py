@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import json
 import statistics
 from pathlib import Path
@@ -10,6 +11,7 @@ import pytest
 
 from laplace_core.cli import main
 from laplace_core.experiments import search
+from laplace_core.experiments.search_report import read
 from laplace_core.training.command import settings_of
 
 KEPT = sorted((Path(__file__).parent.parent / "docs" / "searches").glob("*.json"))
@@ -40,13 +42,14 @@ def test_a_search_ranks_and_is_not_repeated(tmp_path, capsys, monkeypatch):
     kept = json.loads((tmp_path / search.RESULTS).read_text())
     assert [row["trial"] for row in kept["trials"]] == [{}, {"learning_rate": "0.001"}, {"learning_rate": "0.01"}]
     assert all(len(row["scores"]) == 2 for row in kept["trials"])
+    assert all(row["seconds"] > 0 for row in kept["trials"])
     words = " ".join(QUICK)
     expected = f"search laplace two_branch {words} {' '.join(vary)} --seeds 2"
     assert kept["command"] == f"python -m laplace_core {expected}"
     monkeypatch.setattr(search, "train", lambda *args, **kwargs: pytest.fail("trained again"))
     assert run(tmp_path, *vary, "--json") == 0
     again = json.loads(capsys.readouterr().out)
-    assert [row["scores"] for row in again] == [row["scores"] for row in kept["trials"]]
+    assert again == kept["trials"]
 
 
 def test_several_at_once_find_the_same_and_train_nothing_twice(tmp_path, capsys):
@@ -80,10 +83,57 @@ def test_bad_input_is_one_sentence_and_nothing_is_trained(more, tmp_path, capsys
     assert not list(tmp_path.iterdir())
 
 
+def test_what_was_found_is_reported_from_its_file(tmp_path, capsys):
+    """Change is against the first row; 2 rows x 2 seeds x 200 steps are 800; 1,800 and 5,400 seconds are 2 hours."""
+    found = {
+        "command": "python -m laplace_core search dqn CartPole-v1", "settings": {"steps": 200}, "one_at_a_time": True,
+        "seeds": 2,
+        "trials": [
+            {"trial": {}, "scores": [10.0, 20.0], "median": 15.0, "seconds": 1800.0},
+            {"trial": {"n_step": "3"}, "scores": [30.0, 11.0], "median": 20.5, "seconds": 5400.0},
+        ],
+    }  # fmt: skip
+    path = tmp_path / "found.json"
+    path.write_text(json.dumps(found))
+    assert main(["report", "searches", str(path)]) == 0
+    command, cost, head, best, base = capsys.readouterr().out.splitlines()
+    assert command == found["command"]
+    assert cost == "4 trainings, 800 steps, 2.0 hours of one core"
+    assert head.split() == ["median", "change", "every", "seed", "settings"]
+    assert best.split() == ["20.5", "+5.5", "30.0", "11.0", "n_step", "3"]
+    assert base.split() == ["15.0", "+0.0", "10.0", "20.0", "as", "in", "the", "file"]
+    assert main(["report", "searches", str(path), "--json"]) == 0
+    assert json.loads(capsys.readouterr().out) == [found]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "{", "[]", "{}", '{"trials": 3}',
+        '{"command": "", "settings": {"steps": 1}, "one_at_a_time": true, "seeds": 1, "trials": []}',
+        '{"command": "", "settings": {"steps": 1}, "one_at_a_time": true, "seeds": 2, "trials": '
+        '[{"trial": {}, "scores": [1.0], "median": 1.0, "seconds": 1.0}]}',
+        '{"command": "", "settings": {"steps": 1}, "one_at_a_time": true, "seeds": 1, "trials": '
+        '[{"trial": {"steps": "x"}, "scores": [1.0], "median": 1.0, "seconds": 1.0}]}',
+        None,
+    ],
+)  # fmt: skip
+def test_a_file_that_is_no_search_is_refused(text, tmp_path, capsys):
+    path = tmp_path / "found.json"
+    if text is not None:
+        path.write_text(text)
+    assert main(["report", "searches", str(path)]) == 2
+    assert len(capsys.readouterr().err.splitlines()) == 1
+
+
 @pytest.mark.parametrize("path", KEPT, ids=lambda path: path.stem)
-def test_a_kept_search_is_of_settings_that_there_are(path):
-    kept = json.loads(path.read_text(encoding="utf-8"))
-    assert main([*kept["command"].split()[3:], "--budget"]) == 0
+def test_a_kept_search_is_of_the_settings_that_there_are(path):
+    """Of today's file, or it would tell what other settings than those that ship are worth."""
+    kept = read(path)
+    _, _, _, verb, algorithm, environment, *options = kept["command"].split()
+    assert main([verb, algorithm, environment, *options, "--budget"]) == 0
+    common = dict(word.split("=") for flag, word in itertools.pairwise(options) if flag == "--set")
+    assert kept["settings"] == search.settings_for(algorithm, environment, common, {}, 0).as_dict()
     for row in kept["trials"]:
         assert len(row["scores"]) == kept["seeds"]
         assert row["median"] == pytest.approx(statistics.median(row["scores"]))

@@ -59,6 +59,11 @@ def add_report(verbs: argparse._SubParsersAction) -> None:
     interpolation.add_argument("--json", action="store_true", help="print JSON")
     interpolation.set_defaults(run=_interpolation)
 
+    searches = kinds.add_parser("searches", help="what searches over settings have found")
+    searches.add_argument("files", nargs="+", metavar="FILE", help="results of searches: their search.json, kept")
+    searches.add_argument("--json", action="store_true", help="print JSON")
+    searches.set_defaults(run=_searches)
+
 
 def _detectors(options: argparse.Namespace) -> None:
     from laplace_core.experiments import detector  # only this verb needs it
@@ -103,6 +108,13 @@ def _interpolation(options: argparse.Namespace) -> None:
     from laplace_core.experiments import interpolation  # loads torch
 
     numbers, text = interpolation.report(Path(options.checkpoint), seed)
+    print(json.dumps(numbers, indent=1) if options.json else text)
+
+
+def _searches(options: argparse.Namespace) -> None:
+    from laplace_core.experiments import search_report
+
+    numbers, text = search_report.report([Path(path) for path in options.files])
     print(json.dumps(numbers, indent=1) if options.json else text)
 
 

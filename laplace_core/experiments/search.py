@@ -10,7 +10,6 @@ from __future__ import annotations
 import hashlib
 import itertools
 import json
-import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from contextlib import contextmanager
@@ -22,11 +21,12 @@ import numpy as np
 
 from laplace_core.agents.settings import LoopSettings
 from laplace_core.errors import InputError
+from laplace_core.experiments.training import seconds_behind
 from laplace_core.training.checkpoint import load_checkpoint
 from laplace_core.training.command import settings_of
 from laplace_core.training.evaluation import evaluate
 from laplace_core.training.loop import train
-from laplace_core.training.run_folder import read_config
+from laplace_core.training.run_folder import read_config, read_metrics
 from laplace_core.training.tensor_file import write_whole
 
 EPISODES = 100
@@ -80,7 +80,8 @@ def search(
         jobs: trainings at once, each in a process of its own where there are several.
 
     Yields:
-        a trial's settings, scores of its seeds, their median, and the seconds that their trainings took.
+        a trial's settings, scores of its seeds, their median, and the seconds that their trainings took, one after
+        the other.
     """
     found: list[dict[str, object]] = []
     tried = trials(varied, one_at_a_time)
@@ -92,9 +93,8 @@ def search(
             found.append(row | {"seconds": round(sum(seconds), 1)})
             about = {
                 "command": command(algorithm, environment, common, varied, seeds, one_at_a_time),
-                "algorithm": algorithm,
-                "environment": environment,
-                "common": common,
+                "settings": settings_for(algorithm, environment, common, {}, 0).as_dict(),
+                "one_at_a_time": one_at_a_time,
                 "seeds": seeds,
                 "trials": found,
             }
@@ -133,18 +133,6 @@ def command(
     return " ".join(["python -m laplace_core search", algorithm, environment, *words, f"--seeds {seeds}"])
 
 
-def table(rows: Sequence[dict[str, object]], one_at_a_time: bool) -> str:
-    """The best first; one at a time, against the unchanged settings."""
-    base = rows[0]["median"] if one_at_a_time else None
-    change = "" if base is None else f"{'change':>8}  "
-    lines = [f"{'median':>8}  {'lowest':>8}  {change}settings"]
-    for row in sorted(rows, key=lambda row: -row["median"]):
-        words = ", ".join(f"{name} {value}" for name, value in row["trial"].items()) or "as in the file"
-        change = "" if base is None else f"{row['median'] - base:>+8.1f}  "
-        lines.append(f"{row['median']:>8.1f}  {min(row['scores']):>8.1f}  {change}{words}")
-    return "\n".join(lines)
-
-
 def _name(settings: LoopSettings) -> str:
     digest = hashlib.sha256(json.dumps(settings.as_dict(), sort_keys=True).encode()).hexdigest()[:10]
     return f"{settings.ALGORITHM}_{settings.environment.replace(':', '-')}_{digest}_{settings.seed}"
@@ -155,7 +143,8 @@ def _finished(run: Path) -> bool:
 
 
 def _score(settings: LoopSettings, folder: Path) -> tuple[float, float]:
-    began, run = time.monotonic(), folder / _name(settings)
+    """Train unless that is done, and return the score of the best checkpoint and the seconds the training took."""
+    run = folder / _name(settings)
     there = (run / "config.json").exists()
     if there and read_config(run / "config.json") != settings:
         raise InputError(f"{run} was made with other settings: name another folder.")
@@ -164,4 +153,4 @@ def _score(settings: LoopSettings, folder: Path) -> tuple[float, float]:
             pass
     agent = load_checkpoint(run / "best.safetensors").agent
     score = evaluate(agent, settings.environment, EPISODES, START_SEEDS + settings.seed).mean
-    return round(score, 3), time.monotonic() - began
+    return round(score, 3), seconds_behind(read_metrics(run))[-1]

@@ -38,7 +38,7 @@ def _search(options: argparse.Namespace) -> None:
     common = dict(named_params(options.set))
     if "seed" in varied or "seed" in common:
         raise InputError("seeds are counted from 0: say how many with --seeds.")
-    from laplace_core.experiments import search  # loads torch
+    from laplace_core.experiments import search, search_report  # loads torch
 
     planned = [
         search.settings_for(options.algorithm, options.environment, common, trial, seed)
@@ -58,4 +58,4 @@ def _search(options: argparse.Namespace) -> None:
         rows.append(row)
         if not options.json:
             print(f"{row['trial'] or 'as in the file'}: {row['scores']}, {row['seconds']:.0f} s", flush=True)
-    print(json.dumps(rows, indent=1) if options.json else search.table(rows, options.one_at_a_time))
+    print(json.dumps(rows, indent=1) if options.json else search_report.table(rows, options.one_at_a_time))

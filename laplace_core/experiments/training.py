@@ -61,7 +61,7 @@ def _seed(algorithm: str, environment: str, seed: int, aim: float, folder: Path)
             pass
         print(f"seed {seed}: {time.monotonic() - began:.0f} s", flush=True)
     events = read_metrics(run)
-    seconds = _seconds(events)
+    seconds = seconds_behind(events)
     reached = next((i for i, e in enumerate(events) if e["event"] == "Evaluation" and e["score"] >= aim), None)
     scores = evaluate(load_checkpoint(run / "best.safetensors").agent, environment, EPISODES, seed)
     return {
@@ -75,7 +75,7 @@ def _seed(algorithm: str, environment: str, seed: int, aim: float, folder: Path)
     }
 
 
-def _seconds(events: list[dict[str, object]]) -> list[float]:
+def seconds_behind(events: list[dict[str, object]]) -> list[float]:
     """Seconds of training behind each event, over all times that the run was gone on with."""
     behind, last, found = 0.0, 0.0, []
     for event in events:

@@ -1,0 +1,90 @@
+"""What a search has found, as a table; and searches that are kept, read again."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping, Sequence
+from math import isfinite
+from pathlib import Path
+
+from laplace_core.errors import InputError
+
+Found = Mapping[str, object]
+"""What ``search.json`` holds."""
+
+
+def table(rows: Sequence[Mapping[str, object]], one_at_a_time: bool) -> str:
+    """The best first, with the score of every seed; one at a time, against the unchanged settings."""
+    base = rows[0]["median"] if one_at_a_time else None
+    change = "" if base is None else f"{'change':>8}"
+    width = 8 * len(rows[0]["scores"])
+    lines = [f"{'median':>8}{change}  {'every seed':>{width}}  settings"]
+    for row in sorted(rows, key=lambda row: -row["median"]):
+        words = ", ".join(f"{name} {value}" for name, value in row["trial"].items()) or "as in the file"
+        change = "" if base is None else f"{row['median'] - base:>+8.1f}"
+        scores = "".join(f"{score:>8.1f}" for score in row["scores"])
+        lines.append(f"{row['median']:>8.1f}{change}  {scores}  {words}")
+    return "\n".join(lines)
+
+
+def report(paths: Sequence[Path]) -> tuple[list[Found], str]:
+    """Searches that are kept: what each file holds, and their commands and tables as text.
+
+    Raises:
+        InputError: a file that cannot be read or is no result of a search.
+    """
+    kept = [read(path) for path in paths]
+    return kept, "\n\n".join(_text(found) for found in kept)
+
+
+def _text(found: Found) -> str:
+    rows = found["trials"]
+    hours = sum(row["seconds"] for row in rows) / 3600
+    steps = sum(int(row["trial"].get("steps", found["settings"]["steps"])) for row in rows) * found["seeds"]
+    about = f"{len(rows) * found['seeds']} trainings, {steps:,} steps, {hours:.1f} hours of one core"
+    return f"{found['command']}\n{about}\n{table(rows, found['one_at_a_time'])}"
+
+
+def read(path: Path) -> Found:
+    """A ``search.json``.
+
+    Raises:
+        InputError: it cannot be read or is no result of a search.
+    """
+    try:
+        found = json.loads(path.read_text(encoding="utf-8"))
+    except OSError as error:
+        raise InputError(f"{path} cannot be read: {(error.strerror or 'unknown error').lower()}.") from None
+    except ValueError:
+        raise InputError(f"{path} is not JSON: name the search.json of a search.") from None
+    if not _is_search(found):
+        raise InputError(f"{path} is no result of a search: name the search.json of one.")
+    return found
+
+
+def _is_search(found: object) -> bool:
+    if not isinstance(found, dict) or not isinstance(found.get("settings"), dict):
+        return False
+    rows, seeds = found.get("trials"), found.get("seeds")
+    return (
+        isinstance(found.get("command"), str)
+        and isinstance(found.get("one_at_a_time"), bool)
+        and isinstance(found["settings"].get("steps"), int)
+        and isinstance(rows, list)
+        and len(rows) > 0
+        and all(isinstance(row, dict) and _is_row(row, seeds) for row in rows)
+    )
+
+
+def _is_row(row: Mapping[str, object], seeds: object) -> bool:
+    scores, trial = row.get("scores"), row.get("trial")
+    return (
+        isinstance(trial, dict)
+        and str(trial.get("steps", "1")).isdecimal()
+        and isinstance(scores, list)
+        and len(scores) == seeds
+        and all(
+            isinstance(number, int | float) and isfinite(number)
+            for number in (row.get("median"), row.get("seconds"), *scores)
+        )
+    )
