@@ -24,7 +24,7 @@ from app.served import served
 
 _HERE = Path(__file__).resolve().parent
 _MODULES = (
-    "maths", "network", "drawing", "surface", "controls", "world", "simulated", "panels", "hand", "verdict", "export",
+    "maths", "network", "drawing", "columns", "surface", "controls", "world", "simulated", "panels", "hand", "verdict", "export",
     "lens",
 )  # fmt: skip
 _HELD = 2

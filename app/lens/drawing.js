@@ -122,9 +122,11 @@ export const short = (value, digits = 3) => {
   return found && Math.abs(found) < 1e-4 ? found.toExponential().replace('e-0', 'e-') : String(found);
 };
 
-// Frame and labels of one box; returns the scales. Ticks are values, or [value, words].
-export function axes(pen, box, { x, y, xTicks, yTicks, xTitle, yTitle, colours, grid = true }) {
-  const X = (value) => box.x + ((value - x[0]) / (x[1] - x[0])) * box.w;
+// Frame and labels of one box; returns the scales. Ticks are values, or [value, words]. `across` is what x is linear in,
+// as a function of x, and its inverse.
+export function axes(pen, box, { x, y, across = [Number, Number], xTicks, yTicks, xTitle, yTitle, colours, grid = true }) {
+  const [to, from] = across, [left, right] = x.map(to);
+  const X = (value) => box.x + ((to(value) - left) / (right - left)) * box.w;
   const Y = (value) => box.y + box.h - ((value - y[0]) / (y[1] - y[0])) * box.h;
   const named = (list) => list.map((tick) => (Array.isArray(tick) ? tick : [tick, short(tick)]));
   for (const [value, words] of named(yTicks ?? ticks(...y))) {
@@ -137,7 +139,7 @@ export function axes(pen, box, { x, y, xTicks, yTicks, xTitle, yTitle, colours, 
   }
   if (xTitle) pen.text(xTitle, box.x + box.w / 2, box.y + box.h + 27, { align: 'center', colour: colours.soft, size: 11 });
   if (yTitle) pen.text(yTitle, box.x - 36, box.y + box.h / 2, { align: 'center', colour: colours.soft, size: 11, turn: true });
-  return { X, Y, x, y, box, toX: (px) => x[0] + ((px - box.x) / box.w) * (x[1] - x[0]),
+  return { X, Y, x, y, box, toX: (px) => from(left + ((px - box.x) / box.w) * (right - left)),
     toY: (py) => y[0] + ((box.y + box.h - py) / box.h) * (y[1] - y[0]) };
 }
 
@@ -172,16 +174,15 @@ export const heatColour = (value, limit) => {
   return `rgb(${word & 255},${(word >> 8) & 255},${(word >> 16) & 255})`;
 };
 
-// A picture of values (n, width), the first row at the bottom; `columns` says which column each pixel shows.
-export function heatmap(canvas, values, n, width, limit, columns) {
-  const across = columns?.length ?? width;
-  canvas.width = across;
+// A picture of values (n, width), the first row at the bottom.
+export function heatmap(canvas, values, n, width, limit) {
+  canvas.width = width;
   canvas.height = n;
-  const context = canvas.getContext('2d'), image = context.createImageData(across, n), words = new Uint32Array(image.data.buffer);
+  const context = canvas.getContext('2d'), image = context.createImageData(width, n), words = new Uint32Array(image.data.buffer);
   const factor = 511 / (limit * (1 + UNDER)), zero = (511 * UNDER) / (1 + UNDER) + 0.5;
   for (let k = 0; k < n; k++) {
-    for (let x = 0, at = (n - 1 - k) * across; x < across; x++, at++) {
-      const index = (values[k * width + (columns ? columns[x] : x)] * factor + zero) | 0;
+    for (let x = 0, at = (n - 1 - k) * width; x < width; x++, at++) {
+      const index = (values[k * width + x] * factor + zero) | 0;
       words[at] = SCALE[index < 0 ? 0 : index > 511 ? 511 : index];
     }
   }

@@ -1,6 +1,8 @@
 // What a hand does to the pictures themselves: pointing, zooming, turning, and the same by keys. It keeps its marks in
 // the scene (hover, band, zoom, camera) and asks for a new drawing.
 
+import { acrossOf, thetaOf } from './columns.js';
+
 export const isSpace = (panel) => Boolean(panel.rows); // of the two that can be zoomed, or drawn as surfaces
 
 const limited = (value, low, high) => Math.min(high, Math.max(low, value));
@@ -33,9 +35,10 @@ export function listen(canvas, panel, scene, draw) {
   }
 
   function zoomIn() { // to half the range, around the cursor
-    const half = ([low, high], at = (low + high) / 2) => [at - (high - low) / 4, at + (high - low) / 4];
-    const { x, y } = canvas.scale, { hover } = scene;
-    Object.assign(scene.zoom, { theta: half(x, hover.theta), [panel.rows]: half(y, hover[panel.rows]) });
+    const { X, Y, toX, toY, box } = canvas.scale, { hover } = scene, y = hover[panel.rows];
+    const middle = [hover.theta === undefined ? box.x + box.w / 2 : X(hover.theta), y === undefined ? box.y + box.h / 2 : Y(y)];
+    const half = (at, length, value) => [value(at - length / 4), value(at + length / 4)];
+    Object.assign(scene.zoom, { theta: half(middle[0], box.w, toX), [panel.rows]: half(middle[1], -box.h, toY) });
     draw();
   }
 
@@ -61,13 +64,13 @@ export function listen(canvas, panel, scene, draw) {
     if (event.key === '+' && space) zoomIn();
     if (!KEYS[event.key]) return;
     event.preventDefault();
-    const { hover, seen, model } = scene, { thetas, H } = seen, [across, up] = KEYS[event.key], far = event.shiftKey ? 10 : 1;
+    const { hover, seen, model } = scene, [across, up] = KEYS[event.key], far = event.shiftKey ? 10 : 1;
     if (solid()) { turn(0.1 * across, 0.1 * up); return; }
     const stepped = (name, by, count) => limited((hover[name] ?? -1) + by * far, 0, count - 1);
     if (!space) { point({ tau: stepped('tau', across || up, model.K) }); return; }
-    const from = hover.theta ?? (thetas[0] + thetas[H]) / 2, by = (across * far * (thetas[H] - thetas[0])) / H;
+    const from = hover.theta === undefined ? seen.H / 2 : acrossOf(seen, hover.theta);
     const count = panel.rows === 'tau' ? model.K : seen.grid.G;
-    point({ theta: limited(from + by, thetas[0], thetas[H]), [panel.rows]: stepped(panel.rows, up, count) });
+    point({ theta: thetaOf(seen, limited(from + across * far, 0, seen.H)), [panel.rows]: stepped(panel.rows, up, count) });
   };
   if (!space) return;
   canvas.title = 'Drag to zoom or to turn, double-click for all of it';

@@ -1,5 +1,6 @@
 // The pictures of the lens. Each draws itself with a pen into a box and says in words what it shows.
 // `scene` is { model, state, seen, pinned, hover, colours, kernel, resolution, images }.
+import { acrossOf, columnAt, thetaOf, thetaTicks } from './columns.js';
 import { NEUTRAL, actionColour, axes, colourBar, heatmap, line, rounded, rowTicks, short, ticks } from './drawing.js';
 import { gammaSpace } from './maths.js';
 import { leftOut } from './network.js';
@@ -27,17 +28,6 @@ function marked(pen, { box, X, Y }, { x, y }, colours) { // where the other pane
 }
 
 // ---- the two spaces
-
-// Which column a pixel of the theta axis shows; null where all columns are equally wide.
-function pixelColumns(thetas) {
-  const H = thetas.length - 1, first = thetas[0], span = thetas[H] - first;
-  if (thetas.every((theta, h) => Math.abs(theta - first - (span * h) / H) < 1e-3 * (span / H))) return null;
-  let h = 0;
-  return Uint16Array.from({ length: 400 }, (_, x) => {
-    while (h < H - 1 && thetas[h + 1] < first + (span * (x + 0.5)) / 400) h++;
-    return h;
-  });
-}
 
 export const thetaRange = ({ thetas }) => [thetas[0], thetas[thetas.length - 1]];
 
@@ -72,12 +62,13 @@ export const limitOfTau = (scene) => {
 function drawSpace(pen, w, h, scene, { values, n, rows, limit, title, note, yTitle, labels, margin, image, version }) {
   const { seen, colours, images, zoom } = scene, box = inside(w, h, margin);
   if (images[`${image} of`] !== version) {
-    heatmap(images[image] ??= document.createElement('canvas'), values, n, seen.H, limit, pixelColumns(seen.thetas));
+    heatmap(images[image] ??= document.createElement('canvas'), values, n, seen.H, limit);
     images[`${image} of`] = version;
   }
   titled(pen, w, title, note, scene);
   const x = zoom.theta ?? thetaRange(seen), y = zoom[image] ?? [-0.5, rows - 0.5];
-  const scale = axes(pen, box, { x, y, yTicks: rowTicks(labels, y),
+  const scale = axes(pen, box, { x, y, across: [(theta) => acrossOf(seen, theta), (across) => thetaOf(seen, across)],
+    xTicks: thetaTicks(seen, x, box.w), yTicks: rowTicks(labels, y),
     xTitle: 'sensitivity θ (reward)', yTitle, colours, grid: false });
   pen.path([[box.x, box.y], [box.x + box.w, box.y], [box.x + box.w, box.y + box.h], [box.x, box.y + box.h]],
     { fill: colours.empty, close: true });
@@ -130,15 +121,6 @@ export const gammaPanel = {
       + (found ? ` The dotted discounts are interpolated: where a trained one is left out, a probability is off by up to ${short(top(found), 2)}.` : '')
       + (seen.soft ? ` At ${short(state.slope_share)} of the trained slope, a probability is off by up to ${short(seen.soft.off, 2)}.` : '');
   },
-};
-
-export const columnAt = ({ thetas, H }, theta) => {
-  let low = 0, high = H - 1;
-  while (low < high) {
-    const middle = (low + high + 1) >> 1;
-    if (thetas[middle] <= theta) low = middle; else high = middle - 1;
-  }
-  return low;
 };
 
 // Boxes around the cells where the true probability rises above the foot of its row's peak; with many rows only sides.
