@@ -19,6 +19,7 @@ P = V\,\mathrm{diag}\!\Big(\frac{s}{s^2+\alpha^2}\Big)\,U^\top Z, \qquad F = U\,
 $$
 
 White outlines (orange lines on a surface) are the truth; red is negative probability, which only an inverse can make.
+All sensitivities are drawn equally wide and all discounts equally high, whatever lies between them.
 
 **Survival** is the decoded constant channel ($f\equiv 1$): the chance that the episode still runs at $\tau$.
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import base64
 import json
+from dataclasses import replace
 from functools import cache
 
 import numpy as np
@@ -146,3 +147,21 @@ def test_the_maps_of_a_comparison_share_a_scale_and_hold_the_difference(step):
         np.testing.assert_allclose(unpacked(maps[name]["z"]), values, rtol=1e-5, atol=1e-6)
     assert (maps["A"]["zmin"], maps["A"]["zmax"]) == (maps["B"]["zmin"], maps["B"]["zmax"])
     assert maps["B - A"]["zmin"] == -maps["B - A"]["zmax"]
+
+
+def test_columns_of_a_comparison_are_equally_wide_and_labelled_by_their_reward():
+    """Whole numbers are places; a label lies where its reward is between them, and none on another."""
+    world = load_world("two_branch")
+    uneven = Settings(theta_spacing="asinh", theta_min=-100.0, theta_max=100.0, thetas=61)
+    a, b = (View(world, resolve(replace(uneven, alpha=alpha), world), 0, None) for alpha in (0.2, 0.01))
+    figure = json.loads(compute.comparison(a, b, "tau_space")[1]["A"])
+    heat, across = figure["data"][0], figure["layout"]["xaxis"]
+    np.testing.assert_array_equal(unpacked(heat["x"]), np.arange(60))
+    columns = difference(compute.study_for(a), compute.study_for(b), 0, 0).columns
+    labelled = dict(zip(across["ticktext"], unpacked(across["tickvals"]), strict=True))
+    assert {"-10", "0", "10"} <= set(labelled)
+    for text, at in labelled.items():
+        assert np.interp(at, np.arange(60), columns) == pytest.approx(float(text), abs=1e-4)
+    assert np.all(np.diff(list(labelled.values())) > 6)
+    theta = unpacked(heat["customdata"])[0, :, 1]
+    np.testing.assert_allclose(theta, columns, rtol=1e-5, atol=1e-5)

@@ -29,13 +29,14 @@ def _map(name: str, found: Difference, values: np.ndarray, scale: dict[str, obje
     tau = found.what == "tau_space"
     unit, rows = ("probability", "future step tau") if tau else ("discounted steps", "discount gamma")
     bar = {"thickness": 8, "len": 1.0, "x": 1.01, "xpad": 0, "tickfont": {"size": 10}, "nticks": 5}
-    hover = f"theta %{{x:.3g}}<br>{rows} %{{customdata:.4g}}<br>%{{z:.3g}}<extra></extra>"
+    hover = f"theta %{{customdata[1]:.3g}}<br>{rows} %{{customdata[0]:.4g}}<br>%{{z:.3g}}<extra></extra>"
+    places, across = _columns(found.columns)
     heat = {
         "type": "heatmap",
-        "x": found.columns,
+        "x": places,
         "y": np.arange(len(found.rows)),
         "z": values,
-        "customdata": np.repeat(found.rows[:, None], values.shape[1], axis=1),
+        "customdata": np.stack(np.meshgrid(found.rows, found.columns, indexing="ij"), axis=-1),
         "hovertemplate": hover,
         "colorbar": {**bar, "title": {"text": unit, "side": "right", "font": {"size": 10}}},
         **scale,
@@ -46,6 +47,28 @@ def _map(name: str, found: Difference, values: np.ndarray, scale: dict[str, obje
         name,
         [heat],
         showlegend=False,
-        xaxis=axis("sensitivity theta (reward)", showgrid=False),
+        xaxis=axis("sensitivity theta (reward)", showgrid=False, **across),
         yaxis=axis(rows, showgrid=False, tickvals=ticks, ticktext=labels, range=[-0.5, len(found.rows) - 0.5]),
     )
+
+
+def _columns(thetas: np.ndarray) -> tuple[np.ndarray, dict[str, object]]:
+    """Where columns are drawn, ``(M,)``, and how that axis is labelled: all are equally wide, as in the lens.
+
+    Of unevenly spaced ones the labels are 0 and the powers of ten between the outermost.
+    """
+    steps = np.diff(thetas)
+    if steps.size < 2 or np.allclose(steps, steps[0], rtol=1e-3):
+        return thetas, {}
+    places = np.arange(thetas.size)
+    powers = 10.0 ** np.arange(-2, 7)
+    ticks = np.concatenate([-powers, [0.0], powers])
+    ticks = ticks[(ticks > thetas[0]) & (ticks < thetas[-1])]
+    at = np.interp(ticks, thetas, places)
+    # From the middle outwards, so that 0 stays and what would be written over it does not.
+    kept: list[int] = []
+    for i in np.argsort(np.abs(ticks), kind="stable"):
+        if all(abs(at[i] - at[j]) > thetas.size / 10 for j in kept):
+            kept.append(int(i))
+    kept.sort()
+    return places, {"tickvals": at[kept], "ticktext": [f"{ticks[i]:g}" for i in kept]}

@@ -213,3 +213,28 @@ def test_it_plays_and_pauses(page, address):
     page.wait_for_timeout(400)
     assert page.locator("input[name=step]").input_value() == at
     page.wait_for_url(f"**r.at={at}*")
+
+
+def test_sensitivities_that_are_close_together_can_be_told_apart(page, address):
+    """LunarLander's lie .09 apart around reward 0 and 15 apart at the ends; the axis gives each the same width."""
+    page.goto(f"{address}/agents?checkpoint=laplace_LunarLander-v3")
+    canvas = page.locator("canvas.tau-space")
+    canvas.wait_for()
+    page.wait_for_function("() => document.querySelector('canvas.tau-space').scale")
+    edges, back = page.evaluate(
+        """() => { const { seen } = document.querySelector('.laplace-lens').lens, thetas = Array.from(seen.thetas);
+        const { X, toX } = document.querySelector('canvas.tau-space').scale, edges = thetas.map(X);
+        return [edges, edges.map(toX)]; }"""
+    )
+    thetas = load_checkpoint(CHECKPOINTS / "laplace_LunarLander-v3.safetensors").agent.thetas
+    np.testing.assert_allclose(np.diff(edges), (edges[-1] - edges[0]) / (thetas.size - 1), rtol=1e-6)
+    np.testing.assert_allclose(back, thetas, atol=1e-3)
+    hover = "() => document.querySelector('.laplace-lens').lens.hover.theta"
+    canvas.hover(position={"x": (edges[40] + edges[41]) / 2, "y": 80})
+    page.wait_for_function(f"({hover})() !== undefined")
+    # A pointer is put on whole pixels, which are less than a column here.
+    assert thetas[40] < page.evaluate(hover) < thetas[41]
+    canvas.focus()
+    page.keyboard.press("ArrowRight")
+    page.wait_for_function(f"({hover})() > {thetas[41]}")
+    assert page.evaluate(hover) < thetas[42]
