@@ -24,8 +24,8 @@ from app.served import served
 
 _HERE = Path(__file__).resolve().parent
 _MODULES = (
-    "maths", "network", "drawing", "columns", "frame", "surface", "controls", "world", "simulated", "spaces", "values",
-    "panels", "hand", "verdict", "export", "lens",
+    "algebra", "network", "model", "maths", "drawing", "columns", "frame", "surface", "controls", "world", "simulated",
+    "spaces", "values", "panels", "hand", "verdict", "export", "lens",
 )  # fmt: skip
 _HELD = 2
 """Payloads that a browser keeps (entry.js); what it holds is not sent again."""

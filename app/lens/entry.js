@@ -1,7 +1,7 @@
 // The lens inside Streamlit: a message is a small JSON and, if the browser does not hold it yet, a payload.
 import { element } from './controls.js';
 import { mount, shapeOf } from './lens.js';
-import { read } from './maths.js';
+import { read } from './model.js';
 
 const mounted = new WeakMap();
 // By payload: a release is answered without sending it again, and a component may leave the page and come back.

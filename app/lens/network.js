@@ -1,6 +1,6 @@
 // What only a network's gamma-space can be asked for: discounts between those that were trained, and a softer slope.
 // Both are linear maps of what was learned (laplace_core/interpolation.py, laplace_core/encoding.py).
-import { masses, product } from './maths.js';
+import { masses, product } from './algebra.js';
 
 const logTime = (gamma) => Math.log(-1 / Math.log(gamma));
 

@@ -4,7 +4,7 @@ import { NEUTRAL, actionColour, axes, line, rounded, short, ticks } from './draw
 import { GHOST, disc, inside, marked, titled } from './frame.js';
 import { gammaSpace } from './maths.js';
 import { drawSimulated, simulatedFor } from './simulated.js';
-import { gammaPanel, tauPanel } from './spaces.js';
+import { gammaPanel, isAdded, tauPanel } from './spaces.js';
 import { valuesPanel } from './values.js';
 
 export const spectrumPanel = {

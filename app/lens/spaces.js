@@ -54,7 +54,7 @@ function drawSpace(pen, w, h, scene, { values, n, rows, limit, title, note, yTit
   return scale;
 }
 
-const isAdded = ({ model }, gamma) => Boolean(model.header.added && gamma % (model.header.added + 1));
+export const isAdded = ({ model }, gamma) => Boolean(model.header.added && gamma % (model.header.added + 1));
 
 // What interpolation misses at each trained discount that is left out; null where nothing is interpolated.
 function missed({ model, seen, state, images }) {

@@ -1,7 +1,7 @@
 // The lens in a file of its own.
 import { element } from './controls.js';
 import { mount } from './lens.js';
-import { read } from './maths.js';
+import { read } from './model.js';
 
 export function standalone(held) {
   const bytes = Uint8Array.from(atob(held.payload), (sign) => sign.charCodeAt(0));

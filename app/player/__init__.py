@@ -55,7 +55,8 @@ def player_js() -> str:
 @cache
 def script() -> str:
     own = "\n".join((_HERE / f"{name}.js").read_text(encoding="utf-8") for name in ("reel", "peers", "player"))
-    return modules("maths", "network", "drawing", "controls") + chart.joined(f"{cursor.script()}\n{own}")
+    shared = modules("algebra", "network", "model", "maths", "drawing", "controls")
+    return shared + chart.joined(f"{cursor.script()}\n{own}")
 
 
 __all__ = ["name_of", "payload", "player", "player_js", "script"]

@@ -56,7 +56,8 @@ def track_js() -> str:
 @cache
 def script() -> str:
     own = (_HERE / "track.js").read_text(encoding="utf-8")
-    return modules("maths", "drawing", "controls") + chart.joined(f"{cursor.script()}\n{own}")
+    shared = modules("algebra", "network", "model", "maths", "drawing", "controls")
+    return shared + chart.joined(f"{cursor.script()}\n{own}")
 
 
 __all__ = ["COLOURS", "payload", "script", "track", "track_js"]
