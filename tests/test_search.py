@@ -89,8 +89,9 @@ def test_what_was_found_is_reported_from_its_file(tmp_path, capsys):
         "command": "python -m laplace_core search dqn CartPole-v1", "settings": {"steps": 200}, "one_at_a_time": True,
         "seeds": 2,
         "trials": [
-            {"trial": {}, "scores": [10.0, 20.0], "median": 15.0, "seconds": 1800.0},
-            {"trial": {"n_step": "3"}, "scores": [30.0, 11.0], "median": 20.5, "seconds": 5400.0},
+            {"trial": {}, "scores": [10.0, 20.0], "value_errors": [1.0, -3.0], "median": 15.0, "seconds": 1800.0},
+            {"trial": {"n_step": "3"}, "scores": [30.0, 11.0], "value_errors": [None, 2.0], "median": 20.5,
+             "seconds": 5400.0},
         ],
     }  # fmt: skip
     path = tmp_path / "found.json"
@@ -99,9 +100,9 @@ def test_what_was_found_is_reported_from_its_file(tmp_path, capsys):
     command, cost, head, best, base = capsys.readouterr().out.splitlines()
     assert command == found["command"]
     assert cost == "4 trainings, 800 steps, 2.0 hours of one core"
-    assert head.split() == ["median", "change", "every", "seed", "settings"]
-    assert best.split() == ["20.5", "+5.5", "30.0", "11.0", "n_step", "3"]
-    assert base.split() == ["15.0", "+0.0", "10.0", "20.0", "as", "in", "the", "file"]
+    assert head.split() == ["median", "change", "every", "seed", "value", "off", "settings"]
+    assert best.split() == ["20.5", "+5.5", "30.0", "11.0", "+2.0", "n_step", "3"]
+    assert base.split() == ["15.0", "+0.0", "10.0", "20.0", "-3.0", "as", "in", "the", "file"]
     assert main(["report", "searches", str(path), "--json"]) == 0
     assert json.loads(capsys.readouterr().out) == [found]
 
@@ -112,9 +113,9 @@ def test_what_was_found_is_reported_from_its_file(tmp_path, capsys):
         "{", "[]", "{}", '{"trials": 3}',
         '{"command": "", "settings": {"steps": 1}, "one_at_a_time": true, "seeds": 1, "trials": []}',
         '{"command": "", "settings": {"steps": 1}, "one_at_a_time": true, "seeds": 2, "trials": '
-        '[{"trial": {}, "scores": [1.0], "median": 1.0, "seconds": 1.0}]}',
+        '[{"trial": {}, "scores": [1.0], "value_errors": [1.0], "median": 1.0, "seconds": 1.0}]}',
         '{"command": "", "settings": {"steps": 1}, "one_at_a_time": true, "seeds": 1, "trials": '
-        '[{"trial": {"steps": "x"}, "scores": [1.0], "median": 1.0, "seconds": 1.0}]}',
+        '[{"trial": {"steps": "x"}, "scores": [1.0], "value_errors": [1.0], "median": 1.0, "seconds": 1.0}]}',
         None,
     ],
 )  # fmt: skip

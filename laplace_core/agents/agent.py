@@ -59,12 +59,14 @@ class Agent(ABC):
 
     Attributes:
         heads: how many ways to act the network holds; ``acting_head`` is the one meant to be used.
+        acting_discount: of the return that the acting head values; None where that return does not go on to the end.
         random: random numbers for losses that need some; a run puts its own here, to be gone on with after a stop.
     """
 
     settings_class: ClassVar[type[LoopSettings]]
     heads: int = 1
     acting_head: int = 0
+    acting_discount: float | None = None
 
     def __init__(self, settings: LoopSettings, observation: int, actions: int, time_limit: int | None = None):
         self.settings, self.time_limit = settings, time_limit

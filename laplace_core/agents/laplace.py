@@ -39,6 +39,7 @@ class LaplaceAgent(Agent):
         self.code = parametrisations.build(settings.parametrisation, self.sensitivities)
         self.heads = len(self.gammas)
         self.acting_head = int(np.abs(self.gammas - settings.acting_gamma).argmin())
+        self.acting_discount = float(self.gammas[self.acting_head])
         self._gammas = torch.tensor(self.gammas, dtype=torch.float32)
         self._consistency = settings.consistency * (1.0 - self._gammas) ** settings.consistency_exponent
         self._shares = self._shares_of(settings.acting_share)

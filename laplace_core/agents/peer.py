@@ -40,6 +40,10 @@ class Peer(Agent):
     settings_class: ClassVar[type[DqnSettings]]
     in_returns: ClassVar[bool] = True
 
+    def __init__(self, settings: DqnSettings, *sizes):
+        self.acting_discount = settings.gamma
+        super().__init__(settings, *sizes)
+
     @property
     def scale(self) -> float:
         """What an output of the last layer is multiplied by.

@@ -21,10 +21,9 @@ import numpy as np
 
 from laplace_core.agents.settings import LoopSettings
 from laplace_core.errors import InputError
-from laplace_core.experiments.training import seconds_behind
+from laplace_core.experiments.training import evaluated, seconds_behind
 from laplace_core.training.checkpoint import load_checkpoint
 from laplace_core.training.command import settings_of
-from laplace_core.training.evaluation import evaluate
 from laplace_core.training.loop import train
 from laplace_core.training.run_folder import read_config, read_metrics
 from laplace_core.training.tensor_file import write_whole
@@ -80,16 +79,16 @@ def search(
         jobs: trainings at once, each in a process of its own where there are several.
 
     Yields:
-        a trial's settings, scores of its seeds, their median, and the seconds that their trainings took, one after
-        the other.
+        a trial's settings, scores of its seeds, their median, how far their values at the starts were above what came,
+        and the seconds that their trainings took, one after the other.
     """
     found: list[dict[str, object]] = []
     tried = trials(varied, one_at_a_time)
     planned = [settings_for(algorithm, environment, common, trial, seed) for trial in tried for seed in range(seeds)]
     with _started(planned, folder, jobs) as results:
         for i, trial in enumerate(tried):
-            scores, seconds = zip(*(result() for result in results[i * seeds : (i + 1) * seeds]), strict=True)
-            row = {"trial": trial, "scores": scores, "median": float(np.median(scores))}
+            scores, errors, seconds = zip(*(result() for result in results[i * seeds : (i + 1) * seeds]), strict=True)
+            row = {"trial": trial, "scores": scores, "median": float(np.median(scores)), "value_errors": errors}
             found.append(row | {"seconds": round(sum(seconds), 1)})
             about = {
                 "command": command(algorithm, environment, common, varied, seeds, one_at_a_time),
@@ -104,7 +103,7 @@ def search(
 
 @contextmanager
 def _started(planned: Sequence[LoopSettings], folder: Path, jobs: int) -> Iterator[list[Callable[[], tuple]]]:
-    """For each training a call that answers with its score and seconds, as soon as they are known."""
+    """For each training a call that answers with what :func:`_score` does, as soon as it is known."""
     if jobs == 1:
         yield [partial(_score, settings, folder) for settings in planned]
         return
@@ -142,8 +141,8 @@ def _finished(run: Path) -> bool:
     return (run / "last.safetensors").exists()
 
 
-def _score(settings: LoopSettings, folder: Path) -> tuple[float, float]:
-    """Train unless that is done, and return the score of the best checkpoint and the seconds the training took."""
+def _score(settings: LoopSettings, folder: Path) -> tuple[float, float | None, float]:
+    """Train unless that is done: score of the best checkpoint, error of its values, seconds that the training took."""
     run = folder / _name(settings)
     there = (run / "config.json").exists()
     if there and read_config(run / "config.json") != settings:
@@ -152,5 +151,6 @@ def _score(settings: LoopSettings, folder: Path) -> tuple[float, float]:
         for _ in train(None if there else settings, run, resume=there):
             pass
     agent = load_checkpoint(run / "best.safetensors").agent
-    score = evaluate(agent, settings.environment, EPISODES, START_SEEDS + settings.seed).mean
-    return round(score, 3), seconds_behind(read_metrics(run))[-1]
+    scores, error = evaluated(agent, settings.environment, EPISODES, START_SEEDS + settings.seed)
+    seconds = seconds_behind(read_metrics(run))[-1]
+    return round(scores.mean, 3), None if error is None else round(error, 3), seconds

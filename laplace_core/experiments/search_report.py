@@ -14,16 +14,21 @@ Found = Mapping[str, object]
 
 
 def table(rows: Sequence[Mapping[str, object]], one_at_a_time: bool) -> str:
-    """The best first, with the score of every seed; one at a time, against the unchanged settings."""
+    """The best first, with the score of every seed; one at a time, against the unchanged settings.
+
+    ``value off`` is the value at the starts less the discounted return that came, of the seed where it is farthest off.
+    """
     base = rows[0]["median"] if one_at_a_time else None
-    change = "" if base is None else f"{'change':>8}"
     width = 8 * len(rows[0]["scores"])
-    lines = [f"{'median':>8}{change}  {'every seed':>{width}}  settings"]
+    change = "" if base is None else f"{'change':>8}"
+    lines = [f"{'median':>8}{change}  {'every seed':>{width}}  {'value off':>9}  settings"]
     for row in sorted(rows, key=lambda row: -row["median"]):
         words = ", ".join(f"{name} {value}" for name, value in row["trial"].items()) or "as in the file"
         change = "" if base is None else f"{row['median'] - base:>+8.1f}"
         scores = "".join(f"{score:>8.1f}" for score in row["scores"])
-        lines.append(f"{row['median']:>8.1f}{change}  {scores}  {words}")
+        error = max((each for each in row["value_errors"] if each is not None), key=abs, default=None)
+        off = f"{'':>9}" if error is None else f"{error:>+9.1f}"
+        lines.append(f"{row['median']:>8.1f}{change}  {scores}  {off}  {words}")
     return "\n".join(lines)
 
 
@@ -77,14 +82,17 @@ def _is_search(found: object) -> bool:
 
 
 def _is_row(row: Mapping[str, object], seeds: object) -> bool:
-    scores, trial = row.get("scores"), row.get("trial")
+    scores, errors, trial = row.get("scores"), row.get("value_errors"), row.get("trial")
     return (
         isinstance(trial, dict)
         and str(trial.get("steps", "1")).isdecimal()
         and isinstance(scores, list)
-        and len(scores) == seeds
-        and all(
-            isinstance(number, int | float) and isfinite(number)
-            for number in (row.get("median"), row.get("seconds"), *scores)
-        )
+        and isinstance(errors, list)
+        and len(scores) == len(errors) == seeds
+        and all(_is_number(each) for each in (row.get("median"), row.get("seconds"), *scores))
+        and all(each is None or _is_number(each) for each in errors)
     )
+
+
+def _is_number(value: object) -> bool:
+    return isinstance(value, int | float) and isfinite(value)

@@ -7,10 +7,11 @@ from pathlib import Path
 
 import numpy as np
 
+from laplace_core.agents.agent import Agent
 from laplace_core.errors import InputError
 from laplace_core.training.checkpoint import load_checkpoint
 from laplace_core.training.command import settings_of
-from laplace_core.training.evaluation import evaluate
+from laplace_core.training.evaluation import Scores, evaluate
 from laplace_core.training.loop import train
 from laplace_core.training.run_folder import read_config, read_metrics
 
@@ -29,18 +30,23 @@ def report(algorithm: str, environment: str, seeds: int, aim: float, folder: Pat
     numbers |= {"median": float(np.median(scores)), "lowest": float(scores.min())}
     lines = [
         f"{algorithm} on {environment}: mean of {EPISODES} episodes from start seeds never trained on",
-        f"{'seed':>4}  {'score':>16}  {f'steps to {aim:g}':>14}  {'seconds':>8}  {'all steps':>9}  {'seconds':>8}",
+        f"{'seed':>4}  {'score':>16}  {'value - came':>12}  {f'steps to {aim:g}':>14}  {'seconds':>8}  {'all steps':>9}"
+        f"  {'seconds':>8}",
     ]
     for row in rows:
-        reached = f"{'never':>14}  {'':>8}"
+        reached, error = f"{'never':>14}  {'':>8}", f"{'':>12}"
+        if row["value_error"] is not None:
+            error = f"{row['value_error']:>+12.1f}"
         if row["steps_to_aim"]:
             reached = f"{row['steps_to_aim']:>14,}  {row['seconds_to_aim']:>8.0f}"
         lines.append(
-            f"{row['seed']:>4}  {row['score']:>8.1f} +- {row['standard_error']:>4.1f}  {reached}  "
+            f"{row['seed']:>4}  {row['score']:>8.1f} +- {row['standard_error']:>4.1f}  {error}  {reached}  "
             f"{row['steps']:>9,}  {row['seconds']:>8.0f}"
         )
     lines.append(f"median {numbers['median']:.1f}, lowest {numbers['lowest']:.1f}; +- is the standard error")
-    lines.append(f"steps to {aim:g}: the first evaluation while training (20 other start seeds) that reaches it")
+    lines.append("value - came: how far the values at the starts are above the discounted returns that came")
+    others = settings_of(algorithm, environment, {}).evaluate_episodes
+    lines.append(f"steps to {aim:g}: the first evaluation while training ({others} other start seeds) that reaches it")
     return numbers, "\n".join(lines)
 
 
@@ -63,16 +69,33 @@ def _seed(algorithm: str, environment: str, seed: int, aim: float, folder: Path)
     events = read_metrics(run)
     seconds = seconds_behind(events)
     reached = next((i for i, e in enumerate(events) if e["event"] == "Evaluation" and e["score"] >= aim), None)
-    scores = evaluate(load_checkpoint(run / "best.safetensors").agent, environment, EPISODES, seed)
+    scores, value_error = evaluated(load_checkpoint(run / "best.safetensors").agent, environment, EPISODES, seed)
     return {
         "seed": seed,
         "score": scores.mean,
+        "value_error": value_error,
         "standard_error": scores.standard_error,
         "steps_to_aim": None if reached is None else events[reached]["step"],
         "seconds_to_aim": None if reached is None else seconds[reached],
         "steps": settings.steps,
         "seconds": seconds[-1],
     }
+
+
+def evaluated(agent: Agent, environment: str, episodes: int, seed: int) -> tuple[Scores, float | None]:
+    """Scores of whole episodes, and how far the values at their starts are above the discounted returns that came.
+
+    The second is None where the agent's values are of no return to the end of an episode. An agent may act well by
+    values that are far too high, as long as they are so for all actions.
+    """
+    gamma = agent.acting_discount
+    discounts = None if gamma is None else np.array([gamma])
+    scores = evaluate(agent, environment, episodes, seed, discounts=discounts)
+    if gamma is None:
+        return scores, None
+    values, actions = agent.action_values(scores.starts, agent.acting_head), agent.greedy(scores.starts)
+    taken = values[np.arange(len(actions)), actions]
+    return scores, float((taken - scores.discounted[:, 0]).mean())
 
 
 def seconds_behind(events: list[dict[str, object]]) -> list[float]:
