@@ -19,15 +19,14 @@ from laplace_core.learned import (
     study_of,
     wasserstein,
 )
+from laplace_core.learned.marginals import marginals
 from laplace_core.learning import greedy_policy, return_distribution
 
 
 def enumerated(tau_space, midpoints, discounts) -> dict[float, float]:
     """Every combination of what each step may pay, nothing included."""
     steps = []
-    for row, discount in zip(tau_space, discounts, strict=True):
-        row = np.maximum(row, 0.0)
-        row = row / max(1.0, row.sum())
+    for row, discount in zip(marginals(tau_space, midpoints), discounts, strict=True):
         paid = [(discount * reward, mass) for reward, mass in zip(midpoints, row, strict=True)]
         steps.append([*paid, (0.0, 1.0 - row.sum())])
     law: dict[float, float] = {}

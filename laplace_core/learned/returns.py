@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from laplace_core.learned.marginals import marginals
 from laplace_core.worlds import END, World
 
 
@@ -49,9 +50,10 @@ def independent_steps_return(
     """The law of sum_tau discounts[tau] r_tau IF the rewards of different steps were independent.
 
     A tau-space holds the marginals of the steps and not how they hang together, so that the true law of the return
-    does not follow from it. Masses below 0 count as 0, a row above 1 is rescaled to 1, and what a row lacks
-    to 1 pays nothing. One step after the other is added exactly; where that makes more than ``most`` locations, all is
-    done on a grid instead, which keeps the mean of the whole and its variance within a percent.
+    does not follow from it. Masses below 0 are repaired as in :func:`.marginals.marginals`, which keeps the means of
+    the steps, and what a row lacks to 1 pays nothing. One step after the other is added exactly; where that makes more
+    than ``most`` locations, all is done on a grid instead, which keeps the mean of the whole and its variance within a
+    percent.
 
     Args:
         tau_space: of one action, ``(K, H-1)``.
@@ -61,9 +63,7 @@ def independent_steps_return(
     Returns:
         locations, increasing, and masses, at most ``most`` each.
     """
-    chances = np.where(tau_space > 1e-9, tau_space, 0.0)
-    chances /= np.maximum(1.0, chances.sum(axis=1, keepdims=True))
-    chances = chances[discounts != 0]
+    chances = marginals(tau_space[discounts != 0], midpoints)
     discounts = discounts[discounts != 0]
     locations, masses = np.zeros(1), np.ones(1)
     for row, discount in zip(chances, discounts, strict=True):

@@ -38,7 +38,7 @@ class ReturnLaw:
     Attributes:
         kind: ``LEARNED``, ``INDEPENDENT`` or, of an agent that knows no more, ``MEAN``.
         locations, masses: ``(M,)``, locations increasing, in units of reward.
-        mean: as the agent has it; of independent steps, that of the law, which clipping moves.
+        mean: as the agent has it; of independent steps, that of the law: what the inverse leaves of it.
     """
 
     kind: str
