@@ -11,11 +11,11 @@ _STEEPEST, _HALVINGS = 40.0, 50
 def marginals(tau_space: np.ndarray, midpoints: np.ndarray) -> np.ndarray:
     """Chances of every reward at every step, none below 0 and at most 1 together: what is left to 1 pays nothing.
 
-    Masses below 0, which only an inverse can make, count as 0. Alone that would move the mean reward of the step by more
-    than anything else an inverse does: where steps of -1 hide behind steps of +1, only the latter stay. So what is left
-    of such a row is tilted, q proportional to p exp(c r), as the law closest to it in relative entropy with the mean and
-    the total of the row. A row above 1 is rescaled to 1 likewise; one whose total is too small for its mean has a larger
-    one, and one whose rewards are too small comes as near to it as they allow.
+    Masses below 0, which only an inverse can make, count as 0. Alone that would move the mean reward of the step by
+    more than anything else an inverse does: where steps of -1 hide behind steps of +1, only the latter stay. So what is
+    left of such a row is tilted, q proportional to p exp(c r), as the law closest to it in relative entropy with the
+    mean and the total of the row. A row above 1 is rescaled to 1 likewise; one whose total is too small for its mean
+    has a larger one, and one whose rewards are too small comes as near to it as they allow.
 
     Args:
         tau_space: of one action, ``(K, H-1)``.
