@@ -16,6 +16,8 @@ if TYPE_CHECKING:  # it brings torch along, which no figure needs
 CAME = "#d6336c"
 _LEARNED = ACTION_COLOURS[0]
 _ROW, _GAP, _TOP, _BOTTOM = 84, 30, 46, 40  # pixels
+OWN = 0.05
+"""Weight of an agent's own value, in a return that came of an episode cut off, from which on it is told apart."""
 _TAIL = 0.002  # mass at either end of a law that the axis need not reach
 
 
@@ -178,7 +180,7 @@ def values_over_time_to_go(values: np.ndarray, names: Sequence[str], gamma: floa
 
 
 def returns_over_episode(
-    received: np.ndarray, predicted: np.ndarray, quantiles: np.ndarray | None, step: int, gamma: float
+    received: np.ndarray, predicted: np.ndarray, quantiles: np.ndarray | None, step: int, gamma: float, cut: bool
 ) -> Figure:
     """What was expected of the action taken at each step, and the discounted return that came.
 
@@ -186,6 +188,8 @@ def returns_over_episode(
         received, predicted: ``(N,)``.
         quantiles: ``(N, 5)`` at 10, 25, 50, 75 and 90%, drawn as two bands; None for a mean alone.
         step: under the cursor.
+        cut: whether the episode was cut off, so that the agent's own value stands for what would have followed; where
+            that is more than ``OWN`` of the weight, what came is dashed.
     """
     steps, traces = np.arange(len(received)), []
     for outer, share, opacity in ((0, 80, 0.14), (1, 50, 0.22)) if quantiles is not None else ():
@@ -195,10 +199,14 @@ def returns_over_episode(
             "fillcolor": translucent(_LEARNED, opacity), "line": {"width": 0}, "hoverinfo": "skip",
             "name": f"{share}%",
         })  # fmt: skip
-    for name, values, colour in (("expected", predicted, _LEARNED), ("came", received, CAME)):
+    own = cut & (gamma ** (len(received) - steps) > OWN)
+    lines = [("expected", steps, predicted, _LEARNED, "solid"), ("came", steps[~own], received[~own], CAME, "solid")]
+    if own.any():
+        lines.append(("came, then its own value", steps[own], received[own], CAME, "dot"))
+    for name, x, y, colour, dash in lines:
         traces.append({
-            "type": "scatter", "x": steps, "y": values, "mode": "lines", "name": name,
-            "line": {"color": colour, "width": 1.8},
+            "type": "scatter", "x": x, "y": y, "mode": "lines", "name": name,
+            "line": {"color": colour, "width": 1.8, "dash": dash},
             "hovertemplate": f"step %{{x}}<br>{name} %{{y:.4g}}<extra></extra>",
         })  # fmt: skip
     return build(

@@ -48,6 +48,7 @@ def view(loaded: Loaded, scene: Scene, asked: Rolling | None) -> None:
                 return_quantiles(asked.said(), rollout.actions),
                 at,
                 rollout.acting_gamma,
+                not rollout.terminated,
             )
             chart(figures.to_json(figure), "episode", "Expected and real return over the episode.", HEIGHT)
     returns.section(loaded, seen, action, scene.actions[action], None, rollout, at)

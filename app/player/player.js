@@ -3,12 +3,12 @@ import { element } from './controls.js';
 import { button, component, stepper } from './cursor.js';
 import { NEUTRAL, actionColour, axes, line, rounded, sheet, short } from './drawing.js';
 import { follow } from './peers.js';
-import { bySurprise, followedAt, frameAt, modelAt, nextMarked, openReel } from './reel.js';
+import { bySurprise, followedAt, frameAt, modelAt, nextMarked, openReel, ownAt } from './reel.js';
 
 const ASK = 400; // ms until the server is asked again for what it looks for in the background
 const MEANINGS = {
   expected: 'discounted return that the agent expected of the action taken',
-  came: 'discounted return that came; where the episode was cut off, the best value of the last observation stands for the rest',
+  came: 'discounted return that came; where the episode was cut off, the best value of the last observation stands for the rest (≈: it has more than 5% of the weight)',
   surprise: 'reward + γ best value of the next observation − value of the action taken',
 };
 const lensOf = () => document.querySelector('.laplace-lens')?.lens;
@@ -105,7 +105,7 @@ function mount(host, reel, told, report) {
     where.textContent = `step ${step} of ${last}`;
     here.textContent = flags?.names.filter((_, i) => flags.marks[step] & (1 << i)).join(' · ') ?? '';
     [reel.rewards[step], returns[step], reel.predicted[step], reel.received[step], reel.surprise[step]].forEach((value, i) => {
-      factCells[i].textContent = short(value, 4);
+      factCells[i].textContent = (i === 3 && ownAt(reel, step) ? '≈ ' : '') + short(value, 4);
     });
     const A = reel.actions;
     valueRows.forEach(([mark, , rule, greedy], a) => {
@@ -124,7 +124,7 @@ function mount(host, reel, told, report) {
     if (!found) return;
     const { pen, width: w, height: h } = found, colours = { text: getComputedStyle(host).color, soft: NEUTRAL }, x = [-0.5, last + 0.5];
     const range = (all) => rounded(all.reduce((a, b) => Math.min(a, b), 0), all.reduce((a, b) => Math.max(a, b), 0));
-    const half = (h - 24) / 2, upper = { x: 46, y: 4, w: w - 56, h: half - 4 }, lower = { ...upper, y: half + 8, h: half - 4 };
+    const half = (h - 24) / 2, upper = { x: 46, y: 4, w: w - 56, h: half - 8 }, lower = { ...upper, y: half + 12, h: half - 8 };
     const top = axes(pen, upper, { x, y: range(reel.rewards), yTicks: range(reel.rewards), xTicks: [], yTitle: 'reward', colours });
     const low = axes(pen, lower, { x, y: range(reel.surprise), yTicks: range(reel.surprise), yTitle: 'surprise', colours });
     const bars = [], flagged = flags?.marks.flatMap((mark, t) => (mark ? [[top.X(t - 0.5), 1.5], [top.X(t + 0.5), 1.5], null] : []));

@@ -47,6 +47,9 @@ export function modelAt(reel, step, base) {
 export const frameAt = ({ frames, ends }, step) =>
   (ends.length ? frames.subarray(step ? ends[step - 1] : 0, ends[step]) : null);
 
+// Whether the agent's own value, which stands for what was cut off, has more than 5% of the weight in what came.
+export const ownAt = ({ acting_gamma: gamma, steps, terminated }, step) => !terminated && gamma ** (steps - step) > 0.05;
+
 // What the lens draws on the timeline of a step: see app/rolled.py.
 export function followedAt({ rewards, taken, steps, terminated }, step) {
   return { rewards: Array.from(rewards.subarray(step)), action: taken[step], over: terminated ? steps - step : null };
