@@ -3,10 +3,12 @@ export const GHOST = { width: 1.2, dash: [7, 3] }; // the view pinned as A
 export const inside = (w, h, { left = 46, right = 10, top = 28, bottom = 34 } = {}) =>
   ({ x: left, y: top, w: w - left - right, h: h - top - bottom });
 
-export function titled(pen, w, words, note, { colours }) {
+// A title and a note: beside it where there is room, else under it, where `under` says so.
+export function titled(pen, w, words, note, { colours }, under = true) {
   pen.text(words, 2, 15, { size: 14, weight: 600, colour: colours.text });
-  if (note && pen.width(words, 14, 600) + pen.width(note, 11) + 14 < w) pen.text(note, w - 4, 15,
-    { size: 11, align: 'right', colour: colours.soft });
+  if (!note) return;
+  const beside = pen.width(words, 14, 600) + pen.width(note, 11) + 14 < w;
+  if (beside || under) pen.text(note, w - 4, beside ? 15 : 26, { size: beside ? 11 : 10.5, align: 'right', colour: colours.soft });
 }
 
 export function marked(pen, { box, X, Y }, { x, y }, colours) { // where the other panels point to

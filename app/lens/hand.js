@@ -25,21 +25,27 @@ export function listen(canvas, panel, scene, draw) {
 
   // A rectangle drawn over a space is what both spaces then show of theta, and this one of its rows.
   function zoomed() {
-    const { band } = scene, { scale } = canvas, sorted = (a, b) => [Math.min(a, b), Math.max(a, b)];
+    const { band } = scene;
     scene.band = undefined;
-    if (!band) return;
-    const [[x, y], [x2, y2]] = [band.from, band.to];
-    if (Math.abs(x - x2) > 8) scene.zoom.theta = sorted(scale.toX(x), scale.toX(x2));
-    if (Math.abs(y - y2) > 8) scene.zoom[panel.rows] = sorted(scale.toY(y), scale.toY(y2));
+    if (band) show([band.from[0], band.to[0]], [band.from[1], band.to[1]]);
+  }
+
+  // What lies between two places of the picture, in pixels, as far as there is something; nothing if they are too close.
+  function show(across, up) {
+    const { scale } = canvas, { seen, model } = scene, { thetas, H } = seen, least = 8;
+    const rows = panel.rows === 'tau' ? model.K : seen.grid.G, sorted = (a, b) => [Math.min(a, b), Math.max(a, b)];
+    const within = (ends, low, high) => sorted(...ends.map((end) => limited(end, low, high)));
+    const theta = within(across.map(scale.toX), thetas[0], thetas[H]), row = within(up.map(scale.toY), -0.5, rows - 0.5);
+    if (Math.abs(across[0] - across[1]) > least && theta[1] > theta[0]) scene.zoom.theta = theta;
+    if (Math.abs(up[0] - up[1]) > least && row[1] > row[0]) scene.zoom[panel.rows] = row;
     draw();
   }
 
-  function zoomIn() { // to half the range, around the cursor
-    const { X, Y, toX, toY, box } = canvas.scale, { hover } = scene, y = hover[panel.rows];
-    const middle = [hover.theta === undefined ? box.x + box.w / 2 : X(hover.theta), y === undefined ? box.y + box.h / 2 : Y(y)];
-    const half = (at, length, value) => [value(at - length / 4), value(at + length / 4)];
-    Object.assign(scene.zoom, { theta: half(middle[0], box.w, toX), [panel.rows]: half(middle[1], -box.h, toY) });
-    draw();
+  function zoomBy(factor) { // around the cursor
+    const { X, Y, box } = canvas.scale, { hover } = scene, row = hover[panel.rows];
+    const place = (at, from, length) => [at - factor * (at - from), at + factor * (from + length - at)];
+    show(place(hover.theta === undefined ? box.x + box.w / 2 : X(hover.theta), box.x, box.w),
+      place(row === undefined ? box.y + box.h / 2 : Y(row), box.y, box.h));
   }
 
   function all() {
@@ -60,8 +66,10 @@ export function listen(canvas, panel, scene, draw) {
   };
   canvas.onpointerleave = () => point({});
   canvas.onkeydown = (event) => {
-    if (event.key === 'Escape') { all(); point({}); }
-    if (event.key === '+' && space) zoomIn();
+    if (event.key === 'Escape' && scene.band) { scene.band = undefined; draw(); } // a drag that was not meant
+    else if (event.key === 'Escape') { all(); point({}); }
+    if (event.key === '+' && space && !solid()) zoomBy(0.5);
+    if (event.key === '-' && space && !solid()) zoomBy(2);
     if (!KEYS[event.key]) return;
     event.preventDefault();
     const { hover, seen, model } = scene, [across, up] = KEYS[event.key], far = event.shiftKey ? 10 : 1;
@@ -73,7 +81,7 @@ export function listen(canvas, panel, scene, draw) {
     point({ theta: thetaOf(seen, limited(from + across * far, 0, seen.H)), [panel.rows]: stepped(panel.rows, up, count) });
   };
   if (!space) return;
-  canvas.title = 'Drag to zoom or to turn, double-click for all of it';
+  canvas.title = 'Drag to zoom or to turn, double-click for all of it; with the keyboard arrows, + and -';
   canvas.onpointerdown = (event) => {
     if (event.pointerType !== 'mouse' && !solid()) return;
     canvas.setPointerCapture(event.pointerId);

@@ -1,12 +1,13 @@
 // The lens: one state, the pictures that it makes, and what is done to both. Python hears releases only.
+import { acrossOf, thetaTicks } from './columns.js';
 import { element, footer, sliders, switchboard, toolbar } from './controls.js';
-import { sheet } from './drawing.js';
+import { sheet, short } from './drawing.js';
 import { saveCsv, saveHtml, savePng, saveSvg } from './export.js';
 import { isSpace, listen } from './hand.js';
 import { gammaSpace, kernel, resolution, see } from './maths.js';
 import { panelsOf } from './panels.js';
 import { simulatedFor } from './simulated.js';
-import { limitOfTau, trueRow } from './spaces.js';
+import { limitOfTau, thetaRange, trueRow } from './spaces.js';
 import { drawSurface } from './surface.js';
 import { WORDS, beyondLibrary, blamed, effects, judged } from './verdict.js';
 import { worldPanel } from './world.js';
@@ -146,7 +147,7 @@ export function mount(root, model, told, report) {
     pen.text(panel.name, 2, 15, { size: 14, weight: 600, colour: scene.colours.text });
     drawSurface(pen, { x: 8, y: 20, w: w - 16, h: h - 30 }, {
       values, n, width: seen.H, limit: gamma ? top(values) : limitOfTau(scene) * model.dt, titles: ['θ', gamma ? 'γ' : 'τ'],
-      x: [seen.thetas[0], seen.thetas[seen.H]], y: gamma ? [gammas[0], gammas[n - 1]] : [0, (n - 1) * model.dt], truth,
+      x: thetaTicks(seen, thetaRange(seen), 0.5 * w).map((theta) => [acrossOf(seen, theta) / seen.H, short(theta)]), y: gamma ? [gammas[0], gammas[n - 1]] : [0, (n - 1) * model.dt], truth,
     }, scene.camera, scene.colours);
   }
 

@@ -66,8 +66,8 @@ export function drawDistances(pen, scene, strip, Y) {
     pen.path(area(found), { fill: BAND, stroke: CAME_TRUE, width: 1, close: true });
     pen.path(area(simulated.chance), { fill: 'rgba(138,143,152,0.5)', close: true });
   });
-  for (const [value, align] of [[0, 'left'], [most, 'right']]) pen.text(short(value), X(value), y + h + 13,
-    { size: 10, align, colour: colours.soft });
+  // Its 0 would stand beside the last label of theta.
+  pen.text(short(most), X(most), y + h + 13, { size: 10, align: 'right', colour: colours.soft });
   pen.text('W1', strip.x + strip.w / 2, y + h + 27, { size: 11, align: 'center', colour: colours.text });
 }
 

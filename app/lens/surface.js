@@ -14,7 +14,8 @@ function thinned(values, n, width) {
   return { out, rows, columns };
 }
 
-// `space` is { values, n, width, limit, x: [low, high], y: [low, high], titles: [x, y], truth: [[height of the row, row]] }.
+// `space` is { values, n, width, limit, x: [[place from 0 to 1, words]], y: [low, high], titles: [x, y],
+// truth: [[height of the row, row]] }.
 export function drawSurface(pen, box, space, camera, colours) {
   const { out, rows, columns } = thinned(space.values, space.n, space.width), { turn, tilt } = camera;
   const [c, s, up, flat] = [Math.cos(turn), Math.sin(turn), Math.sin(tilt), Math.cos(tilt)], TALL = 0.55;
@@ -49,9 +50,8 @@ export function drawSurface(pen, box, space, camera, colours) {
     const [x, y] = place(u, v, 0);
     pen.text(words, x + aside, y + 14, { size: bold ? 11 : 10, align: 'center', colour: bold ? colours.text : colours.soft });
   };
-  label(short(space.x[0]), 0, -0.06);
-  label(short(space.x[1]), 1, -0.06, false, -10);
-  label(space.titles[0], 0.5, -0.06, true);
+  for (const [u, words] of space.x) label(words, u, -0.06);
+  label(space.titles[0], 0.5, -0.2, true);
   label(short(space.y[0]), 1.06, 0, false, 10);
   label(short(space.y[1]), 1.06, 1);
   label(space.titles[1], 1.07, 0.5, true);

@@ -37,7 +37,7 @@ export const valuesPanel = {
     const x = [horizons[0] - dt / 2, horizons[K - 1] + dt / 2];
     titled(pen, w, 'value of each action over T',
       hover.tau !== undefined
-      ? leader(model, seen, hover.tau) : [seen.truth && 'dotted: true', scene.pinned && 'dashed: A'].filter(Boolean).join(', '), scene);
+      ? leader(model, seen, hover.tau) : [seen.truth && 'dotted: true', scene.pinned && 'dashed: A'].filter(Boolean).join(', '), scene, false); // the legend is there
     legend.forEach(({ a, words, x: at, row }) => {
       const y = 30 + 15 * row;
       pen.path([[at, y], [at + 14, y]], { stroke: actionColour(a), width: a === state.action ? 4 : 2 });
