@@ -26,6 +26,7 @@ FORM = (
     Parameter("count", 1, 1, MOST_AT_ONCE, "Runs to start, the seed one higher for each."),
     Parameter("run", None, 0, 0, "The run that is looked at.", str),
     Parameter("beside", None, 0, 0, "Names of the runs that are drawn beside it.", str),
+    Parameter("ships", None, 0, 0, "Algorithms whose shipped agents are drawn behind it.", str),
 )
 _BY_NAME = {parameter.name: parameter for parameter in FORM}
 _SHOWN_OWN = 8  # settings that only this algorithm has, the grids first: what a run is about
@@ -104,11 +105,13 @@ def parse_query(query: Mapping[str, str]) -> tuple[dict[str, object], list[str]]
 def _checked(name: str, value: object) -> object:
     if name in ("run", "beside") and not all(RUN_NAME.fullmatch(word) for word in names_in(value)):
         raise InputError(f"{name} is no name of a run.")
+    if name == "ships" and not all(word in SETTINGS for word in names_in(value)):
+        raise InputError(f"{name} is no name of an algorithm.")
     return value
 
 
 def names_in(word: object) -> list[str]:
-    """Names of runs, as the link joins them."""
+    """Names of runs or algorithms, as the link joins them."""
     return [] if word in (None, NOTHING) else str(word).split(",")[:MOST_AT_ONCE]
 
 

@@ -178,6 +178,7 @@ def test_every_pair_has_a_form_that_may_be_started_as_it_is(algorithm, environme
         {"count": "99"},
         {"run": "../../etc"},
         {"beside": "a,../b"},
+        {"ships": "c51,best"},
         {"nonsense": "1"},
     ],
 )
@@ -260,6 +261,22 @@ def test_runs_beside_it_are_picked_and_in_the_link(runs):
     assert link(page)["beside"] == training_form.NOTHING
     assert len(charts(page)["training"]["data"]) == 3
     assert len(charts(opened(**link(page)))["training"]["data"]) == 3
+
+
+def test_agents_that_ship_are_picked_and_in_the_link(runs):
+    made(runs, "own", settings_of("qrdqn", "Acrobot-v1", {}))
+    page = opened()
+    page.get("button_group")[0].set_value(["c51", "laplace"])
+    run(page)
+    assert link(page)["ships"] == "c51,laplace"
+    wanted = ["shipped Laplace DQN, 5 seeds", "shipped C51, 5 seeds", "QR-DQN, seed 0 (own)"]
+    assert shown(charts(page)["training"]) == wanted
+    assert shown(charts(opened(**link(page)))["training"]) == wanted
+    assert len({trace["line"]["color"] for trace in charts(page)["training"]["data"] if trace.get("showlegend")}) == 3
+    page.get("button_group")[0].set_value([])
+    run(page)
+    assert link(page)["ships"] == training_form.NOTHING
+    assert shown(charts(page)["training"]) == wanted[2:]
 
 
 def test_values_of_every_discount_stand_against_what_came(runs):

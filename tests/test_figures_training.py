@@ -65,7 +65,7 @@ def test_seeds_are_drawn_as_their_median_between_the_lowest_and_the_highest():
     for name, values in wanted.items():
         np.testing.assert_allclose(getattr(band, name), values)
     line = Line("one", "#0072B2", curves())
-    area, median, *rest = drawn(learning_curves("title", [line], 40, band))["data"]
+    area, median, *rest = drawn(learning_curves("title", [line], 40, [band]))["data"]
     np.testing.assert_allclose(numbers(area["x"]), [10, 20, 20, 10])  # once around
     np.testing.assert_allclose(numbers(area["y"]), [1, 5, 9, 3])
     np.testing.assert_allclose(numbers(median["y"]), [2, 5])

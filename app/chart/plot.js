@@ -22,6 +22,9 @@ function themed(layout, host) {
     autosize: true,
     modebar: { bgcolor: 'rgba(0,0,0,0)', color: 'rgba(138, 143, 152, 0.8)', activecolor: colour },
   };
+  const page = style.getPropertyValue('--st-background-color').trim();
+  // A legend within the picture hides what it lies on.
+  if (layout.legend?.bgcolor && /^#[0-9a-f]{6}$/i.test(page)) painted.legend = { ...layout.legend, bgcolor: `${page}d9` };
   for (const name of Object.keys(layout)) {
     if (/^[xy]axis\d*$/.test(name)) painted[name] = { ...axis, ...layout[name] };
   }

@@ -15,7 +15,7 @@ TALL, CARD = 330, 132
 _MANY = 200  # episodes, which would hide what lies behind them
 _LEGEND = {
     "orientation": "v", "x": 1.0, "xanchor": "right", "y": 0.0, "yanchor": "bottom", "font": {"size": 10},
-    "tracegroupgap": 0, "bgcolor": "rgba(128,128,128,0.12)",
+    "tracegroupgap": 0, "bgcolor": "rgba(128,128,128,0.12)",  # the page paints it in its own colour
 }  # fmt: skip
 _BARE = {"showticklabels": False, "showgrid": False}
 _SHADES = ("#4f6bdc", "#2a9d8f", "#e0a030", "#d1495b")
@@ -59,7 +59,7 @@ class Band:
         return cls(name, colour, steps, scores.min(axis=0), np.median(scores, axis=0), scores.max(axis=0))
 
 
-def learning_curves(title: str, lines: Sequence[Line], steps: int, shipped: Band | None = None) -> Figure:
+def learning_curves(title: str, lines: Sequence[Line], steps: int, shipped: Sequence[Band] = ()) -> Figure:
     """Returns of episodes while training, faint and smoothed, and evaluation scores with their standard errors.
 
     Args:
@@ -83,7 +83,7 @@ def learning_curves(title: str, lines: Sequence[Line], steps: int, shipped: Band
                        "hovertemplate": evaluated})  # fmt: skip
     return build(
         title,
-        [*(_banded(shipped) if shipped else ()), *raw, *smooth, *scores],  # what matters lies on top
+        [*(trace for band in shipped for trace in _banded(band)), *raw, *smooth, *scores],  # what matters lies on top
         margin={"l": 56},
         height=TALL,
         legend=_LEGEND,

@@ -81,8 +81,8 @@ def _progress(run: Run, progress: Progress | None, curves: Curves) -> tuple[floa
     """Share of the steps that are done, and words for it."""
     of = run.settings.steps
     told = [int(steps[-1]) for steps in (curves.episode_steps, curves.steps) if len(steps)]
-    step = progress.step if progress else max(told, default=0)
-    step = max(of, step) if run.state == FINISHED else step
+    step = min(of, max(progress.step if progress else 0, *told, 0))  # the last round of environments may go beyond
+    step = of if run.state == FINISHED else step
     words = [f"{step:,} of {of:,} steps"]
     if run.state == WAITING:
         words.append(f"waits for one of the {MOST_TRAINING} places")

@@ -10,9 +10,9 @@ import streamlit as st
 from app import checkpoints, explain, state, training_runs
 from app.chart import chart
 from app.controls import world_title
-from app.figures.theme import NEUTRAL, action_colour, to_json
+from app.figures.theme import ACTION_COLOURS, action_colour, to_json
 from app.figures.training import TALL, Band, Line, discount_errors, learning_curves, shipped_curves, values_by_discount
-from app.training_form import MOST_AT_ONCE, NOTHING, algorithm_title, names_in
+from app.training_form import ALGORITHMS, MOST_AT_ONCE, NOTHING, algorithm_title, names_in
 from laplace_core.training.queue import Run
 
 _MOST_OFFERED = 24
@@ -35,6 +35,11 @@ def colour_of(runs: Sequence[Run], run: Run) -> str:
     return action_colour([other.name for other in family(runs, run)].index(run.name))
 
 
+def shipped_colour(algorithm: str) -> str:
+    """From the end of the colours, which runs have from the beginning."""
+    return action_colour(len(ACTION_COLOURS) - 1 - list(ALGORITHMS).index(algorithm))
+
+
 def label(run: Run) -> str:
     """Short words for a run among those of its environment."""
     usual = f"{run.settings.ALGORITHM}_{run.settings.environment.replace(':', '-')}_{run.settings.seed}"
@@ -44,20 +49,14 @@ def label(run: Run) -> str:
 
 def pictures(runs: Sequence[Run], run: Run) -> None:
     same = family(runs, run)
-    drawn = _beside(same, run)
+    drawn, bands = _beside(same, run)
     discounts = getattr(run.settings, "discounts", None)
     row = st.container(key="run_pictures")  # its height is kept free while a browser still loads what draws
     places = row.columns([1.35, 1, 1] if discounts else 1, gap="small")
     lines = [Line(label(one), colour_of(runs, one), training_runs.curves(one)) for one in drawn]
     with places[0]:
         steps = max(one.settings.steps for one in drawn)
-        ships = checkpoints.shipped_curves(run.settings.environment).get(run.settings.ALGORITHM)
-        band = (
-            Band.of(f"shipped {algorithm_title(run.settings.ALGORITHM)}, {len(ships)} seeds", NEUTRAL, ships)
-            if ships
-            else None
-        )
-        figure = learning_curves(f"{world_title(run.settings.environment)}: return", lines, steps, band)
+        figure = learning_curves(f"{world_title(run.settings.environment)}: return", lines, steps, bands)
         alt = f"Return over steps of {len(drawn)} runs: while training, and in evaluation with standard errors."
         chart(to_json(figure), "training", alt, TALL, f"{run.settings.environment} {steps}")
     if discounts is None:
@@ -87,28 +86,45 @@ def shipped(environment: str) -> None:
     st.caption("The median of the seeds, shaded from the lowest to the highest. Your own runs are drawn over it.")
 
 
-def _beside(same: Sequence[Run], run: Run) -> list[Run]:
-    """Which runs are drawn: those that were picked, by default the newest; the one that is looked at always."""
+def _beside(same: Sequence[Run], run: Run) -> tuple[list[Run], list[Band]]:
+    """What is drawn: runs that were picked, by default the newest, and the one that is looked at always; and agents
+    that ship, by default those of its algorithm."""
     others = [one.name for one in same if one.name != run.name]
-    picked = state.chosen().get("beside")
-    names = others[-MOST_AT_ONCE + 1 :] if picked is None else [name for name in names_in(picked) if name in others]
-    choice, words = st.columns([5, 1], vertical_alignment="center")
+    names, curves = _picked_runs(others), checkpoints.shipped_curves(run.settings.environment)
+    picked = state.chosen().get("ships")
+    ships = [run.settings.ALGORITHM] if picked is None else names_in(picked)
+    ships = [algorithm for algorithm in curves if algorithm in ships]
+    left, right, words = st.columns([2.5, 2.5, 1], vertical_alignment="center")
     if others:
         titles = {one.name: label(one) for one in same}
-        with choice:
-            options = [name for name in others if name in others[-_MOST_OFFERED:] or name in names]
-            st.pills(
-                f"Beside {label(run)}", options, selection_mode="multi", key=state.put("beside", names),
-                format_func=lambda name: titles.get(name, name), on_change=_pick,
-            )  # fmt: skip
+        options = [name for name in others if name in others[-_MOST_OFFERED:] or name in names]
+        left.pills(
+            f"Beside {label(run)}", options, selection_mode="multi", key=state.put("beside", names),
+            format_func=lambda name: titles.get(name, name), on_change=_pick, args=("beside",),
+        )  # fmt: skip
     else:
-        choice.html(f'<div class="panel-title">{label(run)}</div>')
+        left.html(f'<div class="panel-title">{label(run)}</div>')
+    if curves:
+        right.pills(
+            "Agents that ship", list(curves), selection_mode="multi", key=state.put("ships", ships),
+            format_func=algorithm_title, on_change=_pick, args=("ships",),
+        )  # fmt: skip
     popover = words.popover("How to read this", width="stretch", on_change="rerun", key="reading")
     if popover.open:
         popover.markdown(explain.TRAINING)
-    return [one for one in same if one.name == run.name or one.name in names]
+    bands = [
+        Band.of(f"shipped {algorithm_title(algorithm)}, {len(curves[algorithm])} seeds", shipped_colour(algorithm),
+                curves[algorithm])
+        for algorithm in ships
+    ]  # fmt: skip
+    return [one for one in same if one.name == run.name or one.name in names], bands
 
 
-def _pick() -> None:
+def _picked_runs(others: Sequence[str]) -> list[str]:
+    picked = state.chosen().get("beside")
+    return others[-MOST_AT_ONCE + 1 :] if picked is None else [name for name in names_in(picked) if name in others]
+
+
+def _pick(name: str) -> None:
     """Callback: nothing beside it is a choice as well, not the lack of one."""
-    state.choose("beside", ",".join(st.session_state["beside"][: MOST_AT_ONCE - 1]) or NOTHING)
+    state.choose(name, ",".join(st.session_state[name][: MOST_AT_ONCE - 1]) or NOTHING)
