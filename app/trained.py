@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import cache
 
 import numpy as np
 
@@ -13,9 +14,10 @@ from app.link import read_values
 from app.observations import Scene, scene_of
 from app.query import VIEW
 from app.sources import View
-from laplace_core import InputError, Settings
+from laplace_core import InputError, Settings, load_world
+from laplace_core.agents.settings import GYMNASIUM_ENVIRONMENTS
 from laplace_core.parameters import Parameter
-from laplace_core.settings import BY_NAME, ENCODING_NAMES, resolve_for_gamma_space
+from laplace_core.settings import BY_NAME, ENCODING_NAMES, resolve, resolve_for_gamma_space
 from laplace_core.training.checkpoint import Loaded
 
 OBSERVED = "o."  # prefix of the components of an observation
@@ -82,5 +84,15 @@ def view_of(
     seen, added = observation or observation_of(scene, values), int(values.get("added", 0))
     subject = checkpoints.observe(loaded, seen, scene.actions, added)
     given = {name: value for name, value in values.items() if name in _READING and name != "state"}
-    settings = resolve_for_gamma_space(Settings(world=loaded.environment, **(DEFAULTS | given)), loaded.agent.gammas)
+    usual = DEFAULTS | _steps(loaded.environment)
+    settings = resolve_for_gamma_space(Settings(world=loaded.environment, **(usual | given)), loaded.agent.gammas)
     return View(subject, settings, action_of(scene, values), values.get("horizon"))
+
+
+@cache
+def _steps(environment: str) -> dict[str, int]:
+    """How long the timeline of a tabular world is, as on its own page; others have the usual length."""
+    if environment in GYMNASIUM_ENVIRONMENTS:
+        return {}
+    world = load_world(environment)
+    return {"steps": resolve(Settings(world=environment), world).steps}

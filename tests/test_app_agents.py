@@ -94,6 +94,9 @@ def test_a_tabular_agent_is_asked_about_a_state(shipped):
     assert next(box for box in page.selectbox if box.label == "State").value == "long 1"
     scene = scene_of("two_branch")
     assert trained.observation_of(scene, {"state": "long 1"}) == tuple(np.eye(3)[scene.states.index("long 1")])
+    # The timeline of a world that is over after three steps has no more rows, as on the page of worlds.
+    loaded = load_checkpoint(shipped / "laplace_two_branch.safetensors")
+    assert trained.view_of(loaded, scene, {}).settings.steps == 3
 
 
 @pytest.mark.parametrize(
