@@ -288,6 +288,20 @@ def test_values_of_every_discount_stand_against_what_came(runs):
     assert [trace["y"] for trace in drawn["value at the start"]["data"]] == [told["discounted"], told["values"]]
 
 
+def test_the_values_of_a_peer_stand_against_what_came_at_its_one_discount(runs):
+    told = json.loads(STORY.splitlines()[2])
+    told |= {"values": [7.0], "discounted": [3.0], "discounted_errors": [0.0]}
+    story = STORY.splitlines()[0] + "\n" + json.dumps(told) + "\n"
+    made(runs, "one", settings_of("dqn", "Acrobot-v1", {}), story=story)
+    drawn = charts(opened())
+    assert set(drawn) == {"training", "discounts"}
+    (line,) = drawn["discounts"]["data"]
+    np.testing.assert_allclose(numbers(line["y"]), [0.01 * (7.0 - 3.0)])
+    assert "gamma 0.99" in drawn["discounts"]["layout"]["title"]["text"]
+    made(runs, "other", settings_of("fixed_horizon", "Acrobot-v1", {}))
+    assert set(charts(opened(run="other"))) == {"training"}
+
+
 def test_an_algorithm_without_many_discounts_has_one_picture_and_opens_as_well(runs, monkeypatch):
     class PlainSettings(LoopSettings):
         ALGORITHM = "plain"

@@ -171,10 +171,11 @@ def discount_errors(curves: Curves, gammas: np.ndarray, steps: int, first: int) 
             "line": {"color": _shade(index, len(gammas)), "width": 1.5}, "marker": {"size": 3.5},
             "hovertemplate": f"gamma {gamma:.3g}<br>step %{{x:,.0f}}<br>%{{y:+.3g}} a step<extra></extra>",
         })  # fmt: skip
-    if traces:
+    many = len(gammas) > 1
+    if traces and many:
         traces.append(_colour_bar(gammas))
     return build(
-        "values too high or too low, by discount",
+        "values too high or too low" + (", by discount" if many else f", gamma {gammas[0]:g}"),
         traces,
         margin={"l": 56, "r": 12},
         height=TALL,

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-import numpy as np
 import streamlit as st
 
 from app import checkpoints, explain, state, training_runs
@@ -50,22 +49,24 @@ def label(run: Run) -> str:
 def pictures(runs: Sequence[Run], run: Run) -> None:
     same = family(runs, run)
     drawn, bands = _beside(same, run)
-    discounts = getattr(run.settings, "discounts", None)
+    gammas = run.settings.discounts()
     row = st.container(key="run_pictures")  # its height is kept free while a browser still loads what draws
-    places = row.columns([1.35, 1, 1] if discounts else 1, gap="small")
+    places = row.columns([1.35, *[1] * min(2, len(gammas))], gap="small")
     lines = [Line(label(one), colour_of(runs, one), training_runs.curves(one)) for one in drawn]
     with places[0]:
         steps = max(one.settings.steps for one in drawn)
         figure = learning_curves(f"{world_title(run.settings.environment)}: return", lines, steps, bands)
         alt = f"Return over steps of {len(drawn)} runs: while training, and in evaluation with standard errors."
         chart(to_json(figure), "training", alt, TALL, f"{run.settings.environment} {steps}")
-    if discounts is None:
+    if not gammas.size:
         return
     mine = training_runs.curves(run)
-    gammas, first = np.asarray(discounts()), min(run.settings.evaluate_every, run.settings.steps)
+    first = min(run.settings.evaluate_every, run.settings.steps)
     with places[1]:
         alt = f"How far the values of {label(run)} at the start lie from what came, a line a discount."
         chart(to_json(discount_errors(mine, gammas, run.settings.steps, first)), "discounts", alt, TALL, run.name)
+    if len(gammas) == 1:
+        return
     with places[2]:
         alt = f"Expected and real discounted return of {label(run)} from the start, over the discounts."
         figure = values_by_discount(mine, gammas, colour_of(runs, run), first)

@@ -7,6 +7,8 @@ from dataclasses import asdict, dataclass, fields
 from difflib import get_close_matches
 from typing import ClassVar
 
+import numpy as np
+
 from laplace_core.errors import InputError
 from laplace_core.parameters import Parameter, parse_named
 from laplace_core.worlds import PRESETS, TOY_TEXT
@@ -104,6 +106,10 @@ class LoopSettings:
     def rings(self) -> int:
         """Environments, and rings in the replay buffer."""
         return self.envs
+
+    def discounts(self) -> np.ndarray:
+        """Of the returns to the end of an episode that the heads value, ``(heads,)``; none where they value others."""
+        return np.zeros(0)
 
     def as_dict(self) -> dict[str, bool | int | float | str]:
         return asdict(self)

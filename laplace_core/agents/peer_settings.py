@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar
 
+import numpy as np
+
 from laplace_core.agents.loop_settings import LOOP_SCHEMA, LoopSettings
 from laplace_core.errors import InputError
 from laplace_core.parameters import Parameter
@@ -43,6 +45,9 @@ class DqnSettings(LoopSettings):
 
     ALGORITHM: ClassVar[str] = "dqn"
     SCHEMA: ClassVar[tuple[Parameter, ...]] = PEER_SCHEMA
+
+    def discounts(self) -> np.ndarray:
+        return np.array([self.gamma])
 
 
 @dataclass(frozen=True)
@@ -99,3 +104,7 @@ class FixedHorizonSettings(DqnSettings):
 
     ALGORITHM: ClassVar[str] = "fixed_horizon"
     SCHEMA: ClassVar[tuple[Parameter, ...]] = FIXED_HORIZON_SCHEMA
+
+    def discounts(self) -> np.ndarray:
+        """None: the returns that it values end with the time to go."""
+        return np.zeros(0)

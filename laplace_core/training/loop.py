@@ -177,7 +177,7 @@ class _Run:
 
     def _evaluate(self, last: bool) -> Iterator[Event]:
         s = self.settings
-        gammas = getattr(self.agent, "gammas", None)
+        gammas = s.discounts()
         scores = evaluate(
             self.agent, s.environment, s.evaluate_episodes, s.seed, first_seed=_VALIDATION_SEED, discounts=gammas
         )
@@ -188,7 +188,7 @@ class _Run:
             save_checkpoint(self.folder.best, self.agent, self.step, scores.mean, s.evaluate_episodes)
         if last:
             save_checkpoint(self.folder.last, self.agent, self.step, scores.mean, s.evaluate_episodes)
-        expected = () if gammas is None else self._expected(scores)
+        expected = self._expected(scores) if gammas.size else ()
         yield self._told(
             Evaluation(
                 self.step, scores.mean, scores.standard_error, s.evaluate_episodes, best, self._seconds(),
