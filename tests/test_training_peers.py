@@ -82,7 +82,7 @@ def test_the_same_settings_give_the_same_metrics_also_across_a_stop(algorithm, c
         list(train(settings, tmp_path / name))
     assert told(tmp_path / "one") == told(tmp_path / "other")
     evaluations = [line for line in told(tmp_path / "one") if line["event"] == "Evaluation"]
-    assert {len(line.get("values", ())) for line in evaluations} == {0 if algorithm == "fixed_horizon" else 1}
+    assert {len(line["values"] or ()) for line in evaluations} == {0 if algorithm == "fixed_horizon" else 1}
     stop_at(settings, tmp_path / "stopped", settings.steps - 80)
     list(train(None, tmp_path / "stopped", resume=True))
     assert told(tmp_path / "stopped") == told(tmp_path / "one")
