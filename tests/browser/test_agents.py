@@ -216,7 +216,7 @@ def test_it_plays_and_pauses(page, address):
 
 
 def test_sensitivities_that_are_close_together_can_be_told_apart(page, address):
-    """LunarLander's lie .09 apart around reward 0 and 15 apart at the ends; the axis gives each the same width."""
+    """LunarLander's lie .13 apart around reward 0 and 12 apart at the ends; the axis gives each the same width."""
     page.goto(f"{address}/agents?checkpoint=laplace_LunarLander-v3")
     canvas = page.locator("canvas.tau-space")
     canvas.wait_for()
