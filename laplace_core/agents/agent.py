@@ -141,15 +141,16 @@ class Agent(ABC):
         """
         prepared = [part.chunk(updates) for part in self.prepare(batch)]
         shares = zip(batch.split(updates), *prepared, strict=True)
-        found = [self._update(part, own, progress) for part, *own in shares]
-        return [loss for loss, _ in found], np.concatenate([each for _, each in found])
+        each = np.concatenate([self._update(part, own, progress) for part, *own in shares])
+        return (batch.weights.numpy() * each).reshape(updates, -1).mean(axis=1).tolist(), each
 
     def update(self, batch: Batch, progress: float) -> tuple[float, np.ndarray]:
         """A round of one update: its loss, and that of every transition."""
         (loss,), each = self.learn(batch, 1, progress)
         return loss, each
 
-    def _update(self, batch: Batch, prepared: list[Tensor], progress: float) -> tuple[float, np.ndarray]:
+    def _update(self, batch: Batch, prepared: list[Tensor], progress: float) -> np.ndarray:
+        """One of a round: the loss of every transition, ``(B,)``."""
         s = self.settings
         losses = self.losses(batch, *prepared)
         # The gradient of the weighted mean is known: handing it over spares the engine the operations of the mean.
@@ -157,8 +158,7 @@ class Agent(ABC):
         self.optimiser.step(s.learning_rate * (1.0 + progress * (s.learning_rate_final - 1.0)), s.gradient_clip)
         with torch.no_grad():
             torch._foreach_lerp_(self._averages, self._parameters, s.averaging)
-        each = losses.detach().mean(dim=1)
-        return float((batch.weights * each).mean()), each.numpy()
+        return losses.detach().numpy().mean(axis=1)
 
 
 def batched(observations: np.ndarray) -> Tensor:

@@ -172,7 +172,7 @@ class Single(nn.Module):
         # applied without the former, and to the rows of one matrix.
         features = observations.flatten(0, -2)
         for layer in self._hidden_layers:
-            features = torch.relu(nn.functional.linear(features, layer.weight, layer.bias))
+            features = nn.functional.linear(features, layer.weight, layer.bias).relu_()
         outputs = self._outputs(features)
         outputs = outputs if self.scale == 1.0 else outputs * self.scale
         return outputs.view(*observations.shape[:-1], *self.shape)
