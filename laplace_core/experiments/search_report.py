@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Mapping, Sequence
 from math import isfinite
 from pathlib import Path
 
 from laplace_core.errors import InputError
+from laplace_core.training.tensor_file import parse_json
 
+MOST_BYTES = 10_000_000
 Found = Mapping[str, object]
 """What ``search.json`` holds."""
 
@@ -57,11 +58,10 @@ def read(path: Path) -> Found:
         InputError: it cannot be read or is no result of a search.
     """
     try:
-        found = json.loads(path.read_text(encoding="utf-8"))
+        text = path.read_bytes() if path.stat().st_size <= MOST_BYTES else b""
     except OSError as error:
         raise InputError(f"{path} cannot be read: {(error.strerror or 'unknown error').lower()}.") from None
-    except ValueError:
-        raise InputError(f"{path} is not JSON: name the search.json of a search.") from None
+    found = parse_json(text, path.name)
     if not _is_search(found):
         raise InputError(f"{path} is no result of a search: name the search.json of one.")
     return found

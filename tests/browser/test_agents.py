@@ -238,3 +238,23 @@ def test_sensitivities_that_are_close_together_can_be_told_apart(page, address):
     page.keyboard.press("ArrowRight")
     page.wait_for_function(f"({hover})() > {thetas[41]}")
     assert page.evaluate(hover) < thetas[42]
+    shown = "() => [...canvas.scale.x, ...canvas.scale.y]".replace(
+        "canvas", "document.querySelector('canvas.tau-space')"
+    )
+    whole = page.evaluate(shown)
+    page.keyboard.press("+")
+    page.wait_for_function(f"({shown})()[3] - ({shown})()[2] < {0.6 * (whole[3] - whole[2])}")
+    left, right, low, high = page.evaluate(shown)
+    assert whole[0] < left < page.evaluate(hover) < right < whole[1]
+    assert whole[2] <= low < page.evaluate(hover.replace("theta", "tau")) < high <= whole[3]
+    for _ in range(2):
+        page.keyboard.press("-")
+    page.wait_for_function(f"({shown})()[3] - ({shown})()[2] > {0.99 * (whole[3] - whole[2])}")
+    np.testing.assert_allclose(page.evaluate(shown), whole, atol=1e-6)
+    box = canvas.bounding_box()
+    page.mouse.move(box["x"] + 4, box["y"] + 60)  # from beside the picture
+    page.mouse.down()
+    page.mouse.move(box["x"] + 140, box["y"] + 120, steps=4)
+    page.mouse.up()
+    page.wait_for_function(f"({shown})()[1] < {whole[1] - 1}")
+    assert page.evaluate(shown)[0] == pytest.approx(whole[0])
