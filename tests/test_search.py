@@ -116,6 +116,8 @@ def test_what_was_found_is_reported_from_its_file(tmp_path, capsys):
         '[{"trial": {}, "scores": [1.0], "value_errors": [1.0], "median": 1.0, "seconds": 1.0}]}',
         '{"command": "", "settings": {"steps": 1}, "one_at_a_time": true, "seeds": 1, "trials": '
         '[{"trial": {"steps": "x"}, "scores": [1.0], "value_errors": [1.0], "median": 1.0, "seconds": 1.0}]}',
+        '{"command": "", "settings": {"steps": 1}, "one_at_a_time": true, "seeds": 1, "trials": '
+        '[{"trial": {}, "scores": [1' + "0" * 400 + '], "value_errors": [1.0], "median": 1.0, "seconds": 1.0}]}',
         None,
     ],
 )  # fmt: skip

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
-from math import isfinite
 from pathlib import Path
 
 from laplace_core.errors import InputError
 from laplace_core.training.tensor_file import parse_json
 
 MOST_BYTES = 10_000_000
+_LARGEST, _STEPS = 1e12, re.compile("[0-9]{1,10}")
 Found = Mapping[str, object]
 """What ``search.json`` holds."""
 
@@ -74,7 +75,7 @@ def _is_search(found: object) -> bool:
     return (
         isinstance(found.get("command"), str)
         and isinstance(found.get("one_at_a_time"), bool)
-        and isinstance(found["settings"].get("steps"), int)
+        and _is_number(found["settings"].get("steps"))
         and isinstance(rows, list)
         and len(rows) > 0
         and all(isinstance(row, dict) and _is_row(row, seeds) for row in rows)
@@ -85,7 +86,7 @@ def _is_row(row: Mapping[str, object], seeds: object) -> bool:
     scores, errors, trial = row.get("scores"), row.get("value_errors"), row.get("trial")
     return (
         isinstance(trial, dict)
-        and str(trial.get("steps", "1")).isdecimal()
+        and _STEPS.fullmatch(str(trial.get("steps", "1"))) is not None
         and isinstance(scores, list)
         and isinstance(errors, list)
         and len(scores) == len(errors) == seeds
@@ -95,4 +96,4 @@ def _is_row(row: Mapping[str, object], seeds: object) -> bool:
 
 
 def _is_number(value: object) -> bool:
-    return isinstance(value, int | float) and isfinite(value)
+    return isinstance(value, int | float) and abs(value) <= _LARGEST
