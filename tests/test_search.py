@@ -47,9 +47,22 @@ def test_a_search_ranks_and_is_not_repeated(tmp_path, capsys, monkeypatch):
     expected = f"search laplace two_branch {words} {' '.join(vary)} --seeds 2"
     assert kept["command"] == f"python -m laplace_core {expected}"
     monkeypatch.setattr(search, "train", lambda *args, **kwargs: pytest.fail("trained again"))
+    monkeypatch.setattr(search, "evaluated", lambda *args, **kwargs: pytest.fail("evaluated again"))
     assert run(tmp_path, *vary, "--json") == 0
     again = json.loads(capsys.readouterr().out)
     assert again == kept["trials"]
+
+
+@pytest.mark.parametrize("damage", [b"{", b"[]", b"{}", b'{"episodes": 99, "start_seed": 500000, "score": 1e9}'])
+def test_a_kept_score_of_other_episodes_or_a_damaged_one_is_made_anew(damage, tmp_path, capsys, monkeypatch):
+    monkeypatch.setattr(search, "EPISODES", 3)
+    found = []
+    for _ in range(2):
+        assert run(tmp_path, "--json") == 0
+        found.append(json.loads(capsys.readouterr().out))
+        for kept in tmp_path.glob(f"*/{search.SCORE}"):
+            kept.write_bytes(damage)
+    assert found[0] == found[1]
 
 
 def test_several_at_once_find_the_same_and_train_nothing_twice(tmp_path, capsys):

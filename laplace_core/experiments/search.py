@@ -2,17 +2,18 @@
 
 Every combination of the values is trained with every seed, or, one at a time, every value by itself against the
 settings of the file. Trainings are runs in a folder: a search that was interrupted goes on with them, and a search that
-asks for more uses what is there. Scores come from start seeds of their own, so that those of the reports stay unseen.
+asks for more uses what is there, scores included. These come from start seeds of their own, so that those of the
+reports stay unseen.
 """
 
 from __future__ import annotations
 
+import contextlib
 import hashlib
 import itertools
 import json
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import ProcessPoolExecutor
-from contextlib import contextmanager
 from functools import partial
 from multiprocessing import get_context
 from pathlib import Path
@@ -32,6 +33,7 @@ EPISODES = 100
 START_SEEDS = 500_000
 """Evaluations of searches take start seeds from here on; reports take those of the training seed, far below."""
 RESULTS = "search.json"
+SCORE = "score.json"
 
 Trial = dict[str, object]
 """Settings that a trial changes against the file's, by name."""
@@ -101,7 +103,7 @@ def search(
             yield found[-1]
 
 
-@contextmanager
+@contextlib.contextmanager
 def _started(planned: Sequence[LoopSettings], folder: Path, jobs: int) -> Iterator[list[Callable[[], tuple]]]:
     """For each training a call that answers with what :func:`_score` does, as soon as it is known."""
     if jobs == 1:
@@ -150,7 +152,19 @@ def _score(settings: LoopSettings, folder: Path) -> tuple[float, float | None, f
     if not _finished(run):
         for _ in train(None if there else settings, run, resume=there):
             pass
+    score, error = _evaluated_once(run, settings)
+    return score, error, seconds_behind(read_metrics(run))[-1]
+
+
+def _evaluated_once(run: Path, settings: LoopSettings) -> tuple[float, float | None]:
+    """Score and error of values of a finished run, kept in its folder: a search that asks for more asks these again."""
+    asked = {"episodes": EPISODES, "start_seed": START_SEEDS + settings.seed}
+    with contextlib.suppress(OSError, ValueError, KeyError, TypeError):  # not there, or not to be used
+        kept = json.loads((run / SCORE).read_text())
+        if {name: kept[name] for name in asked} == asked:
+            return kept["score"], kept["value_error"]
     agent = load_checkpoint(run / "best.safetensors").agent
-    scores, error = evaluated(agent, settings.environment, EPISODES, START_SEEDS + settings.seed)
-    seconds = seconds_behind(read_metrics(run))[-1]
-    return round(scores.mean, 3), None if error is None else round(error, 3), seconds
+    scores, error = evaluated(agent, settings.environment, asked["episodes"], asked["start_seed"])
+    score, error = round(scores.mean, 3), None if error is None else round(error, 3)
+    write_whole(run / SCORE, json.dumps(asked | {"score": score, "value_error": error}).encode())
+    return score, error
