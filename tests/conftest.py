@@ -3,9 +3,24 @@
 import os
 import tempfile
 
+import pytest
 from hypothesis import settings
 
 os.environ["LAPLACE_RUNS"] = tempfile.mkdtemp(prefix="laplace_runs_")  # a page of a test resumes nobody's training
 
 settings.register_profile("suite", deadline=None, derandomize=True, database=None, max_examples=20)
 settings.load_profile("suite")
+
+
+@pytest.fixture
+def runs(tmp_path, monkeypatch):
+    """The queue of the page of training, on an empty folder."""
+    from app import training_runs
+    from tests.quick_runs import stand_in
+
+    monkeypatch.setenv(training_runs.VARIABLE, str(tmp_path / "runs"))
+    stand_in(monkeypatch)
+    found = training_runs.queue()
+    yield found
+    for one in found.runs():
+        found.stop(one.name)

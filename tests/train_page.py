@@ -1,0 +1,44 @@
+"""The page of training as tests open it, and runs laid in front of it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from streamlit.testing.v1 import AppTest
+
+from laplace_core.agents.settings import LoopSettings
+from laplace_core.training.checkpoint import new_agent, save_checkpoint
+from laplace_core.training.queue import Queue
+from laplace_core.training.run_folder import new_run
+from tests.pages import MAIN, run
+from tests.quick_runs import SMALL
+from tests.test_training_curves import STORY
+
+FORM = {"environment": "two_branch", "t.steps": "600", "t.hidden": "8", "t.seed": "3"}
+NAME = "laplace_two_branch_3"
+
+
+def opened(*unfolded: str, screen: str = "train", **query: str) -> AppTest:
+    page = AppTest.from_file(MAIN, default_timeout=60)
+    page.switch_page(f"screens/{screen}.py")
+    for key in unfolded:
+        page.session_state[key] = True
+    for name, value in query.items():
+        page.query_params[name] = value
+    return run(page)
+
+
+def words(page: AppTest) -> str:
+    """What the cards say."""
+    told = [block.proto.body for block in page.get("html") if 'class="run-' in block.proto.body]
+    return " ".join([*told, *(bar.proto.text for bar in page.get("progress"))])
+
+
+def made(runs: Queue, name: str, settings: LoopSettings = SMALL, story: str = STORY, checkpoint: bool = False) -> Path:
+    """A run from elsewhere, that was stopped."""
+    folder = runs.folder / name
+    new_run(folder, settings)
+    (folder / "metrics.jsonl").write_text(story)
+    if checkpoint:
+        save_checkpoint(folder / "best.safetensors", new_agent(settings), 50, 9.0, 20)
+    return folder
