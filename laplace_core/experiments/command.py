@@ -38,6 +38,11 @@ def add_report(verbs: argparse._SubParsersAction) -> None:
     ship.add_argument("--out", default="checkpoints", metavar="FOLDER", help="where it goes (default: checkpoints)")
     ship.set_defaults(run=_ship)
 
+    shipped = kinds.add_parser("shipped", help="scores of the agents that ship, and how steady their trainings were")
+    shipped.add_argument("--folder", default="checkpoints", metavar="FOLDER", help="default: checkpoints")
+    shipped.add_argument("--json", action="store_true", help="print JSON")
+    shipped.set_defaults(run=_shipped)
+
     horizon = kinds.add_parser("horizon", help="acting for other horizons, against greedy and the matched discount")
     horizon.add_argument("checkpoints", nargs="+", metavar="CHECKPOINT", help="agents of one environment")
     horizon.add_argument("--horizons", default="50,100,200,full", metavar="T,T,...", help="default: 50,100,200,full")
@@ -125,3 +130,10 @@ def _ship(options: argparse.Namespace) -> None:
 
     entry = shipping.ship(options.algorithm, options.environment, seeds, Path(options.runs), Path(options.out))
     print(json.dumps(entry, indent=1))
+
+
+def _shipped(options: argparse.Namespace) -> None:
+    from laplace_core.experiments import shipped_report  # loads torch
+
+    numbers, text = shipped_report.report(Path(options.folder))
+    print(json.dumps(numbers, indent=1) if options.json else text)

@@ -22,7 +22,7 @@ from laplace_core.training.run_folder import read_metrics
 from laplace_core.training.tensor_file import parse_json, write_whole
 
 MANIFEST = "manifest.json"
-PICKED = "median score over the seeds"
+PICKED, ALONE = "median score over the seeds", "the only seed"
 MOST_BYTES, MOST_TOGETHER = 8_000_000, 40_000_000
 MOST_CURVE_BYTES = 200_000
 
@@ -65,7 +65,7 @@ def ship(algorithm: str, environment: str, seeds: int, runs: Path, folder: Path)
         "sha256": hashlib.sha256(data).hexdigest(),
         "command": command(settings),
         "seed": picked,
-        "picked": PICKED,
+        "picked": PICKED if seeds > 1 else ALONE,
         "episodes": training.EPISODES,
         "scores": [round(score, 2) for score in scores.tolist()],
         "score": round(float(scores[picked]), 2),
