@@ -24,3 +24,17 @@ def runs(tmp_path, monkeypatch):
     yield found
     for one in found.runs():
         found.stop(one.name)
+
+
+@pytest.fixture
+def still_runs(tmp_path, monkeypatch):
+    """An empty queue that moves only when a test ticks it."""
+    from laplace_core.training.queue import Queue
+    from tests.quick_runs import stand_in
+
+    stand_in(monkeypatch)
+    monkeypatch.setattr(Queue, "wake", lambda self: None)
+    made = Queue(tmp_path / "runs")
+    yield made
+    for run in made.runs():
+        made.stop(run.name)

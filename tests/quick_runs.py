@@ -5,11 +5,12 @@ from __future__ import annotations
 import sys
 import time
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
 from laplace_core.agents import LaplaceSettings
 from laplace_core.training import queue
-from laplace_core.training.process import read_process
+from laplace_core.training.process import Process, read_process
 from laplace_core.training.queue import Queue
 
 SMALL = LaplaceSettings(
@@ -67,3 +68,16 @@ def tell(runs: Queue, name: str, word: str) -> None:
 def states(runs: Queue) -> dict[str, str]:
     """State of every run by its name, the oldest first."""
     return {run.name: run.state for run in sorted(runs.runs(), key=lambda run: run.name)}
+
+
+def added(runs: Queue, count: int) -> None:
+    """Runs of the first seeds, looked at once."""
+    for seed in range(count):
+        runs.add(replace(SMALL, seed=seed))
+    runs.tick()
+
+
+def process_of(runs: Queue, name: str) -> Process:
+    """Of a run whose process has really begun."""
+    until(lambda: (runs.folder / name / "began").exists())
+    return read_process(runs.folder / name)

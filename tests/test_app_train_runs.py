@@ -12,6 +12,7 @@ from app import checkpoints, training_form
 from laplace_core.agents.settings import LOOP_SCHEMA, SETTINGS, LoopSettings
 from laplace_core.cli import main
 from laplace_core.training.command import settings_of
+from laplace_core.training.queue import Queue
 from laplace_core.training.run_folder import new_run, read_config
 from tests.hostile import assert_one_sentence
 from tests.pages import charts, copied, downloads, labels, link, numbers, press, run, wait
@@ -74,6 +75,14 @@ def test_another_session_sees_the_same_runs(runs):
     assert "seed 3" in words(other)
     press(wait(other, lambda page: "Cancel" in labels(page)), "Cancel")
     assert "stopped" in words(opened())
+
+
+def test_runs_that_another_server_has_left_in_line_begin_while_the_page_is_looked_at(runs, monkeypatch):
+    page = opened()
+    with monkeypatch.context() as other:
+        other.setattr(Queue, "wake", lambda self: None)
+        name = Queue(runs.folder).add(SMALL)
+    wait(run(page), lambda page: states(runs)[name] == "training")
 
 
 def test_a_crash_is_one_sentence(runs):

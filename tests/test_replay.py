@@ -96,6 +96,26 @@ def test_n_step_rewards_stop_where_the_episode_or_the_buffer_does():
     }  # fmt: skip
 
 
+def test_n_step_rewards_do_not_reach_over_a_cut():
+    """Four steps are three transitions and a reset; cut off after the fourth transition, whose episode had not ended.
+
+    What follows begins at 100. From 4, the newest before the cut, there is one reward, and it bootstraps from 5.
+    """
+    replay = gathered(5, n_step=3)
+    replay.cut()
+    replay.add(
+        np.array([True]), np.array([[100.0]]), np.array([0]), np.array([7.0]), np.array([[101.0]]), np.array([False]),
+        np.array([False]), np.array([1]),
+    )  # fmt: skip
+    assert rows(replay) == {
+        (0, (10, 20, 30), 3, True, 3, 3), (1, (20, 30, 0), 3, True, 2, 3), (2, (30, 0, 0), 3, True, 1, 3),
+        (4, (50, 0, 0), 5, False, 1, 1), (100, (7, 0, 0), 101, False, 1, 1),
+    }  # fmt: skip
+    empty = Replay(10, 2, 1)
+    empty.cut()
+    assert not empty.ended.any()
+
+
 def test_a_full_ring_forgets_the_oldest_and_never_reads_across_its_seam():
     """Ten steps are eight transitions, from 0 1 2, 4 5 and 7 8 9, and two resets: the last four are kept.
 
@@ -173,6 +193,15 @@ def test_large_losses_are_replayed_more_often_and_count_less():
     assert heavy.mean() == pytest.approx(2 / 3, abs=0.01)
     np.testing.assert_allclose(batch.weights[heavy], 0.5, rtol=1e-5)
     np.testing.assert_allclose(batch.weights[~heavy], 1.0, rtol=1e-5)
+
+
+def test_every_part_of_a_prioritised_round_sees_all_environments():
+    """A round of four updates draws once and takes a quarter each. Of 32 rows drawn from four rings alike, none is of
+    one ring with a probability of (3/4)^32 = 1e-4."""
+    batch, places = gathered(8, envs=4, exponent=0.6).sample(128, np.random.default_rng(0))
+    for part in batch.split(4):
+        assert set((part.observations[:, 0, 0] // 100).tolist()) == {0, 1, 2, 3}
+    np.testing.assert_array_equal(places[:, 0] // 250, batch.observations[:, 0, 0] // 100)
 
 
 def test_new_transitions_have_the_largest_priority_so_far():

@@ -21,7 +21,10 @@ from laplace_core.training.evaluation import evaluate
 from laplace_core.training.events import Checkpoint, Episode, Evaluation, Resumed, Step
 from laplace_core.training.loop import train
 from laplace_core.training.process import Process, read_process
+from laplace_core.training.replay import Replay
 from laplace_core.training.run_folder import read_config, read_metrics
+from laplace_core.training.tensor_file import read_tensors, write_tensors
+from tests.hostile import assert_one_sentence
 
 TINY = LaplaceSettings(
     hidden=16, features=4, gammas=4, thetas=7, batch=16, steps=700, envs=3, buffer=400, learning_starts=100,
@@ -166,6 +169,20 @@ def test_what_was_half_written_is_cut_away(tmp_path, whole):
     assert not list(folder.glob("*.tmp"))
 
 
+def test_a_run_of_millions_of_updates_is_resumed_but_not_one_of_absurd_weights(tmp_path):
+    folder = tmp_path / "run"
+    stop_at(TINY, folder, 450)
+    arrays, about = read_tensors(folder / "resume.safetensors", 10**9)
+    arrays["optimiser.0.step"] = np.full_like(arrays["optimiser.0.step"], 3e6)
+    write_tensors(folder / "resume.safetensors", arrays, about)
+    assert isinstance(next(train(None, folder, resume=True)), Resumed)
+    for name, value in (("network.trunk.0.bias", 3e6), ("optimiser.0.exp_avg", np.nan), ("replay.rewards", np.inf)):
+        write_tensors(folder / "resume.safetensors", arrays | {name: np.full_like(arrays[name], value)}, about)
+        with pytest.raises(InputError, match="holds a value that is not a number within") as refused:
+            next(train(None, folder, resume=True))
+        assert_one_sentence(str(refused.value), name.removeprefix("network."))
+
+
 def test_a_finished_run_has_nothing_left_to_do(tmp_path):
     settings = replace(TINY, steps=150)
     list(train(settings, tmp_path / "run"))
@@ -178,9 +195,13 @@ def test_an_environment_that_cannot_be_saved_goes_on_with_new_episodes(tmp_path,
     monkeypatch.setattr(environments, "_savable", lambda env: False)
     folder = tmp_path / "run"
     stop_at(TINY, folder, 450)
+    cuts = []
+    monkeypatch.setattr(Replay, "cut", lambda replay: cuts.append(len(replay)))
     resumed = next(train(None, folder, resume=True))
     assert isinstance(resumed, Resumed)
     assert not resumed.exact
+    stored = read_tensors(folder / "resume.safetensors", 10**9)[0]["replay.sizes"].sum()
+    assert cuts == [stored]  # before anything new
     assert "new episode" in resumed.message
     events = list(train(None, folder, resume=True))
     assert events[-1].step >= TINY.steps

@@ -35,7 +35,10 @@ def _going(runs: list[Run]) -> bool:
 
 def _view(going: bool) -> None:
     state.write_url()
-    runs = training_runs.queue().runs()
+    queue = training_runs.queue()
+    runs = queue.runs()
+    if any(run.going for run in runs):
+        queue.wake()  # another server, that has ended since, may have left them in line
     if not runs:
         st.info("No run is here yet. A run trains in a process of its own: this page may be closed meanwhile.")
         st.button("Train Laplace DQN on CartPole", type="primary", on_click=_first)

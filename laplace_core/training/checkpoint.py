@@ -131,8 +131,13 @@ def _agent(settings: LoopSettings, arrays: dict[str, np.ndarray], name: str) -> 
     return agent
 
 
-def check_tensors(found: dict[str, np.ndarray], wanted: dict[str, np.ndarray], name: str) -> None:
+def check_tensors(
+    found: dict[str, np.ndarray], wanted: dict[str, np.ndarray], name: str, largest: float = LARGEST_WEIGHT
+) -> None:
     """Refuse arrays that differ from those wanted in name, shape or type, or that hold no sensible numbers.
+
+    Args:
+        largest: size of a number; the default is that of a weight.
 
     Raises:
         InputError: naming the first of them.
@@ -147,5 +152,5 @@ def check_tensors(found: dict[str, np.ndarray], wanted: dict[str, np.ndarray], n
         if array.shape != wanted[key].shape or array.dtype != wanted[key].dtype:
             is_, should = (f"{one.dtype} {one.shape}" for one in (array, wanted[key]))
             raise InputError(f"array {key!r} in {name!r} is {is_}, not {should}.")
-        if array.dtype.kind == "f" and not np.all(np.abs(array) <= LARGEST_WEIGHT):  # NaN fails as well
-            raise InputError(f"array {key!r} in {name!r} holds a value that is not a number within +-1e6.")
+        if array.dtype.kind == "f" and not np.all(np.abs(array) <= largest):  # NaN fails as well
+            raise InputError(f"array {key!r} in {name!r} holds a value that is not a number within +-{largest:g}.")

@@ -235,6 +235,7 @@ class _Run:
             self.envs.restore(about["envs"])
             message = "the run goes on exactly where it was"
         else:
+            self.replay.cut()
             # The new episodes must not be those that the run began with.
             self.envs.close()
             seeds = self.random.integers(_LARGEST_START, size=self.envs.count).tolist()

@@ -76,18 +76,27 @@ class Queue:
         self._new = True
         self._turn = threading.RLock()
         self._thread: threading.Thread | None = None
+        self._make()
+
+    def _make(self) -> None:
         try:
             self.folder.mkdir(parents=True, exist_ok=True)
-            with self._locked():
-                pass
         except OSError as error:
-            raise InputError(f"no run can be kept in {self.folder}: {(error.strerror or 'unknown').lower()}.") from None
+            raise self._refusal(error) from None
+        with self._locked():
+            pass
+
+    def _refusal(self, error: OSError) -> InputError:
+        return InputError(f"no run can be kept in {self.folder}: {(error.strerror or 'unknown error').lower()}.")
 
     @contextlib.contextmanager
     def _locked(self) -> Iterator[None]:
         """One at a time, among threads and among servers on the same folder."""
         with self._turn:
-            handle = os.open(self.folder / ".lock", os.O_RDWR | os.O_CREAT | os.O_NOFOLLOW, 0o600)
+            try:
+                handle = os.open(self.folder / ".lock", os.O_RDWR | os.O_CREAT | os.O_NOFOLLOW, 0o600)
+            except OSError as error:
+                raise self._refusal(error) from None
             try:
                 fcntl.flock(handle, fcntl.LOCK_EX)
                 yield
@@ -133,6 +142,7 @@ class Queue:
             InputError: settings that no agent can be made of, the very run that is here already, or too many that wait.
         """
         check_trainable(settings)
+        self._make()  # it may have been deleted since
         with self._locked():
             runs = self.runs()
             for run in runs:
@@ -174,17 +184,22 @@ class Queue:
 
     def remove(self, name: str) -> None:
         """End a run and delete its files."""
-        run = self.get(name)
         self.stop(name)
         with self._locked():
+            run = self.get(name)  # once more: somebody else may have removed or resumed it
+            if run.going:
+                raise InputError(f"{name} was resumed at this moment: remove it again.")
             away = self.folder / f".removed-{time.time_ns()}"  # gone at once for whoever looks
-            os.rename(run.folder, away)
+            try:
+                os.rename(run.folder, away)
+            except OSError as error:
+                raise InputError(f"{name} cannot be removed: {(error.strerror or 'unknown error').lower()}.") from None
             shutil.rmtree(away, ignore_errors=True)
 
     def wake(self) -> None:
         """See to it that runs begin as places become free, until none waits or trains any more."""
         with self._turn:
-            if self._thread is None:
+            if self._thread is None or not self._thread.is_alive():
                 self._thread = threading.Thread(target=self._attend, name="training queue", daemon=True)
                 self._thread.start()
 
@@ -193,7 +208,7 @@ class Queue:
             with self._turn:
                 try:
                     going = self.tick()
-                except OSError:  # the folder is full or gone for the moment
+                except (OSError, InputError):  # the folder is full or gone for the moment
                     going = self.folder.is_dir()
                 if not going:
                     self._thread = None
@@ -208,8 +223,10 @@ class Queue:
             self._new = False
             runs = self.runs()
             free = self._most - sum(run.state == TRAINING for run in runs)
-            for run in sorted((run for run in runs if run.state == WAITING), key=lambda run: run.place)[: max(0, free)]:
-                self._start(run)
+            line = sorted((run for run in runs if run.state == WAITING), key=lambda run: run.place)
+            for run in line[: max(0, free)]:
+                if not read_job(run.folder).begun:  # else its process is ending, and the next look settles it
+                    self._start(run)
         return any(run.going for run in runs)
 
     def _settle(self, path: Path) -> None:
@@ -217,12 +234,14 @@ class Queue:
         child = self._children.get(path.name)
         status = None if child is None else child.poll()
         if child is not None and status is not None:
-            del self._children[path.name]
+            self._children.pop(path.name, None)
         run, job = self._look(path)
         if job.wanted == "later" and self._new:
             write_job(path, Job("run", job.ticket))
         if run.state != WAITING or not job.begun:
             return
+        if child is not None and status is None:
+            return  # it is ending: its note of itself goes before it does
         if status in _ASKED_TO_END:
             write_job(path, Job("later", job.ticket))
             return

@@ -72,7 +72,8 @@ class Replay:
             offsets = (random.random((count, self.rings)) * self.sizes).astype(np.int64)
             slots = (self.heads - self.sizes + offsets) % self.length
         elif self.tree is not None:
-            places = self.tree.draw(count, random)
+            # In any order: a round of updates divides these among its updates, and the tree draws ring after ring.
+            places = random.permutation(self.tree.draw(count, random))
             weights = (len(self) * self.tree.get(places) / self.tree.total) ** -correction
             weights = (weights / weights.max()).astype(np.float32)
             rings, slots = (part[:, None] for part in np.divmod(places, self.length))
@@ -106,6 +107,11 @@ class Replay:
             elapsed=torch.from_numpy(self.elapsed[rings, last]),
             weights=torch.from_numpy(weights),
         )
+
+    def cut(self) -> None:
+        """What is added next belongs to other episodes than those that are stored."""
+        rings = np.flatnonzero(self.sizes)
+        self.ended[rings, (self.heads[rings] - 1) % self.length] = True
 
     def prioritise(self, places: np.ndarray, losses: np.ndarray) -> None:
         """Give the transitions at ``places`` ``(B, 1)`` the priority of their loss ``(B,)``."""

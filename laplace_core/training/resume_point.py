@@ -9,6 +9,9 @@ from laplace_core.agents.agent import Agent
 from laplace_core.training.checkpoint import check_tensors
 from laplace_core.training.replay import Replay
 
+LARGEST_NUMBER = float(np.finfo(np.float32).max)
+"""Of what is not a weight: the optimiser counts its steps in millions, priorities are losses."""
+
 
 def arrays_of(agent: Agent, replay: Replay) -> dict[str, np.ndarray]:
     """Everything that is an array, by name."""
@@ -25,7 +28,10 @@ def restore_agent(agent: Agent, replay: Replay, arrays: dict[str, np.ndarray], n
     Raises:
         InputError: they are not those of this agent and this buffer.
     """
-    check_tensors(arrays, arrays_of(agent, replay), name)
+    wanted = arrays_of(agent, replay)
+    check_tensors(arrays, wanted, name, LARGEST_NUMBER)
+    for part in ("network.", "target."):
+        check_tensors(_under(part, arrays), _under(part, wanted), name)
     for part, network in (("network.", agent.network), ("target.", agent.target)):
         network.load_state_dict({key: torch.from_numpy(array) for key, array in _under(part, arrays).items()})
     for name, tensors in agent.optimiser.moments.items():

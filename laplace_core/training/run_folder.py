@@ -47,8 +47,6 @@ class RunFolder:
             self.settings = read_config(config)
             if settings is not None and settings != self.settings:
                 raise InputError(f"{self.path.name} was begun with other settings: leave them out to resume it.")
-            for half in self.path.glob("*.tmp"):  # half-written by a process that was killed
-                half.unlink(missing_ok=True)
         else:
             if settings is None:
                 raise InputError("a new run needs settings.")
@@ -60,6 +58,8 @@ class RunFolder:
         other, self._process = read_process(self.path), Process.of(os.getpid())
         if other is not None and other != self._process and other.alive:
             raise InputError(f"{self.path.name} is being trained by the process {other.pid}: end that one first.")
+        for half in self.path.glob("*.safetensors*.tmp"):  # half-written by a process that was killed
+            half.unlink(missing_ok=True)
         write_process(self.path, self._process)
 
     def load(self) -> tuple[dict[str, np.ndarray], dict[str, object]] | None:
