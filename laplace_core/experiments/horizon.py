@@ -1,7 +1,7 @@
 """Horizon adaptation: one rule for every T against greedy and against the matched discount of the same agents.
 
 All agents and rules act from the same start seeds. A difference is taken episode by episode; its interval is a
-bootstrap that draws agents first and, within each, episodes, so that few agents make a wide one.
+bootstrap over agents and over starts, see :func:`laplace_core.training.bootstrap.interval`: few agents make a wide one.
 """
 
 from __future__ import annotations
