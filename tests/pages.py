@@ -24,9 +24,11 @@ from laplace_core import Study
 MAIN = str(Path(__file__).resolve().parent.parent / "app" / "main.py")
 
 
-def opened(*unfolded: str, **query: str) -> AppTest:
+def opened(*unfolded: str, screen: str | None = None, **query: str) -> AppTest:
     """The page of a link; what lies in a closed expander or popover is not on it unless ``unfolded`` names it."""
     page = AppTest.from_file(MAIN, default_timeout=60)
+    if screen is not None:
+        page.switch_page(f"screens/{screen}.py")
     for key in unfolded:
         page.session_state[key] = True
     for name, value in query.items():

@@ -53,7 +53,16 @@ def test_a_search_ranks_and_is_not_repeated(tmp_path, capsys, monkeypatch):
     assert again == kept["trials"]
 
 
-@pytest.mark.parametrize("damage", [b"{", b"[]", b"{}", b'{"episodes": 99, "start_seed": 500000, "score": 1e9}'])
+@pytest.mark.parametrize(
+    "damage",
+    [
+        b"{",
+        b"[]",
+        b"{}",
+        b'{"episodes": 99, "start_seed": 500000, "score": 1e9}',
+        b'{"episodes": 3, "start_seed": 500000, "score": "x", "value_error": 0}',
+    ],
+)
 def test_a_kept_score_of_other_episodes_or_a_damaged_one_is_made_anew(damage, tmp_path, capsys, monkeypatch):
     monkeypatch.setattr(search, "EPISODES", 3)
     found = []

@@ -70,13 +70,17 @@ def spoil(folder: Path, what: str) -> None:
         agent.unlink()
     elif what == "no manifest":
         path.unlink()
+    elif what == "empty scores":
+        path.write_text(json.dumps([entry | {"scores": []}]))
     elif what == "no scores":
         path.write_text(json.dumps([{name: entry[name] for name in entry if name != "scores"}]))
     else:
         path.write_text(json.dumps([entry | {"file": "../" * 3 + "etc/passwd"}]))
 
 
-@pytest.mark.parametrize("what", ["another agent", "no agent", "no manifest", "no scores", "another folder"])
+@pytest.mark.parametrize(
+    "what", ["another agent", "no agent", "no manifest", "no scores", "empty scores", "another folder"]
+)
 def test_what_is_not_as_the_manifest_says_is_one_sentence(what, folder, capsys):
     spoil(folder, what)
     assert main(["report", "shipped", "--folder", str(folder)]) == 2

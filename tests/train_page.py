@@ -10,7 +10,7 @@ from laplace_core.agents.settings import LoopSettings
 from laplace_core.training.checkpoint import new_agent, save_checkpoint
 from laplace_core.training.queue import Queue
 from laplace_core.training.run_folder import new_run
-from tests.pages import MAIN, run
+from tests import pages
 from tests.quick_runs import SMALL
 from tests.test_training_curves import STORY
 
@@ -19,13 +19,7 @@ NAME = "laplace_two_branch_3"
 
 
 def opened(*unfolded: str, screen: str = "train", **query: str) -> AppTest:
-    page = AppTest.from_file(MAIN, default_timeout=60)
-    page.switch_page(f"screens/{screen}.py")
-    for key in unfolded:
-        page.session_state[key] = True
-    for name, value in query.items():
-        page.query_params[name] = value
-    return run(page)
+    return pages.opened(*unfolded, screen=screen, **query)
 
 
 def words(page: AppTest) -> str:

@@ -162,7 +162,7 @@ def _evaluated_once(run: Path, settings: LoopSettings) -> tuple[float, float | N
     with contextlib.suppress(OSError, ValueError, KeyError, TypeError):  # not there, or not to be used
         kept = json.loads((run / SCORE).read_text())
         if {name: kept[name] for name in asked} == asked:
-            return kept["score"], kept["value_error"]
+            return float(kept["score"]), None if kept["value_error"] is None else float(kept["value_error"])
     agent = load_checkpoint(run / "best.safetensors").agent
     scores, error = evaluated(agent, settings.environment, asked["episodes"], asked["start_seed"])
     score, error = round(scores.mean, 3), None if error is None else round(error, 3)

@@ -40,6 +40,8 @@ def _row(folder: Path, entry: dict[str, object]) -> dict[str, object]:
     scores = sorted(curves_of(folder, entry), key=lambda curve: curve.seed)
     evaluations = [np.array(curve.scores) for curve in scores]
     try:
+        if not entry["scores"]:
+            raise ValueError
         return {
             "algorithm": algorithm,
             "environment": environment,
