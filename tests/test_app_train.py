@@ -137,6 +137,7 @@ def test_runs_of_a_stopped_server_go_on_whichever_page_is_opened(tmp_path, monke
     monkeypatch.setenv(training_runs.VARIABLE, str(tmp_path / "left"))
     page = run(AppTest.from_file(MAIN, default_timeout=60))
     wait(page, lambda page: states(before)[name] == "training")
+    assert states(training_runs.queue()) == {name: "training"}  # the page's own queue sees the same
     training_runs.queue().stop(name)
 
 

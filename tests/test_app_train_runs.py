@@ -83,6 +83,7 @@ def test_runs_that_another_server_has_left_in_line_begin_while_the_page_is_looke
         other.setattr(Queue, "wake", lambda self: None)
         name = Queue(runs.folder).add(SMALL)
     wait(run(page), lambda page: states(runs)[name] == "training")
+    assert states(runs) == {name: "training"}
 
 
 def test_a_crash_is_one_sentence(runs):
