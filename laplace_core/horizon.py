@@ -84,9 +84,18 @@ def discount_kernel(gammas: np.ndarray, weights: np.ndarray, steps: int, time_st
     return weights @ transform_matrix(gammas, steps, time_step)
 
 
-def choose_actions(values: np.ndarray) -> np.ndarray:
-    """The action chosen at each horizon, int ``(K,)``, from ``(A, K)`` values; ties go to the lowest index."""
-    return greedy_action(values, axis=0)
+def choose_actions(values: np.ndarray, scale: float | None = None) -> np.ndarray:
+    """The action chosen at each horizon, int ``(K,)``, from ``(A, K)`` values; ties go to the lowest index.
+
+    Args:
+        scale: size of the terms that the values are sums of; see :func:`laplace_core.ties.greedy_action`.
+    """
+    return greedy_action(values, axis=0, scale=scale)
+
+
+def scale_of_values(rewards: np.ndarray) -> float:
+    """Size of the terms that horizon values are sums of, from expected rewards ``(A, K)``: max_a sum_k |E[r_k]|."""
+    return float(np.abs(rewards).sum(axis=-1).max())
 
 
 def regret(optimum: np.ndarray, actions: np.ndarray) -> np.ndarray:

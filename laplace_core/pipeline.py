@@ -16,8 +16,8 @@ import numpy as np
 from laplace_core.encoding import bin_masses, discount_grid, sensitivity_grid, theta_midpoints
 from laplace_core.errors import InputError
 from laplace_core.gamma_space import GammaSpace, encode, with_noise
-from laplace_core.horizon import choose_actions, deadline_weights, expected_rewards, horizon_values, row_horizons
-from laplace_core.inverse import decode, normalise_rows
+from laplace_core.horizon import choose_actions, expected_rewards, horizon_values, row_horizons, scale_of_values
+from laplace_core.inverse import decode, normalise_rows, rounding_of_rows
 from laplace_core.learning import (
     check_policy,
     finite_horizon_optimum,
@@ -38,7 +38,8 @@ class Decoded:
     """A tau-space and what is read from it; A actions, K rows.
 
     ``survival`` is the decoded constant channel before any rescaling; everything else comes after it. Rows
-    are densities over time: with ``time_step`` < 1 a probability is a row divided by ``time_step``.
+    are densities over time: with ``time_step`` < 1 the probability of a step is the sum of the 1 / ``time_step`` rows
+    around it, and about each of them divided by ``time_step``.
     """
 
     tau_space: np.ndarray
@@ -49,7 +50,12 @@ class Decoded:
     @property
     def actions(self) -> np.ndarray:
         """Action chosen at each horizon, int ``(K,)``."""
-        return choose_actions(self.horizon_values)
+        return choose_actions(self.horizon_values, self.scale)
+
+    @property
+    def scale(self) -> float:
+        """Size of the terms that the horizon values are sums of, for ties."""
+        return scale_of_values(self.expected_reward)
 
     @property
     def mass(self) -> np.ndarray:
@@ -61,8 +67,9 @@ class Decoded:
 class Truth(Decoded):
     """The same arrays without an inverse, and the optimum: Q*_T(a), ``(A, K)``.
 
-    The timeline is that of the policy; rewards count as themselves, not as midpoints. Values have the deadline of the
-    study, hard or soft, so that they differ from the decoded ones by nothing but the inverse; the optimum's is hard.
+    The timeline is that of the policy, each step on the row at its own time (:func:`row_shares`); rewards count as
+    themselves, not as midpoints. Values are read as the decoded ones are, with the deadline of the study, hard or soft,
+    so that they differ from those by nothing but the inverse; the optimum's deadline is hard.
     """
 
     optimum: np.ndarray
@@ -167,7 +174,10 @@ def decode_and_read(gamma_space: GammaSpace, settings: Settings) -> Decoded:
     gammas = gamma_space.gammas
     tau_space = decode(gamma_space.differences, gammas, s.steps, s.alpha, s.time_step)
     survival = decode(gamma_space.constant[..., None], gammas, s.steps, s.alpha, s.time_step)[..., 0]
-    tau_space = normalise_rows(tau_space, survival, s.normalise, s.time_step)
+    rounding = None
+    if s.normalise == "paper":
+        rounding = rounding_of_rows(gamma_space.differences, gammas, s.steps, s.alpha, s.time_step)
+    tau_space = normalise_rows(tau_space, survival, s.normalise, s.time_step, rounding)
     rewards = expected_rewards(tau_space, theta_midpoints(gamma_space.thetas))
     values = horizon_values(rewards, s.acting_gamma, s.softness, s.time_step)
     return Decoded(tau_space, survival, rewards, values)
@@ -237,32 +247,30 @@ def _timeline(world: World, state: int, acting_gamma: float, length: int) -> np.
 def _truth(world: World, timeline: np.ndarray, optimum: np.ndarray, thetas: np.ndarray, settings: Settings) -> Truth:
     """The truth on the rows and columns of a study, from a timeline ``(A, N, V)`` and an optimum ``(N, A)``."""
     s, length = settings, timeline.shape[1]
-    rewards, horizons = timeline @ world.reward_values, row_horizons(s.steps, s.time_step)
-    spread = time_overlap(s.steps, length, s.time_step)
-    if s.softness:
-        covered = np.array([deadline_weights(T, length, s.softness) for T in horizons])
-    else:
-        covered = np.clip(horizons[:, None] - np.arange(length), 0.0, 1.0)  # (K, N): share of each step before T
-    nearest = np.clip(np.rint(horizons).astype(int), 1, length)
+    shares = row_shares(s.steps, length, s.time_step)
+    rewards = (timeline @ world.reward_values) @ shares.T
+    nearest = np.clip(np.rint(row_horizons(s.steps, s.time_step)).astype(int), 1, length)
     return Truth(
-        tau_space=(spread @ timeline) @ bin_masses(world.reward_values, thetas, s.slope),
-        survival=timeline.sum(axis=-1) @ spread.T,
-        expected_reward=rewards @ spread.T,
-        horizon_values=(rewards * s.acting_gamma ** np.arange(length)) @ covered.T,
+        tau_space=(shares @ timeline) @ bin_masses(world.reward_values, thetas, s.slope),
+        survival=timeline.sum(axis=-1) @ shares.T,
+        expected_reward=rewards,
+        horizon_values=horizon_values(rewards, s.acting_gamma, s.softness, s.time_step),
         optimum=optimum.T[:, nearest - 1],
     )
 
 
-def time_overlap(steps: int, length: int, time_step: float) -> np.ndarray:
-    """How much of row k's time lies in step n, shape ``(steps, length)``; the identity at ``time_step`` 1.
+def row_shares(steps: int, length: int, time_step: float) -> np.ndarray:
+    """How much of step n is held by row k, shape ``(steps, length)``; the identity at ``time_step`` 1.
 
-    Row k stands for the time_step around k * time_step, step n for the unit of time around n, so that a true
-    timeline on a finer grid has its rewards where the transform puts them. The half of step 0 that would lie
-    before time 0 is not drawn; values never pass through here.
+    Step n lies at time n, and row k at k * time_step. Where the two meet, the row holds the whole step, so that the
+    true rows transform to the gamma-space exactly: sum_k gamma^(k time_step) x_k = sum_n gamma^n p_n. That is so for
+    every step where 1 / time_step is a whole number. A step that falls between two rows is shared by them, linearly.
     """
-    middles, whole = np.arange(steps)[:, None] * time_step, np.arange(length)
-    last = np.minimum(middles + time_step / 2.0, whole + 0.5)
-    return np.clip(last - np.maximum(middles - time_step / 2.0, whole - 0.5), 0.0, None)
+    place = np.arange(length) / time_step
+    first = np.floor(place + 1e-9).astype(int)
+    second = np.clip(place - first, 0.0, 1.0)
+    rows = np.arange(steps)[:, None]
+    return (rows == first) * (1.0 - second) + (rows == first + 1) * second
 
 
 def _check_size(actions: int, gammas: int, thetas: int, steps: int, rewards: int = 1) -> None:

@@ -6,6 +6,7 @@ schema below; None means "what suits the world" and is filled in by :func:`resol
 
 from __future__ import annotations
 
+import re
 import shlex
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
@@ -124,6 +125,9 @@ SCHEMA: tuple[Parameter, ...] = (
 BY_NAME: Mapping[str, Parameter] = {parameter.name: parameter for parameter in SCHEMA}
 
 
+WORLD_FILES = (".json", ".safetensors", ".npz")
+"""Endings of the files that the ``world`` of settings may name."""
+
 WORLD_MAKERS = ("load_world", "parse_world", "read_world", "timeline_world", "world_from_rows")
 """What :meth:`Settings.to_python` imports where the world's expression calls it."""
 
@@ -196,10 +200,20 @@ def resolve(settings: Settings, world: World) -> Settings:
         values["steps"] = _random_walk_length(world)
     if settings.steps is None:  # the same stretch of time, whatever the resolution
         values["steps"] = min(MAX_STEPS, int(np.ceil(values["steps"] / values["time_step"] - 1e-9)))
-    source = {"world": world.source, "params": world.params} if world.source else {}
+    source = {"world": world.source or _file_of(settings.world, world), "params": world.params}
     state = int(np.argmax(world.start)) if values["state"] is None else world.state_index(values["state"])
     values["state"] = world.states[state]
     return replace(settings, **values, **source)
+
+
+def _file_of(named: str, world: World) -> str:
+    """The file that settings name for a world made by hand: not one that stands for another world.
+
+    A name that :func:`laplace_core.load_world` builds a listed world from is not this world's.
+    """
+    if named.endswith(WORLD_FILES):
+        return named
+    return f"{re.sub(r'[^A-Za-z0-9_-]+', '_', world.name)[:40].strip('_') or 'world'}.json"
 
 
 def _checked(settings: Settings) -> dict[str, object]:

@@ -1,7 +1,14 @@
 """From gamma-space to tau-space."""
 
 from laplace_core.inverse.normalise import NORMALISATIONS, SURVIVAL_FLOOR, normalise_rows
-from laplace_core.inverse.tikhonov import decode, decode_matrix, filter_factors, residual, resolution_matrix
+from laplace_core.inverse.tikhonov import (
+    decode,
+    decode_matrix,
+    filter_factors,
+    residual,
+    resolution_matrix,
+    rounding_of_rows,
+)
 from laplace_core.inverse.transform import MAX_STEPS, transform_factors, transform_matrix
 
 __all__ = [
@@ -14,6 +21,7 @@ __all__ = [
     "normalise_rows",
     "residual",
     "resolution_matrix",
+    "rounding_of_rows",
     "transform_factors",
     "transform_matrix",
 ]

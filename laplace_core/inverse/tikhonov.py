@@ -8,6 +8,7 @@ import numpy as np
 
 from laplace_core.errors import InputError
 from laplace_core.inverse.transform import transform_factors, transform_matrix
+from laplace_core.ties import ROUNDING
 
 
 def filter_factors(singular_values: np.ndarray, alpha: float, size: int) -> np.ndarray:
@@ -60,6 +61,18 @@ def decode(values: np.ndarray, gammas: np.ndarray, steps: int, alpha: float, tim
             f"gamma-space of shape {values.shape} does not have {len(gammas)} discounts on its second to last axis."
         )
     return decode_matrix(gammas, steps, alpha, time_step) @ values
+
+
+def rounding_of_rows(
+    values: np.ndarray, gammas: np.ndarray, steps: int, alpha: float, time_step: float = 1.0
+) -> np.ndarray:
+    """The mass below which a decoded row holds nothing but rounding, ``(..., G, H)`` to ``(..., steps)``.
+
+    By Cauchy and Schwarz a row of D times the values has at most the mass |D_k| |m|, with m_g the sum of the sizes of
+    the values of one discount; the rounding of its computation is a tiny share of that, ``ties.ROUNDING``.
+    """
+    sizes = np.linalg.norm(np.abs(values).sum(axis=-1), axis=-1)
+    return ROUNDING * sizes[..., None] * np.linalg.norm(decode_matrix(gammas, steps, alpha, time_step), axis=-1)
 
 
 def residual(tau_space: np.ndarray, values: np.ndarray, gammas: np.ndarray, time_step: float = 1.0) -> np.ndarray:

@@ -6,7 +6,7 @@ import numpy as np
 from scipy import sparse
 
 from laplace_core.errors import InputError
-from laplace_core.ties import TIE_TOLERANCE, greedy_action
+from laplace_core.ties import greedy_action, tie_size
 from laplace_core.worlds.model import World
 
 TARGET_POLICIES = ("shared", "per_gamma")
@@ -76,10 +76,11 @@ def greedy_policy(world: World, gamma: float, warm_start: np.ndarray | None = No
     everywhere = np.arange(world.n_states)
     for _ in range(10 * world.n_states + 100):
         q = action_values(world, state_values(world, policy, gamma), gamma)
-        greedy = greedy_action(q)
+        largest = float(np.abs(q).max())
+        greedy = greedy_action(q, scale=largest)
         # An action within the tolerance of the best is as good as the best: changing it would never end.
-        kept = q[everywhere, policy]
-        better = q.max(axis=1) - kept > TIE_TOLERANCE * np.maximum(1.0, np.abs(kept))
+        best = q.max(axis=1)
+        better = best - q[everywhere, policy] > tie_size(best, largest)
         if not better.any():
             return greedy
         policy = np.where(better, greedy, policy)
@@ -93,7 +94,7 @@ def _swept_policy(world: World, gamma: float, sweeps: int = 1_000) -> np.ndarray
         q = action_values(world, values, gamma)
         change = np.abs(q.max(axis=1) - values).max()
         values = q.max(axis=1)
-        if change <= 1e-6 * max(1.0, np.abs(values).max()):
+        if change <= 1e-6 * np.abs(values).max():
             break
     return greedy_action(q)
 

@@ -24,7 +24,7 @@ import numpy as np
 from laplace_core.encoding import activation
 from laplace_core.errors import InputError
 from laplace_core.learning.policies import TARGET_POLICIES, check_policy
-from laplace_core.ties import TIE_TOLERANCE, greedy_action
+from laplace_core.ties import ROUNDING, TIE_TOLERANCE, greedy_action
 from laplace_core.worlds.model import END, World
 
 MAX_TABLE = 50_000_000  # numbers in a table: 400 MB
@@ -268,7 +268,8 @@ class LaplaceTD:
 def first_best(values: Sequence[float]) -> int:
     """:func:`laplace_core.ties.greedy_action` of a short list, without the cost of small arrays."""
     best = max(values)
-    enough = best - TIE_TOLERANCE * max(1.0, abs(best))
+    size = max(map(abs, values))
+    enough = best - max(TIE_TOLERANCE * abs(best), ROUNDING * size)
     return next(a for a, value in enumerate(values) if value >= enough)
 
 
