@@ -183,6 +183,22 @@ def decode_and_read(gamma_space: GammaSpace, settings: Settings) -> Decoded:
     return Decoded(tau_space, survival, rewards, values)
 
 
+def rewards_of(gamma_space: GammaSpace, settings: Settings) -> np.ndarray:
+    """Decoded E[r_tau], ``(A, K)``, as :func:`decode_and_read` has it.
+
+    Unless rows are clipped and rescaled, it is linear in gamma-space and needs no tau-space.
+    """
+    s = settings
+    if s.normalise == "paper":
+        return decode_and_read(gamma_space, s).expected_reward
+    means = gamma_space.differences @ theta_midpoints(gamma_space.thetas)
+    parts = np.stack([means, gamma_space.constant], axis=-1)  # (A, G, 2)
+    decoded = decode(parts, gamma_space.gammas, s.steps, s.alpha, s.time_step)
+    if s.normalise == "none":
+        return decoded[..., 0]
+    return normalise_rows(decoded[..., :1], decoded[..., 1], s.normalise, s.time_step)[..., 0]
+
+
 def basis_of(study: Study, policy: str | None = None) -> np.ndarray:
     """The exact reward-indicator basis of a study of a world, ``(A, G, V)``, under its own or another target policy.
 
@@ -200,6 +216,14 @@ def timeline_of(study: Study, length: int) -> np.ndarray:
     if study.policy is not None:
         return reward_timeline(study.world, study.state, study.policy, length)
     return _timeline(study.world, study.state, study.settings.acting_gamma, length)
+
+
+def noiseless(study: Study) -> GammaSpace:
+    """The gamma-space of a study of a world before its noise, exact or learned."""
+    if not study.settings.noise:
+        return study.gamma_space
+    basis, space = basis_of(study) if study.learned is None else study.learned, study.gamma_space
+    return encode(basis, study.world.reward_values, space.gammas, space.thetas, study.settings.slope)
 
 
 def encoded_under(study: Study, policy: str) -> GammaSpace:

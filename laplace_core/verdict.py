@@ -1,94 +1,235 @@
-"""One sentence on whether the decoded values choose well, and if not, which artefact is to blame.
+"""One sentence on a view: whether its choice, its values and its timeline are right, and if not, what is to blame.
 
-The cause is found by experiment: an artefact causes a wrong choice if its remedy makes the choice right. A constant
-horizon does not touch the first choice of an episode but later ones; it is blamed where acting by the time to go
-takes its loss away.
+A cause is named only if taking it away, and nothing else, was tried on this very view and repaired it
+(:mod:`laplace_core.trials`); a remedy is offered on the same condition. A constant horizon does not touch the first
+choice of an episode but later ones; it is blamed where acting by the time to go takes its loss away.
+
+Finding a cause takes many runs. ``judge(..., explain=False)`` says what is wrong and leaves out why.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
 
-from laplace_core.artifacts import Artefact, Remedy, find_artefacts
 from laplace_core.artifacts.deadline import constant_horizon
 from laplace_core.artifacts.look import Look
-from laplace_core.errors import InputError
+from laplace_core.grades import Timeline, grade, timeline_error, timeline_grade
 from laplace_core.horizon import regret
-from laplace_core.pipeline import Study, study
-from laplace_core.ties import TIE_TOLERANCE, greedy_action
-from laplace_core.worlds import load_world
+from laplace_core.pipeline import Study
+from laplace_core.ties import greedy_action, tie_size
+from laplace_core.trials import Remedy, Trials
 
-VALUE_TOLERANCE = 0.1
-"""Decoded values within this share of the largest true value count as right for the right reason."""
+MOST_REMEDIES = 3
 
 
 @dataclass(frozen=True)
 class Verdict:
-    """``right``: the best action, on values that hold. ``lucky``: the best action, on values that do not, or in an
-    episode that then goes wrong because its horizon is kept constant.
+    """What is right in a view and what is not.
 
-    ``wrong``: another action. ``unknown``: there is no world to compare with.
+    Attributes:
+        choice: ``right``: the best action, on values that hold. ``lucky``: the best action, on values that do not, or
+            in an episode that then goes wrong because its horizon is kept constant. ``wrong``: another action.
+            ``unknown``: there is no world to compare with.
+        timeline: grade of the tau-space of the action that is looked at; None without a world.
+        timeline_error: share of that timeline's probability at the wrong step or reward.
+        error: largest error of V_T, in units of reward; value_error: as a share of the largest true value.
+        chosen, best: indices of actions; regret: what the choice loses, in units of reward.
+        cause: what alone, taken away, repairs the view; where: the action whose value that changes most.
+        remedies: what was tried on this view and repairs it, the usual choice first, at most one of them an alpha.
+        exhausted: whether every single setting was tried and none repairs the view.
+        searched: whether a cause was looked for, if there is anything to explain.
     """
 
-    kind: Literal["right", "lucky", "wrong", "unknown"]
+    choice: Literal["right", "lucky", "wrong", "unknown"]
+    timeline: Timeline | None
     sentence: str
     chosen: int
     best: int | None = None
     regret: float = 0.0
-    cause: Artefact | None = None
-    cause_action: str | None = None
+    error: float | None = None
+    value_error: float | None = None
+    timeline_error: float | None = None
+    cause: Remedy | None = None
+    where: str | None = None
+    remedies: tuple[Remedy, ...] = ()
+    exhausted: bool = False
+    searched: bool = True
 
     @property
-    def remedies(self) -> tuple[Remedy, ...]:
-        return self.cause.remedies if self.cause else ()
+    def faultless(self) -> bool:
+        """Whether choice, values and timeline are all right."""
+        return self.choice == "right" and self.timeline == "sound"
 
 
-def judge(found: Study, row: int) -> Verdict:
-    """The verdict at the horizon of one row, ``found.horizons[row]``."""
-    decoded, truth, names = found.decoded, found.truth, found.action_names
+WHY = {
+    "repeated reward": "Every row is rescaled to probability 1, also where little or nothing is left in it, so that a "
+    "residue of an earlier reward counts as a certain one.",
+    "conditional rewards": "Rows given survival say what comes if the episode still runs; summed as they are, they "
+    "count rewards after its end as if it always ran.",
+    "early end": "One action ends the episode before the deadline, and what the inverse leaves in the rows after "
+    "its end counts as reward; with steps of reward 0 in their place it does not.",
+    "mixed policies": "Each discount follows its own greedy policy, so that the values over gamma are no transform of "
+    "any single process.",
+    "noise amplification": "Gamma-space carries random error, and the inverse divides it by small singular values.",
+    "soft deadline": "The soft deadline counts part of what comes after T and leaves out part of what comes before.",
+    "edge clipping": "A reward at the edge of the sensitivities, or beyond it, leaves part of its probability outside "
+    "the picture.",
+    "reward quantisation": "The slope is so steep that no two sensitivities overlap, and every reward is rounded to a "
+    "midpoint.",
+    "slope blur": "The activation is so gentle that neighbouring rewards run together.",
+    "uneven sensitivities": "The sensitivities are unevenly spaced, and the slope suits only some of their gaps.",
+    "folding": "Gamma-space holds rewards that come after the last row; the inverse folds them into the rows that "
+    "exist.",
+    "fine rows": "Rows finer than a step ask the inverse for detail that no world has.",
+    "over-smoothing": "Alpha suppresses components that gamma-space still holds, so that rewards spread over "
+    "neighbouring steps.",
+    "negative mass": "So small an alpha lets the inverse ring around sharp events.",
+    "discount grid": "These discounts do not tell the steps apart that matter here; others do.",
+    "not learned yet": "With the exact values of this world the same settings are right: the learner does not hold "
+    "these values yet.",
+}  # fmt: skip
+"""What each cause does, in one sentence."""
+
+
+def judge(study: Study, row: int, action: int | None = None, explain: bool = True) -> Verdict:
+    """The verdict at the horizon of one row, ``study.horizons[row]``.
+
+    Args:
+        action: whose timeline is graded; default: the chosen one.
+        explain: whether to search for a cause and remedies.
+    """
+    names, decoded = study.action_names, study.decoded
     values = decoded.horizon_values[:, row]
-    chosen = int(greedy_action(values))
-    at = f"At T = {found.horizons[row]:g}"
-    numbers = _numbers(values, chosen, names)
-    if truth is None:
-        return Verdict("unknown", f"{at} the decoded values choose {names[chosen]}{numbers}.", chosen)
-    best = int(greedy_action(truth.optimum[:, row]))
-    lost = float(regret(truth.optimum[:, [row]], np.array([chosen]))[0])
-    if _is_wrong(found, row):
-        cause, where = _cause(found, row)
-        sentence = f"{at} the decoded values choose {names[chosen]}{numbers}; the best is {names[best]}."
-        sentence = f"{sentence} {_blame(found, cause, where, row)}"
-        return Verdict("wrong", sentence, chosen, best, lost, cause, where)
-    elsewhere = _wrong_elsewhere(found, row)
-    true = truth.horizon_values[:, row]
-    if len(names) == 1:
-        sentence = f"{at} the decoded value is {_two(values[0])}; the true one is {_two(true[0])}."
-    else:
-        sentence = f"{at} the decoded values choose {names[chosen]}{numbers}, and no action is better."
-    if _value_error(found, row) <= VALUE_TOLERANCE:
-        constant = constant_horizon(Look(found, chosen, found.horizons[row]))
-        if constant is None:
-            return Verdict("right", sentence + elsewhere, chosen, best)
-        later = f" But with the same T at every step, {constant.shown}. Cause: {constant.name}. {constant.sentence}"
-        return Verdict("lucky", sentence + later + elsewhere, chosen, best, 0.0, constant, names[chosen])
+    chosen = int(greedy_action(values, scale=decoded.scale))
+    at = f"At T = {study.horizons[row]:g}"
+    numbers = _numbers(values, decoded.scale, chosen, names)
+    if study.truth is None:
+        return Verdict("unknown", None, f"{at} the decoded values choose {names[chosen]}{numbers}.", chosen)
+    action = chosen if action is None else action
+    graded, misplaced = grade(study, row), timeline_error(study, action)
+    found = Verdict(
+        "wrong" if graded.wrong else "lucky" if graded.off else "right",
+        timeline_grade(misplaced),
+        "",
+        chosen,
+        graded.best,
+        graded.regret,
+        graded.error,
+        graded.value_error,
+        misplaced,
+    )
+    first = _first_words(study, row, found, f"{at} the decoded values choose {names[chosen]}{numbers}")
+    last = ("" if graded.wrong else _wrong_elsewhere(study, row)) + _timeline_words(found, names[action])
+    if found.choice == "right" and study.settings.deadline == "constant":
+        constant = constant_horizon(Look(study, chosen, study.horizons[row]))
+        if constant is not None:
+            change = replace(constant.remedies[0], name=constant.name)
+            later = f" But with the same T at every step, {constant.shown}. Cause: {constant.name}. {constant.sentence}"
+            sentence = first + later + last
+            return replace(
+                found, choice="lucky", sentence=sentence, cause=change, where=names[chosen], remedies=(change,)
+            )
+    if found.faultless:
+        return replace(found, sentence=first + last)
+    if not explain:
+        return replace(found, sentence=first + last, searched=False)
+    explained, why = _explained(Trials(study, row, action), found)
+    if found.choice == "right":  # the cause is one of the timeline
+        return replace(explained, sentence=f"{first}{last}{why}")
+    return replace(explained, sentence=f"{first}{why}{last}")
+
+
+def _first_words(study: Study, row: int, found: Verdict, choice: str) -> str:
+    """What the values choose, and whether that and they are right."""
+    values, true, names = study.decoded.horizon_values[:, row], study.truth.horizon_values[:, row], study.action_names
+    if found.choice == "wrong":
+        return f"{choice}; the best is {names[found.best]}."
     off = int(np.argmax(np.abs(values - true)))
-    cause, where = _cause(found, row)
-    blame = f"Cause: {_named(found, cause, where)}." if cause else "No single setting explains it."
-    if len(names) > 1:
-        sentence += f" But {names[off]} is worth {_two(true[off])}, not {_two(values[off])}."
-    return Verdict("lucky", f"{sentence} {blame}{elsewhere}", chosen, best, 0.0, cause, where)
+    if len(names) == 1:
+        value = f"the decoded value is {_two(values[0])}; the true one is {_two(true[0])}."
+        return f"At T = {study.horizons[row]:g} {value}"
+    sentence = f"{choice}, and no action is better."
+    return sentence if found.choice == "right" else (
+        f"{sentence} But {names[off]} is worth {_two(true[off])}, not {_two(values[off])}."
+    )  # fmt: skip
 
 
-def _numbers(values: np.ndarray, chosen: int, names: tuple[str, ...]) -> str:
+def _timeline_words(found: Verdict, name: str) -> str:
+    if found.timeline == "sound":
+        return ""
+    share = f"{100 * found.timeline_error:.0f}%" if found.timeline_error < 10 else "far more than all"
+    return f" The timeline of {name} is {found.timeline}: {share} of its probability lies at another step or reward."
+
+
+def _explained(trials: Trials, found: Verdict) -> tuple[Verdict, str]:
+    """The verdict with its cause, and the cause in words."""
+    if not trials.affordable:
+        return replace(found, searched=False), " Its cause was not searched for: the view is too large."
+    repairing = [change for change in trials.switches if trials.repairs(change)]
+    repairing = _one_each(repairing)
+    if trials.learned_wrong:
+        cause = Remedy("", {}, "not learned yet")
+        return replace(found, cause=cause, remedies=tuple(repairing[:MOST_REMEDIES])), _blame(cause, None)
+    alpha = trials.alpha
+    if alpha is not None:
+        repairing.append(trials.alpha_change(alpha))
+    if not repairing:
+        repairing = next(([change] for change in trials.grids if trials.repairs(change)), [])
+    if repairing:
+        cause = repairing[0]
+        where = _where(trials, cause)
+        found = replace(found, cause=cause, where=where, remedies=tuple(repairing[:MOST_REMEDIES]))
+        return found, _blame(cause, where if len(trials.study.action_names) > 1 else None)
+    return replace(found, exhausted=True), _exhausted(trials, found)
+
+
+def _one_each(changes: Sequence[Remedy]) -> list[Remedy]:
+    """The first of several changes of one setting: fewer rows, or the smaller step, are enough."""
+    seen: set[tuple[str, ...]] = set()
+    return [each for each in changes if not ((key := tuple(each.changes)) in seen or seen.add(key))]
+
+
+def _where(trials: Trials, change: Remedy) -> str | None:
+    """The action whose value the change brings nearest to the truth."""
+    trial = trials.run(change)
+    if trial is None:
+        return None
+    off = [
+        np.abs(each.decoded.horizon_values[:, row] - each.truth.horizon_values[:, row])
+        for each, row in ((trials.study, trials.row), (trial.study, trial.row))
+    ]
+    return trials.study.action_names[int(np.argmax(off[0] - off[1]))]
+
+
+def _blame(cause: Remedy, where: str | None) -> str:
+    return f" Cause: {cause.name}{f', in {where}' if where else ''}. {WHY[cause.name]}"
+
+
+def _exhausted(trials: Trials, found: Verdict) -> str:
+    study, row = trials.study, trials.row
+    if found.choice == "right":
+        return " No single setting makes it sound."
+    optimum = study.truth.optimum[:, row]
+    follows = greedy_action(study.truth.horizon_values[:, row])
+    if found.choice == "wrong" and optimum.max() - optimum[follows] > tie_size(optimum.max(), np.abs(optimum).max()):
+        return (
+            f" No single setting explains it, and even the true timeline would mislead: it is that of the policy for "
+            f"gamma {study.settings.acting_gamma:g}, which does not aim at this deadline."
+        )
+    return " No single setting explains it."
+
+
+def _numbers(values: np.ndarray, scale: float, chosen: int, names: tuple[str, ...]) -> str:
     """The chosen value against the next best, with the digits that tell them apart."""
     if len(values) < 2:
         return ""
     others = np.where(np.arange(len(values)) == chosen, -np.inf, values)
     rival = int(np.argmax(others))
-    if values[rival] >= values[chosen] - TIE_TOLERANCE * max(1.0, abs(values[chosen])):
+    if values[rival] >= values[chosen] - tie_size(values[chosen], scale):
         return f" (a tie at {_two(values[chosen])})"
     digits = next((n for n in (2, 3, 4) if round(values[chosen], n) != round(values[rival], n)), 2)
     whose = f" for {names[rival]}" if len(values) > 2 else ""
@@ -100,86 +241,23 @@ def _two(value: float, digits: int = 2) -> str:
     return f"{round(float(value), digits) + 0.0:.{digits}f}"
 
 
-def _wrong_elsewhere(found: Study, row: int) -> str:
+def _wrong_elsewhere(study: Study, row: int) -> str:
     """The other horizons at which the choice is wrong, as ranges: the strip of the page in words."""
-    wrong = _wrong_rows(found)
+    wrong = wrong_rows(study)
     wrong[row] = False
     edges = np.flatnonzero(np.diff([0, *wrong, 0]))
     if not edges.size:
         return ""
     ranges = [
-        f"{found.horizons[first]:g}" + (f" to {found.horizons[last - 1]:g}" if last - first > 1 else "")
+        f"{study.horizons[first]:g}" + (f" to {study.horizons[last - 1]:g}" if last - first > 1 else "")
         for first, last in zip(edges[::2], edges[1::2], strict=True)
     ]
     shown = ", ".join(ranges[:4]) + (", ..." if len(ranges) > 4 else "")
     return f" The choice is wrong at T = {shown}."
 
 
-def _wrong_rows(found: Study) -> np.ndarray:
+def wrong_rows(study: Study) -> np.ndarray:
     """Whether the chosen action loses anything, beyond a tie, against the best; bool ``(K,)``, one a horizon."""
-    optimum = found.truth.optimum
-    tie = TIE_TOLERANCE * np.maximum(1.0, np.abs(optimum.max(axis=0)))
-    return regret(optimum, found.decoded.actions) > tie
-
-
-def _is_wrong(found: Study, row: int) -> bool:
-    return bool(_wrong_rows(found)[row])
-
-
-def _value_error(found: Study, row: int) -> float:
-    true = found.truth.horizon_values[:, row]
-    scale = max(np.abs(true).max(), 1e-2 * np.abs(found.world.reward_values).max(), 1e-9)
-    return float(np.abs(found.decoded.horizon_values[:, row] - true).max() / scale)
-
-
-def _all_artefacts(found: Study) -> list[tuple[Artefact, str]]:
-    """Artefacts of every action, each kind once, at its largest, with the action's name."""
-    largest: dict[str, tuple[Artefact, str]] = {}
-    for action, name in enumerate(found.action_names):
-        for artefact in find_artefacts(found, action):
-            if artefact.name not in largest or artefact.size > largest[artefact.name][0].size:
-                largest[artefact.name] = (artefact, name)
-    return list(largest.values())
-
-
-def _cause(found: Study, row: int) -> tuple[Artefact, str] | tuple[None, None]:
-    """The first artefact whose remedy puts the choice (or, if it was right, the values) right, and its action."""
-    wrong, horizon = _is_wrong(found, row), found.horizons[row]
-    for artefact, name in _all_artefacts(found):
-        for remedy in artefact.remedies:
-            repaired = _repaired(found, remedy)
-            if repaired is None or repaired.horizons[-1] < horizon:
-                continue
-            at = repaired.row_at(horizon)
-            if not (_is_wrong(repaired, at) if wrong else _value_error(repaired, at) > VALUE_TOLERANCE):
-                return artefact, name
-    return None, None
-
-
-def _repaired(found: Study, remedy: Remedy) -> Study | None:
-    """The study under a remedy, on the same policy and learned basis; None where that cannot be had."""
-    settings = remedy.apply(found.settings)
-    if found.learned is not None and settings.policy != found.settings.policy:
-        return None  # what was learned under one target policy says nothing of another
-    try:
-        world = load_world(settings.world, dict(settings.params)) if remedy.changes_world else found.world
-        return study(world, settings, found.policy, found.learned)
-    except InputError:  # a remedy may ask for more than a study may hold
-        return None
-
-
-def _named(found: Study, cause: Artefact, where: str) -> str:
-    return cause.name if len(found.action_names) == 1 else f"{cause.name}, in {where}"
-
-
-def _blame(found: Study, cause: Artefact | None, where: str | None, row: int) -> str:
-    if cause is not None:
-        return f"Cause: {_named(found, cause, where)}. {cause.sentence}"
-    optimum = found.truth.optimum[:, row]
-    follows = greedy_action(found.truth.horizon_values[:, row])
-    if optimum.max() - optimum[follows] > TIE_TOLERANCE * max(1.0, abs(optimum.max())):
-        return (
-            f"No artefact of the inverse: even the true timeline is that of the policy for gamma "
-            f"{found.settings.acting_gamma:g}, which does not aim at this deadline."
-        )
-    return "No single remedy is enough: the margin is below what the inverse resolves with these discounts."
+    optimum = study.truth.optimum
+    tie = tie_size(optimum.max(axis=0), np.abs(optimum).max(axis=0))
+    return regret(optimum, study.decoded.actions) > tie

@@ -13,9 +13,11 @@ from laplace_core.artifacts.inverse import negative_mass, over_smoothing
 from laplace_core.artifacts.look import Look
 from laplace_core.artifacts.model import VISIBLE, Artefact, Remedy
 from laplace_core.artifacts.noise import noise_amplification
+from laplace_core.artifacts.offers import offered
 from laplace_core.artifacts.process import folding, mixed_policies, repeated_reward
 from laplace_core.artifacts.rewards import edge_clipping, reward_quantisation, slope_blur
 from laplace_core.pipeline import Study
+from laplace_core.trials import Trials
 
 MEASURES: dict[str, Callable[[Look], Artefact | None]] = {
     "repeated reward": repeated_reward,
@@ -34,20 +36,26 @@ MEASURES: dict[str, Callable[[Look], Artefact | None]] = {
 
 
 def find_artefacts(
-    study: Study, action: int, horizon: float | None = None, searching: bool = True
+    study: Study, action: int, horizon: float | None = None, searching: bool = True, trials: Trials | None = None
 ) -> list[Artefact]:  # fmt: skip
     """Every artefact present in the tau-space of one action, the gravest kinds first.
 
     A gamma-space without a world has no truth to measure against; only what shows in the data is found.
 
     Args:
-        horizon: the T at which a constant horizon is judged; default: the one at which it costs most.
-        searching: whether to search for an alpha that removes what is found, which takes most of the time; without,
-            sentences and remedies are as if there were none.
+        horizon: the T of the view, at which remedies are tried and a constant horizon is judged; default: the longest,
+            and for a constant horizon the one at which it costs most.
+        searching: whether to search for remedies, which takes most of the time; without, those that are listed were
+            not tried, and sentences are as if there were none.
+        trials: of this very view and action, where they are there already.
     """
     look = Look(study, action, horizon, searching)
-    found = (measure(look) for measure in MEASURES.values())
-    return [artefact for artefact in found if artefact is not None]
+    found = [artefact for measure in MEASURES.values() if (artefact := measure(look)) is not None]
+    if not searching:
+        return found
+    if trials is None and study.truth is not None:
+        trials = Trials(study, len(study.horizons) - 1 if horizon is None else study.row_at(horizon), action)
+    return offered(found, look, MEASURES, trials)
 
 
 __all__ = ["MEASURES", "VISIBLE", "Artefact", "Remedy", "find_artefacts"]

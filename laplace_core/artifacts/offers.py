@@ -1,0 +1,106 @@
+"""Which remedies of an artefact are offered: those that were run on this very view and take it away.
+
+A remedy is offered if under it the artefact is gone and the view is better, or as good: a wrong choice must become
+right and values that were off must hold (:class:`laplace_core.trials.Trials`), what was right must stay right, and
+the timeline must not lose. One view suggests one alpha at most: the verdict's, if that suggests any.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
+
+from laplace_core.artifacts.look import Look
+from laplace_core.artifacts.model import Artefact
+from laplace_core.errors import InputError
+from laplace_core.grades import timeline_error
+from laplace_core.pipeline import Study, decode_and_read
+from laplace_core.trials import Remedy, Trials
+
+Measure = Callable[[Look], Artefact | None]
+_NO_WORSE = 1e-3
+"""How much more of a timeline's probability may be misplaced under a remedy of something else."""
+
+
+def offered(
+    found: Sequence[Artefact], look: Look, measures: Mapping[str, Measure], trials: Trials | None
+) -> list[Artefact]:
+    """The same artefacts with those of their remedies that are offered.
+
+    Args:
+        trials: of the view; None where there is no truth to grade it against.
+    """
+    with_others = [
+        replace(each, remedies=tuple(remedy for remedy in each.remedies if _is_offered(each, remedy, look, measures, trials)))
+        for each in found
+    ]  # fmt: skip
+    alpha = _alpha(found, look, measures, trials)
+    return with_others if alpha is None else [_with_alpha(each, alpha, look, measures) for each in with_others]
+
+
+def _is_offered(
+    artefact: Artefact, remedy: Remedy, look: Look, measures: Mapping[str, Measure], trials: Trials | None
+) -> bool:
+    if "alpha" in remedy.changes:
+        return False  # one for all, in the end
+    if trials is None:
+        return _gone(artefact, _under(look.study, remedy), look, measures)
+    trial = trials.run(remedy)
+    if trial is None or not _gone(artefact, trial.study, look, measures):
+        return False
+    if trials.grade.wrong or trials.grade.off:
+        # What acts wrongly later in an episode is no fault of this choice: it may be mended by itself.
+        return set(remedy.changes) == {"deadline"} or trials.repairs(remedy, trial)
+    good = not trial.grade.wrong and not trial.grade.off
+    return good and timeline_error(trial.study, look.action) <= trials.timeline_error + _NO_WORSE
+
+
+def _alpha(
+    found: Sequence[Artefact], look: Look, measures: Mapping[str, Measure], trials: Trials | None
+) -> float | None:
+    """The one alpha that is suggested for a view; None where none is."""
+    wished = list(dict.fromkeys(r.changes["alpha"] for each in found for r in each.remedies if "alpha" in r.changes))
+    if not wished:
+        return None
+    if trials is not None:
+        settled = trials.alpha if trials.affordable else None
+        if settled is not None or trials.grade.wrong or trials.grade.off:
+            return settled
+        wished = [alpha for alpha in wished if _harmless(alpha, trials)]
+    for alpha in wished:
+        under = _under(look.study, Remedy("", {"alpha": alpha}))
+        here = Look(under, look.action, look.horizon)
+        left = [artefact for measure in measures.values() if (artefact := measure(here)) is not None]
+        if not any("alpha" in remedy.changes for each in left for remedy in each.remedies):
+            return alpha  # nothing at it suggests another one
+    return None
+
+
+def _harmless(alpha: float, trials: Trials) -> bool:
+    """Whether another alpha leaves a right view right, and its timeline no worse."""
+    after, error = trials.at_alpha(alpha)
+    return not after.wrong and not after.off and error <= trials.timeline_error + _NO_WORSE
+
+
+def _with_alpha(artefact: Artefact, alpha: float, look: Look, measures: Mapping[str, Measure]) -> Artefact:
+    """The artefact with the one alpha that is suggested, where that takes it away."""
+    verb = "Lower" if alpha < look.settings.alpha else "Raise"
+    remedy = Remedy(f"{verb} alpha to {alpha:g}", {"alpha": alpha}, artefact.name)
+    if alpha == look.settings.alpha or not _gone(artefact, _under(look.study, remedy), look, measures):
+        return artefact
+    return replace(artefact, remedies=(remedy, *artefact.remedies))
+
+
+def _gone(artefact: Artefact, under: Study | None, look: Look, measures: Mapping[str, Measure]) -> bool:
+    return (
+        under is not None and measures[artefact.name](Look(under, look.action, look.horizon, searching=False)) is None
+    )
+
+
+def _under(study: Study, remedy: Remedy) -> Study | None:
+    """The same gamma-space decoded otherwise; None where the settings do not allow that."""
+    try:
+        settings = remedy.apply(study.settings)
+        return replace(study, settings=settings, decoded=decode_and_read(study.gamma_space, settings))
+    except InputError:
+        return None

@@ -1,0 +1,343 @@
+"""Every single setting that may be to blame for a view, tried on that very view.
+
+A *change* is one setting of the picture put otherwise, everything else kept. It *repairs* a view if, under it,
+
+- a wrong choice becomes right and the largest error of V_T smaller;
+- values that were off under a right choice come within the tolerance, the choice staying right;
+- a timeline that was not sound under a right choice and right values becomes sound, both staying right;
+
+and, where gamma-space keeps its noise, if the first two also hold under fresh noise. ``acting_gamma``, ``state``, the
+horizon and ``deadline`` are what is asked and not how it is answered: they are never tried.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+
+from laplace_core.encoding import GAMMA_SPACINGS
+from laplace_core.errors import InputError
+from laplace_core.gamma_space import GammaSpace, with_noise
+from laplace_core.grades import SOUND, Grade, grade, grade_values, timeline_error, timeline_grade
+from laplace_core.horizon import horizon_values, scale_of_values
+from laplace_core.inverse import MAX_STEPS
+from laplace_core.pipeline import Decoded, Study, decode_and_read, noiseless, rewards_of, study
+from laplace_core.settings import SLOPE_TIMES_SPACING, Settings
+from laplace_core.worlds import load_world, parameters_of
+
+ALPHAS = tuple(float(f"{alpha:.2g}") for alpha in np.geomspace(1e-9, 10.0, 60))
+"""The regularisations that are tried."""
+FRESH_SEEDS = 20
+"""Noise seeds, besides the view's own, under which a repair must hold."""
+LEAST_FALL = 1e-6
+"""Share of an error that must go before it counts as smaller."""
+MOST_THETAS = 2_000
+MOST_WORK = 3e9
+"""Products that a search may cost before it is left out; about a second for 1e9."""
+
+
+@dataclass(frozen=True)
+class Remedy:
+    """A change of settings.
+
+    Attributes:
+        label: what to do, as a button says it.
+        changes: settings by field; ``param:NAME`` is a parameter of the world.
+        name: the artefact that it takes away.
+    """
+
+    label: str
+    changes: Mapping[str, object]
+    name: str = ""
+
+    @property
+    def changes_world(self) -> bool:
+        return any(name.startswith("param:") for name in self.changes)
+
+    def apply(self, settings: Settings) -> Settings:
+        fields = {name: value for name, value in self.changes.items() if not name.startswith("param:")}
+        params = dict(settings.params)
+        params |= {name.removeprefix("param:"): v for name, v in self.changes.items() if name.startswith("param:")}
+        return replace(settings, params=tuple(params.items()), **fields)
+
+
+@dataclass(frozen=True, eq=False)
+class Trial:
+    """A view under a change: its study, the row of its horizon and its grade."""
+
+    study: Study
+    row: int
+    grade: Grade
+
+
+class Trials:
+    """What single changes make of one view of a world.
+
+    Args:
+        study: of a world; a gamma-space without one has no truth to grade against.
+        row: of the horizon, ``study.horizons[row]``.
+        action: whose timeline is graded; default: the chosen one.
+    """
+
+    def __init__(self, study: Study, row: int, action: int | None = None):
+        self.study, self.row, self.settings = study, row, study.settings
+        self.horizon = float(study.horizons[row])
+        self.grade = grade(study, row)
+        self.action = self.grade.chosen if action is None else action
+        self.timeline_error = timeline_error(study, self.action)
+
+    @property
+    def smeared(self) -> bool:
+        return timeline_grade(self.timeline_error) != "sound"
+
+    @property
+    def affordable(self) -> bool:
+        """Whether the search is small enough to be made."""
+        s, actions = self.settings, len(self.study.action_names)
+        one = actions * s.steps * max(len(self.study.gamma_space.gammas), 1)
+        width = len(self.study.gamma_space.thetas) if s.normalise == "paper" or self.smeared else 1
+        seeds = 1 + (FRESH_SEEDS if self._noise_stays({}) else 0)
+        states = self.study.world.n_states * s.gammas * 10
+        return one * width * len(ALPHAS) * seeds + 20 * (states + one * len(self.study.gamma_space.thetas)) <= MOST_WORK
+
+    # ---- the changes
+
+    @cached_property
+    def switches(self) -> tuple[Remedy, ...]:
+        """Every change but those of alpha and of the grid of discounts, the gravest artefacts first."""
+        return tuple(self._switches())
+
+    def _switches(self) -> Iterator[Remedy]:
+        s, world, free = self.settings, self.study.world, self.study.policy is None and self.study.learned is None
+        if s.normalise == "paper":
+            yield Remedy("Keep survival", {"normalise": "none"}, "repeated reward")
+        if s.normalise == "survival":
+            yield Remedy("Weigh rewards by survival", {"normalise": "none"}, "conditional rewards")
+        if _can_add_auxiliary(self.study):
+            cause = "repeated reward" if s.normalise == "paper" else "early end"
+            yield Remedy("Add auxiliary states", {"param:auxiliary": True}, cause)
+        if s.policy == "per_gamma" and free:
+            yield Remedy("Share one policy", {"policy": "shared"}, "mixed policies")
+        if s.noise and self.study.learned is None:
+            yield Remedy("Leave out the noise", {"noise": 0.0}, "noise amplification")
+        if s.softness:
+            yield Remedy("Set softness to 0", {"softness": 0.0}, "soft deadline")
+        rewards = world.reward_values
+        over = max(0.2 * float(rewards[-1] - rewards[0]), 8.0 / s.slope)  # sigmoid(-8) is negligible
+        low, high = min(s.theta_min, float(rewards[0]) - over), max(s.theta_max, float(rewards[-1]) + over)
+        if (low, high) != (s.theta_min, s.theta_max):
+            yield Remedy("Widen the sensitivities", wider(s, low, high), "edge clipping")
+        spacing = float(np.diff(self.study.gamma_space.thetas).max())
+        if s.slope > 1.1 * SLOPE_TIMES_SPACING / spacing:
+            gentle = float(f"{SLOPE_TIMES_SPACING / spacing:.2g}")
+            yield Remedy("Soften the slope", {"slope": gentle}, "reward quantisation")
+        if rewards.size > 1 and s.slope < 9.0 / float(np.diff(rewards).min()):
+            steep = float(f"{9.0 / float(np.diff(rewards).min()):.2g}")  # leaves sigmoid(-4.5) = .011 on either side
+            thetas = int(np.ceil((s.theta_max - s.theta_min) * steep / SLOPE_TIMES_SPACING)) + 1
+            changes = {"slope": steep, "thetas": min(MOST_THETAS, max(s.thetas, thetas))}
+            yield Remedy("Steepen the slope", changes, "slope blur")
+        if s.theta_spacing != "uniform":
+            yield Remedy("Space the sensitivities evenly", {"theta_spacing": "uniform"}, "uneven sensitivities")
+        for factor in (2, 4, 8, 16):
+            if s.steps * factor <= MAX_STEPS:
+                yield Remedy(f"Decode {s.steps * factor} rows", {"steps": s.steps * factor}, "folding")
+        if s.time_step < 1.0:
+            steps = max(1, int(np.ceil(s.steps * s.time_step - 1e-9)))
+            yield Remedy("Decode one row a step", {"time_step": 1.0, "steps": steps}, "fine rows")
+
+    @cached_property
+    def grids(self) -> tuple[Remedy, ...]:
+        """Other grids of discounts; none where the values were learned at this one."""
+        s = self.settings
+        if self.study.learned is not None:
+            return ()
+        found = [{"spacing": other} for other in GAMMA_SPACINGS if other != s.spacing]
+        labels = [f"Space the discounts as {each['spacing']}" for each in found]
+        if s.spacing != "paper":
+            more = [{"gammas": s.gammas * n} for n in (2, 4) if s.gammas * n <= 500]
+            ends = [{"gamma_min": low} for low in (0.01, 0.1, 0.3) if low != s.gamma_min]
+            ends += [{"gamma_max": high} for high in (0.99, 0.995, 0.999) if high != s.gamma_max]
+            labels += [f"Use {each['gammas']} discounts" for each in more]
+            which = {"gamma_min": "smallest", "gamma_max": "largest"}
+            labels += [f"Put the {which[name]} discount at {value:g}" for each in ends for name, value in each.items()]
+            found += more + ends
+        return tuple(Remedy(label, each, "discount grid") for label, each in zip(labels, found, strict=True))
+
+    def alpha_change(self, alpha: float) -> Remedy:
+        """The change to another alpha."""
+        lower = alpha < self.settings.alpha
+        cause = "over-smoothing" if lower else "noise amplification" if self._noisy else "negative mass"
+        return Remedy(f"{'Lower' if lower else 'Raise'} alpha to {alpha:g}", {"alpha": alpha}, cause)
+
+    @property
+    def _noisy(self) -> bool:
+        return bool(self.settings.noise) or self.study.learned is not None
+
+    # ---- running them
+
+    def run(self, change: Remedy) -> Trial | None:
+        """The view under a change; None where it cannot be had or does not reach the horizon."""
+        settings = change.apply(self.settings)
+        try:
+            world = self.study.world
+            if change.changes_world:
+                world = load_world(world.source, dict(settings.params))
+            found = study(world, settings, self.study.policy, self.study.learned)
+        except InputError:  # a change may ask for more than a study may hold
+            return None
+        if found.horizons[-1] < self.horizon - 1e-9:
+            return None
+        row = found.row_at(self.horizon)
+        return Trial(found, row, grade(found, row))
+
+    def repairs(self, change: Remedy, trial: Trial | None = None) -> bool:
+        """Whether a change repairs the view, also under fresh noise."""
+        trial = trial or self.run(change)
+        if trial is None:
+            return False
+        if not self._repaired(trial.grade, lambda: timeline_error(trial.study, self.action)):
+            return False
+        if not self._noise_stays(change.changes):
+            return True
+        clean, s = noiseless(trial.study), trial.study.settings
+        return self._holds(lambda seed: self._grade_of(trial, with_noise(clean, s.noise, seed)))
+
+    @property
+    def learned_wrong(self) -> bool:
+        """Whether the exact values of the world, in place of what was learned, repair the view."""
+        if self.study.learned is None:
+            return False
+        found = study(self.study.world, replace(self.settings, noise=0.0), self.study.policy)
+        return self._repaired(grade(found, self.row), lambda: timeline_error(found, self.action))
+
+    def _repaired(self, after: Grade, timeline: Callable[[], float]) -> bool:
+        before = self.grade
+        if after.wrong:
+            return False
+        if before.wrong:
+            return after.error < before.error * (1.0 - LEAST_FALL)
+        if before.off:
+            return not after.off
+        return self.smeared and not after.off and timeline_grade(timeline()) == "sound"
+
+    def _noise_stays(self, changes: Mapping[str, object]) -> bool:
+        return bool(changes.get("noise", self.settings.noise))
+
+    @cached_property
+    def _seeds(self) -> list[int]:
+        """Seeds that no view counts through: a person who tries others meets none of them."""
+        random = np.random.default_rng([self.settings.noise_seed, FRESH_SEEDS])
+        return [int(seed) for seed in random.integers(2**30, 2**31, FRESH_SEEDS)]
+
+    def _holds(self, graded: Callable[[int], Grade]) -> bool:
+        """Whether choice and values are repaired under fresh noise; one seed in twenty may fail."""
+        failed = 0
+        for seed in self._seeds:
+            after, before = graded(seed), self._before(seed)
+            good = not after.wrong and (not self.grade.wrong or after.error < before.error)
+            failed += not (good and (self.grade.wrong or not after.off))
+            if failed > 1:
+                return False
+        return True
+
+    @cached_property
+    def _known(self) -> dict[int, Grade]:
+        return {}
+
+    def _before(self, seed: int) -> Grade:
+        """The view itself under another noise."""
+        if seed not in self._known:
+            space = with_noise(noiseless(self.study), self.settings.noise, seed)
+            self._known[seed] = self._grade_of(Trial(self.study, self.row, self.grade), space)
+        return self._known[seed]
+
+    def _grade_of(self, trial: Trial, space: GammaSpace, alpha: float | None = None) -> Grade:
+        """The grade of a view with another gamma-space, or another alpha, in its place."""
+        s = trial.study.settings if alpha is None else replace(trial.study.settings, alpha=alpha)
+        rewards = rewards_of(space, s)
+        values = horizon_values(rewards, s.acting_gamma, s.softness, s.time_step)[:, trial.row]
+        return grade_values(trial.study.truth, trial.study, trial.row, values, scale_of_values(rewards))
+
+    # ---- alpha
+
+    @cached_property
+    def alpha(self) -> float | None:
+        """The one alpha that may be suggested: it repairs this view, and none other would be suggested after it.
+
+        Of those that repair, one with little timeline error among those whose values hold, else one with little error
+        of V_T; so that at that alpha nothing better is left to suggest.
+        """
+        best = self._best_alpha()
+        for _ in range(4):
+            if best is None:
+                return None
+            following = Trials(self._with_alpha(best), self.row, self.action)._best_alpha()
+            if following is None:
+                return best
+            best = following if following in self._repairing else None
+        return None
+
+    def at_alpha(self, alpha: float) -> tuple[Grade, float]:
+        """Grade and timeline error of the view at another alpha."""
+        decoded = self._decoded_at(alpha)
+        return grade(self.study, self.row, decoded), timeline_error(self.study, self.action, decoded)
+
+    def _with_alpha(self, alpha: float) -> Study:
+        s = replace(self.settings, alpha=alpha)
+        return replace(self.study, settings=s, decoded=decode_and_read(self.study.gamma_space, s))
+
+    @cached_property
+    def _repairing(self) -> dict[float, Grade]:
+        """Every alpha tried that repairs the view, with the grade under it."""
+        here = Trial(self.study, self.row, self.grade)
+        spaces: dict[int, GammaSpace] = {}
+
+        def fresh(seed: int) -> GammaSpace:
+            if seed not in spaces:
+                spaces[seed] = with_noise(noiseless(self.study), self.settings.noise, seed)
+            return spaces[seed]
+
+        found = {}
+        for alpha in ALPHAS:
+            if alpha == self.settings.alpha:
+                continue
+            after = self._grade_of(here, self.study.gamma_space, alpha)
+            if not self._repaired(after, lambda alpha=alpha: self._timeline_at(alpha)):
+                continue
+            if self._noise_stays({}) and not self._holds(lambda seed, a=alpha: self._grade_of(here, fresh(seed), a)):
+                continue
+            found[alpha] = after
+        return found
+
+    def _timeline_at(self, alpha: float) -> float:
+        return timeline_error(self.study, self.action, self._decoded_at(alpha))
+
+    def _decoded_at(self, alpha: float) -> Decoded:
+        return decode_and_read(self.study.gamma_space, replace(self.settings, alpha=alpha))
+
+    def _best_alpha(self) -> float | None:
+        good = [alpha for alpha, after in self._repairing.items() if not after.off]
+        if good:
+            errors = {alpha: self._timeline_at(alpha) for alpha in good}
+            enough = max(0.5 * SOUND, 1.1 * min(errors.values()))
+        else:
+            errors = {alpha: after.error for alpha, after in self._repairing.items()}
+            enough = 1.1 * min(errors.values(), default=0.0)
+        # The largest that leaves little to gain: the smaller alpha is, the louder any noise.
+        return max((alpha for alpha, error in errors.items() if error <= enough), default=None)
+
+
+def wider(s: Settings, low: float, high: float) -> dict[str, object]:
+    """A wider range of sensitivities at the same spacing, as far as their number allows."""
+    thetas = min(MOST_THETAS, int(np.ceil((s.thetas - 1) * (high - low) / (s.theta_max - s.theta_min))) + 1)
+    return {"theta_min": float(f"{low:.6g}"), "theta_max": float(f"{high:.6g}"), "thetas": max(s.thetas, thetas)}
+
+
+def _can_add_auxiliary(found: Study) -> bool:
+    """Whether the world is a preset that can be built with auxiliary states and has none."""
+    known = any(parameter.name == "auxiliary" for parameter in parameters_of(found.world.source))
+    off = not dict(found.world.params).get("auxiliary", False)
+    return known and off and found.learned is None and found.policy is None
