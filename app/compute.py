@@ -16,6 +16,7 @@ from laplace_core.compare import Difference, difference, summary, value_differen
 from laplace_core.control import episode_regret_of
 from laplace_core.learned import Bands, Learned, bands, return_distributions
 from laplace_core.learning import greedy_policy
+from laplace_core.trials import Trials
 from laplace_core.verdict import Verdict, judge
 
 Subject = World | Learner | GammaSpace | Observed
@@ -43,28 +44,57 @@ def row_of(view: View) -> int:
 
 
 @lru_cache(maxsize=128)
-def verdict_for(view: View) -> Verdict:
-    return judge(study_for(view), row_of(view))
+def _graded(view: View) -> Verdict:
+    return judge(study_for(view), row_of(view), view.action, explain=False)
 
 
 @lru_cache(maxsize=128)
-def _artefacts(subject: Subject, settings: Settings, action: int, horizon: float | None) -> tuple[Artefact, ...]:
-    return tuple(find_artefacts(_study(subject, settings), action, horizon))
+def verdict_for(view: View) -> Verdict:
+    """The verdict with its cause, which may take seconds to find."""
+    _explained[view] = None
+    while len(_explained) > 128:
+        _explained.pop(next(iter(_explained)))
+    return judge(study_for(view), row_of(view), view.action)
 
 
-def artefacts_for(view: View, action: int | None = None) -> tuple[Artefact, ...]:
-    """Artefacts in the tau-space of the shown action, or of another."""
-    # Only a horizon that is kept throughout an episode is an artefact of one T.
-    horizon = float(study_for(view).horizons[row_of(view)]) if view.settings.deadline == "constant" else None
-    return _artefacts(view.subject, view.settings, view.action if action is None else action, horizon)
+_explained: dict[View, None] = {}
+"""Views whose cause was searched for, the oldest first."""
+AT_ONCE = 5e6
+"""Products that a search may cost to be made before the pictures are drawn: a tenth of a second."""
+
+
+def is_explained(view: View) -> bool:
+    """Whether the cause is known, needs no search, or is found at once."""
+    graded = _graded(view)
+    if graded.searched or view in _explained:
+        return True
+    return Trials(study_for(view), row_of(view), view.action).work <= AT_ONCE
+
+
+def verdict_at_once(view: View) -> Verdict:
+    """The verdict with its cause where that is there at once; else what is wrong, without why."""
+    return verdict_for(view) if is_explained(view) else _graded(view)
+
+
+@lru_cache(maxsize=128)
+def _artefacts(
+    subject: Subject, settings: Settings, action: int, horizon: float, searching: bool
+) -> tuple[Artefact, ...]:
+    return tuple(find_artefacts(_study(subject, settings), action, horizon, searching))
+
+
+def artefacts_for(view: View, action: int | None = None, searching: bool = True) -> tuple[Artefact, ...]:
+    """Artefacts in the tau-space of the shown action, or of another, with remedies that were tried, if asked for."""
+    horizon = float(study_for(view).horizons[row_of(view)])
+    return _artefacts(view.subject, view.settings, view.action if action is None else action, horizon, searching)
 
 
 def artefacts_elsewhere(view: View) -> str:
     """One line that names artefacts which only other actions have."""
-    here = {artefact.name for artefact in artefacts_for(view)}
+    here = {artefact.name for artefact in artefacts_for(view, searching=False)}
     lines: dict[str, list[str]] = {}
     for other, name in enumerate(study_for(view).action_names):
-        for artefact in artefacts_for(view, other) if other != view.action else ():
+        for artefact in artefacts_for(view, other, searching=False) if other != view.action else ():
             if artefact.name not in here:
                 lines.setdefault(artefact.name, []).append(name)
     return " ".join(f"Also {name}, in {', '.join(actions)}." for name, actions in lines.items())
@@ -163,6 +193,7 @@ def forget() -> None:
     """Let go of everything that is cached for views; a large learner leaves a new table behind every moment."""
     for cached in (
         _study,
+        _graded,
         verdict_for,
         _artefacts,
         _episode_regrets,
@@ -173,3 +204,4 @@ def forget() -> None:
         _lens_payload,
     ):
         cached.cache_clear()
+    _explained.clear()

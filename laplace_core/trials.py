@@ -35,8 +35,8 @@ FRESH_SEEDS = 20
 LEAST_FALL = 1e-6
 """Share of an error that must go before it counts as smaller."""
 MOST_THETAS = 2_000
-MOST_WORK = 3e9
-"""Products that a search may cost before it is left out; about a second for 1e9."""
+MOST_WORK = 1e10
+"""Products that a search may cost before it is left out: ten seconds or so if it comes to the worst."""
 
 
 @dataclass(frozen=True)
@@ -94,14 +94,19 @@ class Trials:
         return timeline_grade(self.timeline_error) != "sound"
 
     @property
+    def work(self) -> float:
+        """Products that a search for a cause costs at most."""
+        s, space = self.settings, self.study.gamma_space
+        rows = len(self.study.action_names) * s.steps * len(space.gammas)
+        width = len(space.thetas) if s.normalise == "paper" or self.smeared else 1
+        seeds = 1 + (FRESH_SEEDS if self._noise_stays({}) else 0)
+        solves = 10 * self.study.world.n_states * len(space.gammas)
+        return float(len(ALPHAS) * seeds * rows * width + 20 * (solves + rows * len(space.thetas)))
+
+    @property
     def affordable(self) -> bool:
         """Whether the search is small enough to be made."""
-        s, actions = self.settings, len(self.study.action_names)
-        one = actions * s.steps * max(len(self.study.gamma_space.gammas), 1)
-        width = len(self.study.gamma_space.thetas) if s.normalise == "paper" or self.smeared else 1
-        seeds = 1 + (FRESH_SEEDS if self._noise_stays({}) else 0)
-        states = self.study.world.n_states * s.gammas * 10
-        return one * width * len(ALPHAS) * seeds + 20 * (states + one * len(self.study.gamma_space.thetas)) <= MOST_WORK
+        return self.work <= MOST_WORK
 
     # ---- the changes
 

@@ -51,7 +51,11 @@ class Released:
 
 @dataclass(frozen=True)
 class Said:
-    """The library's verdict on the state that is handed over: ok, warn, bad or unknown; remedies by their labels."""
+    """The library's verdict on the state that is handed over; remedies by their labels.
+
+    ``tone`` is ok, bad, warn (a right choice on wrong values), smeared or ruined (a right choice over such a timeline)
+    or unknown.
+    """
 
     tone: str
     sentence: str

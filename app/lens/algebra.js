@@ -32,9 +32,13 @@ export const sigmoid = (x) => {
   return (x >= 0 ? 1 : small) / (1 + small);
 };
 
-// The lowest action within the tolerance of the best, as in the library.
-export function greedy(values) {
-  const best = Math.max(...values), least = best - 1e-9 * Math.max(1, Math.abs(best));
+// How far apart two values may be and still be equal, and the floor of rounding, as in laplace_core.ties.
+export const ROUNDING = 1e-12;
+export const tieSize = (best, scale) => Math.max(1e-9 * Math.abs(best), ROUNDING * scale);
+
+// The lowest action that ties with the best; `scale` is the size of the terms that the values are sums of.
+export function greedy(values, scale = 0) {
+  const best = Math.max(...values), least = best - tieSize(best, Math.max(scale, ...values.map(Math.abs)));
   return values.findIndex((value) => value >= least);
 }
 
@@ -81,6 +85,12 @@ const regular = ({ V, s, r, K }, alpha) => {
   return { n: K, decode: (right, width) => product(V, scaled(right, width), K, r, width),
     weights: (target) => scaled(product(target, V, 1, K, r), 1) };
 };
+
+// The 2-norm of every row of the decode matrix, (n,): the components of the transform are orthonormal.
+export function rowNorms(inverse, r) {
+  const rows = inverse.decode(Float64Array.from({ length: r * r }, (_, i) => Number(i % (r + 1) === 0)), r);
+  return Float64Array.from({ length: inverse.n }, (_, k) => Math.hypot(...rows.subarray(k * r, (k + 1) * r)));
+}
 
 // The inverse of the first rows only (K = T), grown row by row: [F^T; alpha] = Q R by rotations, so that no square is
 // ever formed and a small alpha loses no digits. Of Q, only the part beside F^T is needed, kept by columns.

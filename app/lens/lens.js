@@ -143,7 +143,7 @@ export function mount(root, model, told, report) {
     const values = gamma ? gammaSpace(seen, state) : seen.tau, top = (x) => x.reduce((a, b) => Math.max(a, b), 0) || 1;
     const every = Math.ceil(model.K / 46), floated = !gamma && (seen.truth ? seen.masses : simulatedFor(scene));
     const truth = Array.from({ length: floated ? Math.ceil(model.K / every) : 0 }, (_, i) =>
-      [model.K > 1 ? (i * every) / (model.K - 1) : 0.5, trueRow(scene, state.action, i * every)]).filter(([, row]) => row);
+      [model.K > 1 ? (i * every) / (model.K - 1) : 0.5, trueRow(scene, state.action, i * every)?.map((value) => value * model.dt)]).filter(([, row]) => row);
     pen.text(panel.name, 2, 15, { size: 14, weight: 600, colour: scene.colours.text });
     drawSurface(pen, { x: 8, y: 20, w: w - 16, h: h - 30 }, {
       values, n, width: seen.H, limit: gamma ? top(values) : limitOfTau(scene) * model.dt, titles: ['θ', gamma ? 'γ' : 'τ'],
@@ -196,16 +196,16 @@ export function mount(root, model, told, report) {
     const library = told.live && !beyondLibrary(model, state), heard = library && told.said && same(told.said.state, state);
     let { tone, sentence: words } = heard ? told.said : judged(model, state, seen), buttons = [];
     if (heard) buttons = told.said.remedies.map((label, i) => [label, () => report({ state, remedy: i })]);
-    else if (!library && resting && (tone === 'bad' || tone === 'warn')) {
-      const cause = blamed(model, state, tone);
+    else if (!library && resting && tone !== 'ok' && tone !== 'unknown') {
+      const cause = blamed(model, state);
       if (cause) buttons = [[cause.words, () => wish(cause.off, true)]];
-      words += cause ? ` Cause: ${cause.label}.` : ' No single switch explains it.';
+      words += cause ? ` Cause: ${cause.label}.` : ' No single switch repairs it.';
     } else if (!library && judge.of === state) return; // as found when the hand came to rest
     judge.of = resting || heard ? state : judge.of;
     const whole = `${WORDS[tone]}. ${words}`;
     if (sentence.textContent === whole && remedies.children.length === buttons.length) return;
     sentence.replaceChildren(element('b', {}, `${WORDS[tone]}.`), ` ${words}`);
-    verdict.className = `verdict ${tone === 'unknown' ? 'warn' : tone}`;
+    verdict.className = `verdict ${tone === 'bad' || tone === 'ok' ? tone : 'warn'}`;
     remedies.replaceChildren(...buttons.map(([label, does]) =>
       element('button', { type: 'button', class: 'remedy', onclick: does }, label)));
   }

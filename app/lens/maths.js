@@ -1,5 +1,5 @@
 // The mathematics of the lens: from a model and a state to everything that is drawn. Knows no page.
-import { greedy, growing, inverseOf, masses, normalNoise, product, remember, sigmoid } from './algebra.js';
+import { ROUNDING, greedy, growing, inverseOf, masses, normalNoise, product, remember, rowNorms, sigmoid } from './algebra.js';
 import { constants, rowAt } from './model.js';
 import { softened } from './network.js';
 
@@ -15,29 +15,25 @@ export function deadlineWeights(horizon, steps, softness, dt = 1) {
   });
 }
 
-// d(tau) of every horizon, one row each; (K, steps).
-function discounts(model, softness, gamma, steps, dt) {
-  return remember(model.cache, `discounts ${steps} ${dt}`, [softness, gamma], () => {
-    const out = new Float64Array(model.K * steps);
-    model.horizons.forEach((horizon, k) => {
-      // A hard deadline counts rows before it, and of the true steps the share that lies before it.
-      const weights = softness > 0 ? deadlineWeights(horizon, steps, softness, dt)
-        : Float64Array.from({ length: steps },
-          (_, n) => (dt === model.dt ? Number(n <= k) : Math.min(1, Math.max(0, horizon - n))));
-      for (let n = 0; n < steps; n++) out[k * steps + n] = weights[n] * gamma ** (n * dt);
+// d(tau) of every horizon, one row each; (K, K). A hard deadline counts the rows before it.
+function discounts({ cache, horizons, K, dt }, softness, gamma) {
+  return remember(cache, softness > 0 ? 'soft discounts' : 'hard discounts', [softness, gamma], () => {
+    const out = new Float64Array(K * K);
+    horizons.forEach((horizon, k) => {
+      const weights = softness > 0 ? deadlineWeights(horizon, K, softness, dt) : null;
+      for (let n = 0; n < K; n++) out[k * K + n] = (weights ? weights[n] : Number(n <= k)) * gamma ** (n * dt);
     });
     return out;
   });
 }
 
-// How much of row k's time lies in the whole step n; (K, N).
-function overlap({ K, dt, length }) {
+// How much of the whole step n is held by row k, (K, N), as laplace_core.pipeline.row_shares: all of it where they meet.
+function shares({ K, dt, length }) {
   const out = new Float64Array(K * length);
-  for (let k = 0; k < K; k++) {
-    for (let n = 0; n < length; n++) {
-      const last = Math.min(k * dt + dt / 2, n + 0.5), first = Math.max(k * dt - dt / 2, n - 0.5);
-      out[k * length + n] = Math.max(0, last - first);
-    }
+  for (let n = 0; n < length; n++) {
+    const place = n / dt, first = Math.floor(place + 1e-9), second = Math.min(1, Math.max(0, place - first));
+    if (first < K) out[first * length + n] = 1 - second;
+    if (first + 1 < K) out[(first + 1) * length + n] = second;
   }
   return out;
 }
@@ -45,7 +41,7 @@ function overlap({ K, dt, length }) {
 function truthOf(model, state) {
   const { A, K, length, arrays, cache, header } = model, { timeline, rewards } = arrays, width = rewards.length;
   const rows = remember(cache, 'true rows', 0, () => {
-    const spread = overlap(model), flat = new Float64Array(A * length), alive = new Float64Array(A * length);
+    const spread = shares(model), flat = new Float64Array(A * length), alive = new Float64Array(A * length);
     for (let i = 0; i < A * length; i++) {
       for (let v = 0; v < width; v++) {
         flat[i] += timeline[i * width + v] * rewards[v];
@@ -54,13 +50,46 @@ function truthOf(model, state) {
     }
     const spreadOver = (x, w, a) => product(spread, x.subarray(a * length * w, (a + 1) * length * w), K, length, w);
     const each = (x, w) => Array.from({ length: A }, (_, a) => spreadOver(x, w, a));
-    return { flat, rewards: each(flat, 1), survival: each(alive, 1), chances: each(timeline, width) };
+    const steps = (x) => Array.from({ length: A }, (_, a) => x.subarray(a * length, (a + 1) * length)); // by whole step
+    return { rewards: each(flat, 1), survival: each(alive, 1), chances: each(timeline, width),
+      steps: { rewards: steps(flat), survival: steps(alive) } };
   });
-  const values = remember(cache, 'true values', [state.softness, state.value_gamma], () => {
-    const d = discounts(model, state.softness, state.value_gamma, length, 1);
-    return Array.from({ length: A }, (_, a) => product(d, rows.flat.subarray(a * length, (a + 1) * length), K, length, 1));
+  const read = (name, softness, gamma) => remember(cache, name, [softness, gamma], () => {
+    const d = discounts(model, softness, gamma);
+    return rows.rewards.map((line) => product(d, line, K, K, 1));
   });
-  return { ...rows, values, acting: header.acting_gamma };
+  return { ...rows, values: read('true values', state.softness, state.value_gamma),
+    get hard() { return read('hard true values', 0, header.acting_gamma); }, acting: header.acting_gamma };
+}
+
+// Share of the shown action's probability that its drawn rows have at the wrong step or reward, as
+// laplace_core.grades.timeline_error: each midpoint counts for the nearest reward, each row for the nearest step.
+export function timelineError(model, state, seen) {
+  const { dt, K, cache, arrays: { rewards } } = model, { H, midpoints, masses: M, truth, tau, n } = seen, V = rewards.length;
+  const nearest = remember(cache, 'nearest', [midpoints[0], midpoints[H - 1], H], () => {
+    let v = 0;
+    return Int32Array.from(midpoints, (theta) => {
+      while (v < V - 1 && theta > (rewards[v] + rewards[v + 1]) / 2) v++;
+      return v;
+    });
+  });
+  const step = (k) => Math.floor(k * dt + 0.5 + 1e-9), N = step(K - 1) + 1;
+  const true_ = remember(cache, 'true by reward', [state.action, state.slope, state.normalise === 'survival', H, midpoints[0]], () => {
+    const out = new Float64Array(N * V), chances = truth.chances[state.action], alive = truth.survival[state.action];
+    for (let k = 0; k < K; k++) {
+      const whole = state.normalise !== 'survival' ? 1 : alive[k] > FLOOR ? 1 / alive[k] : 0;
+      for (let v = 0; v < V; v++) {
+        const chance = chances[k * V + v] * whole;
+        if (chance) for (let h = 0; h < H; h++) out[step(k) * V + nearest[h]] += chance * M[v * H + h];
+      }
+    }
+    return out;
+  });
+  const rows = new Float64Array(N * V);
+  for (let k = 0; k < n; k++) for (let h = 0; h < H; h++) rows[step(k) * V + nearest[h]] += tau[k * H + h];
+  let off = 0, all = 0;
+  for (let i = 0; i < rows.length; i++) { off += Math.abs(rows[i] - true_[i]); all += true_[i]; }
+  return (0.5 * off) / Math.max(all, 0.05);
 }
 
 // ---- everything at once
@@ -101,9 +130,20 @@ export function see(model, state, most = Infinity) {
     if (!hum && map) return product(rowsOf(inverse, part.columns, width), map, inverse.n, width, H);
     return rowsOf(inverse, plus(map ? product(part.columns, map, grid.r, width, H) : part.columns, part.hum), H);
   };
+  // Below it a row holds nothing but rounding (laplace_core.inverse.rounding_of_rows); only rescaling asks.
+  const sized = [state.slope, state.slope_share, thetas[0], H, columns === grid.columns.per_gamma, grid.name, state.noise, hum && state.noise_seed];
+  const roundingOf = (part, inverse) => {
+    if (state.normalise !== 'paper') return undefined;
+    const a = parts.indexOf(part), size = remember(cache, `sizes ${a}`, sized, () => {
+      const Z = differencesOf(columns, grid, map, H, a, hum, state.noise);
+      return Math.hypot(...Array.from({ length: grid.G }, (_, g) =>
+        Z.subarray(g * H, (g + 1) * H).reduce((sum, value) => sum + Math.abs(value), 0)));
+    });
+    return rowNorms(inverse, grid.r).map((norm) => ROUNDING * size * norm);
+  };
   const tauSpace = (part, inverse) => {
     const rows = rawRows(part, inverse);
-    if (rescaled) normalise(rows, survivalOf(part, inverse), state.normalise, H, dt);
+    if (rescaled) normalise(rows, survivalOf(part, inverse), state.normalise, H, dt, roundingOf(part, inverse));
     return rows;
   };
   const rewardsOf = (part, inverse) => {
@@ -117,7 +157,7 @@ export function see(model, state, most = Infinity) {
   const tau = tauSpace(parts[state.action], inverse);
   const survival = parts.map((part) => survivalOf(part, inverse));
   const rewards = parts.map((part, a) => (a === state.action ? product(tau, midpoints, n, H, 1) : rewardsOf(part, inverse)));
-  const d = discounts(model, state.softness, state.value_gamma, K, dt);
+  const d = discounts(model, state.softness, state.value_gamma);
   const valueAt = (row, expected) => {
     let sum = 0;
     for (let k = 0; k < expected.length; k++) sum += d[row * K + k] * expected[k];
@@ -136,9 +176,10 @@ export function see(model, state, most = Infinity) {
       parts.forEach((part, a) => { values[a][k] = valueAt(k, rewardsOf(part, grown)); });
     }
   }
-  const chosenAt = (row) => greedy(values.map((line) => line[row]));
+  const scale = Math.max(...rewards.map((line) => line.reduce((sum, value) => sum + Math.abs(value), 0)));
+  const chosenAt = (row) => greedy(values.map((line) => line[row]), scale);
   const seen = { grid, thetas, midpoints, H, n, inverse, readRow, leftRow, tau, survival, rewards, values, masses: M, columns,
-    map, hum, soft,
+    map, hum, soft, scale,
     chosen: chosenAt(readRow), chosenAt, whole: !values[0].some(Number.isNaN), d };
   if (model.truth) {
     const truth = truthOf(model, state), optimumAt = (row) => values.map((_, a) => arrays.optimum[a * K + row]);
@@ -149,7 +190,7 @@ export function see(model, state, most = Infinity) {
   return seen;
 }
 
-export function normalise(rows, survival, how, width, dt) {
+export function normalise(rows, survival, how, width, dt, rounding) {
   for (let k = 0; k < survival.length; k++) {
     const row = rows.subarray(k * width, (k + 1) * width);
     if (how === 'survival') {
@@ -158,7 +199,8 @@ export function normalise(rows, survival, how, width, dt) {
     } else {
       let mass = 0;
       for (let h = 0; h < width; h++) mass += row[h] = Math.max(0, row[h]);
-      for (let h = 0; h < width; h++) row[h] = mass > 0 ? (dt * row[h]) / mass : 0;
+      const least = rounding ? rounding[k] : 0;
+      for (let h = 0; h < width; h++) row[h] = mass > least ? (dt * row[h]) / mass : 0;
     }
   }
 }
@@ -180,10 +222,13 @@ function noiseOf({ A, H }, grid, seed) {
     constants: differences.map((_, a) => constants(grid, constant, a)) };
 }
 
-export function gammaSpace({ grid, columns, map, hum, H }, state) { // differences of the shown action, (G, H-1)
-  const Z = map ? product(columns.values[state.action], map, grid.G, columns.width, H) : columns.values[state.action];
-  return hum ? Z.map((value, i) => value + state.noise * hum.differences[state.action][i]) : Z;
+function differencesOf(columns, grid, map, H, a, hum, noise) { // of one action, (G, H-1)
+  const Z = map ? product(columns.values[a], map, grid.G, columns.width, H) : columns.values[a];
+  return hum ? Z.map((value, i) => value + noise * hum.differences[a][i]) : Z;
 }
+
+export const gammaSpace = ({ grid, columns, map, hum, H }, state) => // differences of the shown action, (G, H-1)
+  differencesOf(columns, grid, map, H, state.action, hum, state.noise);
 
 // What alpha and T really weigh each future step with, what they should, and how much noise it lets through.
 export function kernel(model, state, { grid, n, readRow, d, inverse }) {

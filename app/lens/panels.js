@@ -80,7 +80,7 @@ export const rewardsPanel = {
     const { model, state, seen, hover, colours } = scene, { K, dt } = model, a = state.action, box = inside(w, h);
     const upper = { ...box, h: box.h * 0.62 }, lower = { ...box, y: box.y + box.h * 0.74, h: box.h * 0.26 };
     const rewards = Array.from(seen.rewards[a], (value) => value / dt),
-      true_ = seen.truth && Array.from(seen.truth.rewards[a], (value) => value / dt);
+      true_ = seen.truth?.steps.rewards[a];
     const ghost = scene.pinned && Array.from(scene.pinned.rewards[a], (value) => value / dt);
     const followed = simulatedFor(scene) ? null : scene.followed, came = followed ? followed.rewards.slice(0, Math.ceil(K * dt)) : [];
     const simulated = simulatedFor(scene), edges = (side) => simulated?.reward.map((value, k) => value + side * simulated.rewardError[k]) ?? [];
@@ -96,9 +96,11 @@ export const rewardsPanel = {
     const xs = Array.from({ length: K }, (_, k) => scale.X(k * dt)), { Y } = scale;
     pen.clip(upper.x, upper.y - 2, upper.w, upper.h + 4, () => {
       const bar = Math.max(0.8, 0.4 * (scale.X(dt) - scale.X(0)));
-      true_?.forEach((value, k) => value
-        && pen.path([[xs[k] - bar, Y(0)], [xs[k] - bar, Y(value)], [xs[k] + bar, Y(value)], [xs[k] + bar, Y(0)]],
-        { fill: 'rgba(138,143,152,0.45)', close: true }));
+      true_?.forEach((value, n) => {
+        const x = scale.X(n);
+        if (value) pen.path([[x - bar, Y(0)], [x - bar, Y(value)], [x + bar, Y(value)], [x + bar, Y(0)]],
+          { fill: 'rgba(138,143,152,0.45)', close: true });
+      });
       came.forEach((value, k) => pen.path([[scale.X(k - 0.35), Y(0)], [scale.X(k - 0.35), Y(value)], [scale.X(k + 0.35), Y(value)],
         [scale.X(k + 0.35), Y(0)]], { fill: CAME, close: true }));
       if (ghost) line(pen, xs, ghost.map(Y), { ...GHOST, stroke: actionColour(a) });
@@ -107,7 +109,8 @@ export const rewardsPanel = {
       if (K <= 40) rewards.forEach((value, k) => pen.path(disc(xs[k], Y(value), 2.8), { fill: actionColour(a), close: true }));
     });
     pen.clip(lower.x, lower.y, lower.w, lower.h, () => {
-      if (seen.truth) line(pen, xs, seen.truth.survival[a].map((value) => alive.Y(value / dt)), { stroke: NEUTRAL, width: 5 });
+      const known = seen.truth?.steps.survival[a];
+      if (known) line(pen, Array.from(known, (_, n) => alive.X(n)), known.map((value) => alive.Y(value)), { stroke: NEUTRAL, width: 5 });
       if (followed) { // 1 until it was over; what is not known is not drawn
         const end = followed.over ?? came.length;
         pen.path([[alive.X(-0.5), alive.Y(1)], [alive.X(end - 0.5), alive.Y(1)],
@@ -121,9 +124,10 @@ export const rewardsPanel = {
   },
   point: kernelPanel.point,
   words: ({ model, state, seen }) => {
-    const a = state.action, tell = (x) => Array.from(x.slice(0, 4), (value) => short(value / model.dt)).join(', ');
-    return `Expected reward of ${model.header.actions[a]} at the first steps: decoded ${tell(seen.rewards[a])}${seen.truth ? `, true ${tell(seen.truth.rewards[a])}` : ''}. `
-      + `Survival: decoded ${tell(seen.survival[a])}${seen.truth ? `, true ${tell(seen.truth.survival[a])}` : ''}.`;
+    const a = state.action, tell = (x, dt = model.dt) => Array.from(x.slice(0, 4), (value) => short(value / dt)).join(', ');
+    const true_ = seen.truth?.steps, at = model.dt < 1 ? 'at the first rows' : 'at the first steps';
+    return `Expected reward of ${model.header.actions[a]} ${at}: decoded ${tell(seen.rewards[a])}${true_ ? `, true at the first steps ${tell(true_.rewards[a], 1)}` : ''}. `
+      + `Survival: decoded ${tell(seen.survival[a])}${true_ ? `, true ${tell(true_.survival[a], 1)}` : ''}.`;
   },
 };
 

@@ -17,9 +17,10 @@ from laplace_core.horizon import (
     readout_weights,
     regret,
     row_horizons,
+    scale_of_values,
     target_discounts,
 )
-from laplace_core.inverse import decode, normalise_rows, resolution_matrix
+from laplace_core.inverse import decode, normalise_rows, resolution_matrix, rounding_of_rows
 from laplace_core.pipeline import encode, with_noise
 from laplace_core.ties import greedy_action
 
@@ -47,6 +48,7 @@ def seen(data: bytes, state: Mapping[str, object], tau: int = 0, rounding: float
             for row in range(K)
         ]
     ).T
+    rewards = expected_rewards(tau_space, theta_midpoints(space.thetas))
     found = {
         "gammas": space.gammas,
         "thetas": space.thetas,
@@ -56,10 +58,10 @@ def seen(data: bytes, state: Mapping[str, object], tau: int = 0, rounding: float
         "differences": space.differences,
         "tau_space": tau_space,
         "survival": survival,
-        "expected_reward": expected_rewards(tau_space, theta_midpoints(space.thetas)),
+        "expected_reward": rewards,
         "horizon_values": values,
         "read_row": np.array(read_row),
-        "chosen": greedy_action(values[:, read_row]),
+        "chosen": greedy_action(values[:, read_row], scale=scale_of_values(rewards)),
         "discount_kernel": _kernel(space.gammas, state, horizons[read_row], rows, K, dt),
         "averaging_kernel": _averaging(space.gammas, state, tau, rows, K, dt),
     }
@@ -119,7 +121,8 @@ def _decoded(space: GammaSpace, state: Mapping[str, object], rows: int, dt: floa
     if state["shift"]:
         tau_space, survival = np.roll(tau_space, 1, axis=1), np.roll(survival, 1, axis=1)
         tau_space[:, 0], survival[:, 0] = 0.0, 0.0
-    return normalise_rows(tau_space, survival, state["normalise"], dt), survival
+    rounding = rounding_of_rows(space.differences, space.gammas, rows, state["alpha"], dt)
+    return normalise_rows(tau_space, survival, state["normalise"], dt, rounding), survival
 
 
 def _weights(state: Mapping[str, object], row: int, steps: int, dt: float) -> np.ndarray:

@@ -31,7 +31,7 @@ export const limitOfTau = (scene) => {
   if (images.limitFor !== seen.masses) {
     let limit = 0;
     for (let a = 0; a < model.A; a++) for (let k = 0; k < model.K; k++) limit = Math.max(limit, top(trueRow(scene, a, k) ?? []));
-    Object.assign(images, { limitFor: seen.masses, limit: limit / model.dt || 1 });
+    Object.assign(images, { limitFor: seen.masses, limit: limit || 1 });
   }
   return images.limit;
 };

@@ -1,4 +1,5 @@
 // The value of each action over the horizon, and which one is chosen.
+import { tieSize } from './algebra.js';
 import { actionColour, axes, line, rounded, short, ticks } from './drawing.js';
 import { GHOST, disc, inside, leastSpan, marked, titled } from './frame.js';
 
@@ -80,7 +81,7 @@ export const valuesPanel = {
     pen.text('chosen', box.x - 5, under + 9, { size: 10.5, align: 'right', colour: colours.soft });
     if (seen.truth) {
       const best = Array.from({ length: K }, (_, k) => { // an action as good as the best is the best
-        const optimum = seen.optimumAt(k), top_ = Math.max(...optimum), least = top_ - 1e-9 * Math.max(1, Math.abs(top_));
+        const optimum = seen.optimumAt(k), top_ = Math.max(...optimum), least = top_ - tieSize(top_, Math.max(...optimum.map(Math.abs)));
         return chosen[k] >= 0 && optimum[chosen[k]] >= least ? chosen[k] : seen.bestAt(k);
       });
       strip(under + 12, (k) => best[k]);

@@ -1,42 +1,50 @@
 // The sentence over the pictures: what the values choose, whether that is right, and what is to blame. The library says
 // the same on release, and knows more causes (laplace_core.verdict); this is what holds while a hand moves.
 import { short } from './drawing.js';
-import { SWITCHES, available, effect, see } from './maths.js';
+import { tieSize } from './algebra.js';
+import { SWITCHES, available, effect, see, timelineError } from './maths.js';
 
-const VALUE_TOLERANCE = 0.1, TIE = 1e-9; // as in the library
-export const WORDS = { bad: 'Wrong', warn: 'Right, for the wrong reason', ok: 'Right', unknown: 'No truth to compare with' };
+const VALUE_TOLERANCE = 0.1, SOUND = 0.1, RUINED = 1 / 3; // as in laplace_core.grades
+export const WORDS = { bad: 'Wrong', warn: 'Right, for the wrong reason', ok: 'Right', unknown: 'No truth to compare with',
+  smeared: 'Right choice, smeared timeline', ruined: 'Right choice, ruined timeline' };
 
 // Decimals, never a negative zero.
 const fixed = (value, digits = 2) => (Math.round(value * 10 ** digits) / 10 ** digits + 0).toFixed(digits);
 
 // The chosen value against the next best, with the digits that tell them apart.
-function numbers(values, chosen, names) {
+function numbers(values, scale, chosen, names) {
   if (values.length < 2) return '';
   const rival = values.reduce((best, value, a) => (a !== chosen && (best < 0 || value > values[best]) ? a : best), -1);
-  if (values[rival] >= values[chosen] - TIE * Math.max(1, Math.abs(values[chosen]))) return ` (a tie at ${fixed(values[chosen])})`;
+  if (values[rival] >= values[chosen] - tieSize(values[chosen], scale)) return ` (a tie at ${fixed(values[chosen])})`;
   const digits = [2, 3, 4].find((n) => fixed(values[chosen], n) !== fixed(values[rival], n)) ?? 2;
   return ` (${fixed(values[chosen], digits)} v ${fixed(values[rival], digits)}${values.length > 2 ? ` for ${names[rival]}` : ''})`;
 }
 
-// { tone, sentence } of what is seen.
+// { tone, sentence } of what is seen; where there is a truth, the largest error of a value and that of the timeline.
 export function judged(model, state, seen) {
   const names = model.header.actions, row = seen.readRow, values = seen.values.map((line) => line[row]);
   const T = short(model.horizons[row]), left = short(model.horizons[seen.leftRow]);
   const where = state.used > 0 ? `With ${left} of ${short(state.horizon)} steps to go, read at T = ${T},` : `At T = ${T}`;
-  const choice = `${where} the decoded values choose ${names[seen.chosen]}${numbers(values, seen.chosen, names)}`;
+  const choice = `${where} the decoded values choose ${names[seen.chosen]}${numbers(values, seen.scale, seen.chosen, names)}`;
   if (!seen.truth) {
     return { tone: 'unknown', sentence: model.A > 1 ? `${choice}.` : `${where} the decoded value is ${fixed(values[0])}.` };
   }
   const optimum = seen.optimumAt(seen.leftRow), true_ = seen.truth.values.map((line) => line[seen.leftRow]);
-  if (seen.regret > TIE * Math.max(1, Math.abs(Math.max(...optimum)))) {
-    return { tone: 'bad', sentence: `${choice}; the best is ${names[seen.best]}, and ${short(seen.regret)} is lost.` };
+  const timeline = timelineError(model, state, seen), error = Math.max(...values.map((value, a) => Math.abs(value - seen.truth.hard[a][seen.leftRow])));
+  const grade = timeline <= SOUND ? 'sound' : timeline <= RUINED ? 'smeared' : 'ruined';
+  const share = timeline < 10 ? `${Math.round(100 * timeline)}%` : 'far more than all';
+  const rows = grade === 'sound' ? '' : ` The timeline of ${names[state.action]} is ${grade}: ${share} of its probability lies at another step or reward.`;
+  if (seen.regret > tieSize(Math.max(...optimum), Math.max(...optimum.map(Math.abs)))) {
+    return { tone: 'bad', error, timeline, sentence: `${choice}; the best is ${names[seen.best]}, and ${short(seen.regret)} is lost.${rows}` };
   }
-  const scale = Math.max(...true_.map(Math.abs), 1e-2 * Math.max(...model.arrays.rewards.map(Math.abs)), 1e-9);
-  const offs = true_.map((value, a) => Math.abs(value - values[a]) / scale), worst = offs.indexOf(Math.max(...offs));
-  const tone = offs[worst] > VALUE_TOLERANCE ? 'warn' : 'ok';
-  if (model.A === 1) return { tone, sentence: `${where} the decoded value is ${fixed(values[0])}; the true one is ${fixed(true_[0])}.` };
-  const but = tone === 'ok' ? '' : ` But ${names[worst]} is worth ${fixed(true_[worst])}, not ${fixed(values[worst])}.`;
-  return { tone, sentence: `${choice}, and no action is better.${but}` };
+  const scale = Math.max(...true_.map(Math.abs), 1e-2 * Math.max(...model.arrays.rewards.map(Math.abs)));
+  const offs = true_.map((value, a) => (scale > 0 ? Math.abs(value - values[a]) / scale : 0)), worst = offs.indexOf(Math.max(...offs));
+  const tone = offs[worst] > VALUE_TOLERANCE ? 'warn' : grade === 'sound' ? 'ok' : grade;
+  if (model.A === 1) {
+    return { tone, error, timeline, sentence: `${where} the decoded value is ${fixed(values[0])}; the true one is ${fixed(true_[0])}.${rows}` };
+  }
+  const but = tone === 'warn' ? ` But ${names[worst]} is worth ${fixed(true_[worst])}, not ${fixed(values[worst])}.` : '';
+  return { tone, error, timeline, sentence: `${choice}, and no action is better.${but}${rows}` };
 }
 
 // Whether a state holds what only the lens knows: the library's verdict then speaks of another picture.
@@ -53,14 +61,17 @@ const others = ({ header }, state) => [
   ['the softness of the deadline', { softness: 0 }, 'Make the deadline hard'],
 ].filter(([, off]) => Object.entries(off).some(([name, value]) => Math.abs(state[name] - value) > 1e-12));
 
-// What alone, when it is taken back, puts the choice right, or the values if the choice is right:
-// { label, off, words }, or nothing.
-export function blamed(model, state, tone) {
+// What alone, when it is taken back, repairs what is seen: { label, off, words }, or nothing. A wrong choice must become
+// right and the error of the values smaller; values that were off must hold; a timeline that was not sound must be.
+export function blamed(model, state) {
+  const before = judged(model, state, see(model, state, 0)), mends = {
+    bad: (after) => after.tone !== 'bad' && after.error < before.error * (1 - 1e-6),
+    warn: (after) => after.tone !== 'bad' && after.tone !== 'warn' }[before.tone] ?? ((after) => after.tone === 'ok');
   const on = Object.entries(SWITCHES).filter(([name, each]) => available(model, name) && each.isOn(state))
     .map(([, { label, off }]) => [label, off, `Turn off ${label}`]);
   for (const [label, off, words] of [...on, ...others(model, state)]) {
-    const next = { ...state, ...off }, cured = judged(model, next, see(model, next, 0)).tone;
-    if (cured === 'ok' || (tone === 'bad' && cured === 'warn')) return { label, off, words };
+    const next = { ...state, ...off };
+    if (mends(judged(model, next, see(model, next, 0)))) return { label, off, words };
   }
   return undefined;
 }

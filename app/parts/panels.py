@@ -12,8 +12,9 @@ from app.lens import PRESETS, Graph, Preset, Released, Said, Simulated, checked,
 from app.parts import compare
 from app.sources import Observed, View
 from laplace_core.artifacts import Artefact
+from laplace_core.verdict import Verdict
 
-TONES = {"right": "ok", "lucky": "warn", "wrong": "bad", "unknown": "unknown"}
+TONES = {"lucky": "warn", "wrong": "bad", "unknown": "unknown"}
 _LENS_ONLY = {"fold": "only T rows", "paper_grid": "the paper's grid", "clip": "edge clipping",
               "shift": "the shifted index", "used": "steps used"}  # fmt: skip
 _ACROSS = 3  # artefacts side by side
@@ -36,7 +37,7 @@ def pictures(
         lead, followed: the episode that the lens follows, and what came in it; see :func:`app.lens.lens`.
         simulated: what continuations from there came to.
     """
-    found, shown, judged = compute.study_for(view), shown_state(view), compute.verdict_for(view)
+    found, shown, judged = compute.study_for(view), shown_state(view), compute.verdict_at_once(view)
 
     def heard(released: Released) -> None:
         if released.preset is not None:
@@ -64,7 +65,7 @@ def pictures(
         state_of({}, base.settings, last, view.action),
         presets,
         heard,
-        Said(TONES[judged.kind], judged.sentence, tuple(remedy.label for remedy in judged.remedies)),
+        Said(_tone(judged), _sentence(judged, view), tuple(remedy.label for remedy in judged.remedies)),
         _graph(view),
         pinnable=view.world is not None,
         pinned=compare.is_pinned(),
@@ -72,6 +73,24 @@ def pictures(
         lead=lead,
         followed=followed,
     )
+
+
+def _tone(judged: Verdict) -> str:
+    """How the lens calls a verdict: by its choice, and where that is right by its timeline."""
+    if judged.choice == "right":
+        return "ok" if judged.timeline == "sound" else str(judged.timeline)
+    return TONES[judged.choice]
+
+
+def _sentence(judged: Verdict, view: View) -> str:
+    return judged.sentence if compute.is_explained(view) else f"{judged.sentence} The cause is being searched for."
+
+
+def explain(view: View) -> None:
+    """Find the cause of what is wrong, if that is still to be done, once everything else is on the page."""
+    if not compute.is_explained(view):
+        compute.verdict_for(view)
+        st.rerun()
 
 
 def _graph(view: View) -> Graph | None:

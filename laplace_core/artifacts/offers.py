@@ -31,9 +31,9 @@ def offered(
         trials: of the view; None where there is no truth to grade it against.
     """
     with_others = [
-        replace(each, remedies=tuple(remedy for remedy in each.remedies if _is_offered(each, remedy, look, measures, trials)))
+        replace(each, remedies=tuple(r for r in each.remedies if _is_offered(each, r, look, measures, trials)))
         for each in found
-    ]  # fmt: skip
+    ]
     alpha = _alpha(found, look, measures, trials)
     return with_others if alpha is None else [_with_alpha(each, alpha, look, measures) for each in with_others]
 
