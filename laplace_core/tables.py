@@ -20,13 +20,14 @@ from laplace_core.worlds import MAX_TAU, timeline_rows
 def tau_space_csv(study: Study) -> str:
     """action, tau, theta_low, theta_high, probability[, true_probability]: a line for each bin of each row.
 
-    A probability is per step of the world: with a ``time_step`` below 1, a row divided by it.
+    A probability is per step of the world: with a ``time_step`` below 1, a row divided by it. A true one is that of
+    the step that lies on the row; between two steps there is none.
     """
     step, thetas = study.settings.time_step, study.gamma_space.thetas
     bins = [f"{low},{high}" for low, high in zip(_texts(thetas[:-1]), _texts(thetas[1:]), strict=True)]
     columns = {"probability": study.decoded.tau_space / step}
     if study.truth is not None:
-        columns["true_probability"] = study.truth.tau_space / step
+        columns["true_probability"] = study.truth.tau_space
     return _long("action,tau,theta_low,theta_high", study, _texts(study.taus), bins, columns)
 
 
@@ -61,7 +62,7 @@ def rewards_csv(study: Study) -> str:
     step, decoded, truth = study.settings.time_step, study.decoded, study.truth
     columns = {"expected_reward": decoded.expected_reward / step, "survival": decoded.survival / step}
     if truth is not None:
-        columns |= {"true_expected_reward": truth.expected_reward / step, "true_survival": truth.survival / step}
+        columns |= {"true_expected_reward": truth.expected_reward, "true_survival": truth.survival}
     return _long("action,tau", study, _texts(study.taus), None, columns)
 
 

@@ -17,7 +17,7 @@ import numpy as np
 
 from laplace_core.artifacts.deadline import constant_horizon
 from laplace_core.artifacts.look import Look
-from laplace_core.grades import Timeline, grade, timeline_error, timeline_grade
+from laplace_core.grades import VALUE_TOLERANCE, Timeline, grade, timeline_error, timeline_grade
 from laplace_core.horizon import regret
 from laplace_core.pipeline import Study
 from laplace_core.ties import greedy_action, tie_size
@@ -213,9 +213,11 @@ def _exhausted(trials: Trials, found: Verdict) -> str:
     study, row = trials.study, trials.row
     if found.choice == "right":
         return " No single setting makes it sound."
+    if found.choice == "lucky":
+        return f" No single setting brings the values within {100 * VALUE_TOLERANCE:.0f}%."
     optimum = study.truth.optimum[:, row]
     follows = greedy_action(study.truth.horizon_values[:, row])
-    if found.choice == "wrong" and optimum.max() - optimum[follows] > tie_size(optimum.max(), np.abs(optimum).max()):
+    if optimum.max() - optimum[follows] > tie_size(optimum.max(), np.abs(optimum).max()):
         return (
             f" No single setting explains it, and even the true timeline would mislead: it is that of the policy for "
             f"gamma {study.settings.acting_gamma:g}, which does not aim at this deadline."

@@ -11,7 +11,7 @@ from laplace_core import InputError, Settings, load_world, study, study_of_gamma
 from laplace_core.encoding import activation, bin_masses
 from laplace_core.inverse import residual
 from laplace_core.learning import finite_horizon_optimum, greedy_policy, reward_indicator_basis, reward_timeline
-from laplace_core.pipeline import time_overlap
+from laplace_core.pipeline import row_shares
 from laplace_core.settings import resolve
 from laplace_core.worlds import END, Outcome, World
 from tests.random_worlds import worlds
@@ -112,34 +112,32 @@ def test_truth_at_whole_steps(world, gamma):
     np.testing.assert_array_equal(found.optimum, finite_horizon_optimum(world, 7, gamma, 0).T)
 
 
-@given(worlds(ends=True))
-def test_the_transform_of_the_true_timeline_is_the_gamma_space(world):
-    # After 60 steps less than 2^-60 of any episode is left, so that 60 rows hold it all.
-    found = study(world, replace(SMALL, steps=60))
+@given(worlds(ends=True), st.sampled_from([1.0, 0.5, 0.25, 1 / 3]))
+def test_the_transform_of_the_true_timeline_is_the_gamma_space(world, time_step):
+    # After 60 steps less than 2^-60 of any episode is left, so that the rows of 60 steps hold it all.
+    found = study(world, replace(SMALL, steps=round(60 / time_step), time_step=time_step))
     space, truth = found.gamma_space, found.truth
-    assert np.abs(residual(truth.tau_space, space.differences, space.gammas)).max() < 1e-9
-    assert np.abs(residual(truth.survival[..., None], space.constant[..., None], space.gammas)).max() < 1e-9
+    assert np.abs(residual(truth.tau_space, space.differences, space.gammas, time_step)).max() < 1e-9
+    assert np.abs(residual(truth.survival[..., None], space.constant[..., None], space.gammas, time_step)).max() < 1e-9
 
 
-@given(worlds(), st.sampled_from([1.0, 0.5, 0.25, 0.3]))
+@given(worlds(), st.sampled_from([1.0, 0.5, 0.25]))
 def test_true_survival_is_a_probability_that_never_rises(world, time_step):
-    survival = truth_of(world, steps=20, time_step=time_step).survival / time_step
+    survival = truth_of(world, steps=20, time_step=time_step).survival[:, :: round(1 / time_step)]
     assert np.all((survival >= 0) & (survival <= 1 + 1e-12))
     assert np.all(np.diff(survival, axis=1) <= 1e-12)
 
 
 @given(worlds(), st.sampled_from([1 / 3, 0.2]))
 def test_finer_time_keeps_the_truth_of_whole_steps(world, time_step):
-    # An odd number of rows a step: each later step owns whole rows, and whole horizons are columns of their own.
+    # An odd number of rows a step: whole horizons are columns of their own.
     rows = round(1 / time_step)
     coarse, fine = truth_of(world, steps=6), truth_of(world, steps=6 * rows, time_step=time_step)
-    half = rows // 2  # rows of step 0 after time 0, beside the one at 0
+    half = rows // 2
     for name in ("tau_space", "survival", "expected_reward"):
-        one, other = (np.moveaxis(getattr(truth, name), 1, -1) for truth in (coarse, fine))
-        steps = other[..., half + 1 : half + 1 + 5 * rows]
-        np.testing.assert_allclose(steps.reshape(*steps.shape[:-1], 5, rows).sum(axis=-1), one[..., 1:], atol=1e-12)
-        # Of step 0 only the time from -1/2 row on is drawn.
-        np.testing.assert_allclose(other[..., : half + 1].sum(axis=-1), one[..., 0] * (1 + time_step) / 2, atol=1e-12)
+        one, other = getattr(coarse, name), getattr(fine, name)
+        np.testing.assert_allclose(other[:, ::rows], one, atol=1e-12)
+        assert np.abs(np.delete(other, np.s_[::rows], axis=1)).max() == 0.0  # nothing happens between two steps
     np.testing.assert_allclose(fine.horizon_values[:, half::rows], coarse.horizon_values, atol=1e-12)
     np.testing.assert_array_equal(fine.optimum[:, half::rows], coarse.optimum)
 
@@ -152,10 +150,20 @@ def test_rewards_are_drawn_where_the_transform_puts_them(time_step):
         assert rewards @ found.taus / rewards.sum() == pytest.approx(4.5, abs=0.03)
 
 
-def test_time_overlap_by_hand():
-    np.testing.assert_array_equal(time_overlap(3, 3, 1.0), np.eye(3))
-    # Rows around 0, .4, .8, 1.2, each .4 wide: the second, .2 to .6, is .3 in step 0 and .1 in step 1.
-    np.testing.assert_allclose(time_overlap(4, 2, 0.4), [[0.4, 0], [0.3, 0.1], [0, 0.4], [0, 0.4]], atol=1e-15)
+def test_row_shares_by_hand():
+    np.testing.assert_array_equal(row_shares(3, 3, 1.0), np.eye(3))
+    # Rows at 0, .4, .8, 1.2: step 1 lies halfway between the third and the fourth.
+    np.testing.assert_allclose(row_shares(4, 2, 0.4), [[1, 0], [0, 0], [0, 0.5], [0, 0.5]], atol=1e-15)
+    # Rows at 0, 1/3, ...: 1 is the fourth, although 1 / (1/3) is not quite 3 in float64.
+    np.testing.assert_array_equal(np.flatnonzero(row_shares(7, 3, 1 / 3)), [0, 10, 20])
+
+
+def test_the_true_reward_of_a_step_is_whole_at_any_time_step():
+    # The short branch pays 5 at once: its row holds 5 of 5, where the rows of 0.2.0 held 3.125 together.
+    truth = study(load_world("two_branch"), Settings(time_step=0.25)).truth
+    np.testing.assert_allclose(truth.expected_reward[0], [5.0] + [0.0] * 11)
+    # The long branch pays 10 at step 2, which is row 8.
+    np.testing.assert_allclose(truth.expected_reward[1], [0.0] * 8 + [10.0] + [0.0] * 3)
 
 
 def test_optimum_of_a_fractional_horizon_is_that_of_the_nearest_whole_step():
@@ -164,10 +172,10 @@ def test_optimum_of_a_fractional_horizon_is_that_of_the_nearest_whole_step():
     np.testing.assert_allclose(truth.optimum[1], [0.0] * 8 + [9.801] * 4)
 
 
-def test_the_truth_reaches_into_a_last_step_that_is_only_partly_covered():
-    # Columns of .4 rows lie at .4 k + .7: the last of six is T = 2.7 and holds .7 of the third step's 9.801.
+def test_a_step_counts_from_its_row_on():
+    # Rows of .4 lie at .4 k: the sixth is at 2, where the third step pays 10; the fifth, T = 2.3, has none of it.
     truth = study(load_world("two_branch"), Settings(steps=6, time_step=0.4)).truth
-    assert truth.horizon_values[1, -1] == pytest.approx(0.7 * 9.801)
+    np.testing.assert_allclose(truth.horizon_values[1, -2:], [0.0, 9.801], atol=1e-12)
     assert truth.optimum[1, -1] == pytest.approx(9.801)
 
 

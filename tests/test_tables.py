@@ -58,9 +58,9 @@ def test_tables_equal_those_of_the_csv_module(found):
     if truth is None:
         values |= {"chosen": chosen}
     else:
-        columns["true_probability"] = truth.tau_space / s.time_step
-        rewards["true_expected_reward"] = truth.expected_reward / s.time_step
-        rewards["true_survival"] = truth.survival / s.time_step
+        columns["true_probability"] = truth.tau_space
+        rewards["true_expected_reward"] = truth.expected_reward
+        rewards["true_survival"] = truth.survival
         best = np.array([truth.optimal_action == a for a in range(len(found.action_names))]).astype(int)
         values |= {"true_value": truth.horizon_values, "optimal_value": truth.optimum, "chosen": chosen, "best": best}
     header = ["action", "tau", "theta_low", "theta_high"]
