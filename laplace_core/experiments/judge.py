@@ -347,14 +347,18 @@ class Judge:
 
         U, sizes, Vt = self._once(("svd", tuple(gammas), s.steps, s.time_step), factors)
         kept = sizes > max(len(gammas), s.steps) * EPSILON * sizes[0]
-        back = np.array([size / (size**2 + s.alpha**2) if keep else 0.0 for size, keep in zip(sizes, kept, strict=True)])
+        back = np.array(
+            [size / (size**2 + s.alpha**2) if keep else 0.0 for size, keep in zip(sizes, kept, strict=True)]
+        )
         return Vt.T @ np.diag(back) @ U.T
 
     def rows(self, s: Settings) -> tuple[np.ndarray, np.ndarray]:
         """Tau-space as it is drawn, ``(A, K, H-1)``, and the decoded survival, ``(A, K)``."""
         values, constant = self.gamma_space(s)
         inverse = self.decode_matrix(s)
-        drawn = [_normalised(inverse, q[:, :-1] - q[:, 1:], inverse @ c, s) for q, c in zip(values, constant, strict=True)]
+        drawn = [
+            _normalised(inverse, q[:, :-1] - q[:, 1:], inverse @ c, s) for q, c in zip(values, constant, strict=True)
+        ]
         return np.array(drawn), np.array([inverse @ c for c in constant])
 
     def _decoded(self, world: World, state: int, s: Settings) -> list[tuple[np.ndarray, np.ndarray]]:

@@ -13,6 +13,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from laplace_core.learning import finite_horizon_optimum
 from laplace_core.parameters import Parameter
 from laplace_core.settings import Settings, resolve
 from laplace_core.worlds import END, PRESETS, Outcome, World, load_world
@@ -40,11 +41,23 @@ def draw_view(rng: np.random.Generator) -> View:
     """A random view; it can always be decoded."""
     world, length = _WORLDS[rng.choice(len(_WORLDS), p=_SHARES)](rng)
     settings = _settings(rng, world, length)
-    rows = settings.steps
-    reached = min(rows, max(1, int(np.ceil((length + 1) / settings.time_step))))
-    row = int(rng.integers(rows)) if rng.random() < 0.3 else int(rng.integers(reached))
+    reached = min(settings.steps, max(1, int(np.ceil((length + 1) / settings.time_step))))
+    kind = rng.choice(3, p=[0.5, 0.25, 0.25])
+    if kind == 0 and world.n_actions > 1:
+        row = _closest_decision(world, settings, reached)
+    else:
+        row = int(rng.integers(settings.steps if kind == 1 else reached))
     action = None if rng.random() < 0.7 else int(rng.integers(world.n_actions))
     return View(world, settings, row, action)
+
+
+def _closest_decision(world: World, settings: Settings, rows: int) -> int:
+    """The row, of the first ``rows``, at which the best two actions differ by the least share, but do differ."""
+    steps = np.maximum(1, np.rint(np.arange(rows) * settings.time_step + (1.0 + settings.time_step) / 2.0).astype(int))
+    values = finite_horizon_optimum(world, steps[-1], settings.acting_gamma, world.state_index(settings.state))
+    worst, best = np.sort(values, axis=1)[steps - 1][:, [-2, -1]].T
+    margin = (best - worst) / np.maximum(np.abs(best), 1e-12)
+    return int(np.argmin(np.where(margin > 1e-6, margin, np.inf)))
 
 
 # --- settings ---
@@ -52,7 +65,7 @@ def draw_view(rng: np.random.Generator) -> View:
 
 def _settings(rng: np.random.Generator, world: World, length: int) -> Settings:
     """Each setting is careless with the same chance, which is drawn first: some views have one fault, some many."""
-    chance = float(rng.choice([0.05, 0.15, 0.3, 0.6], p=[0.3, 0.4, 0.22, 0.08]))
+    chance = float(rng.choice([0.0, 0.1, 0.25, 0.6], p=[0.4, 0.35, 0.18, 0.07]))
 
     def careless() -> bool:
         return bool(rng.random() < chance)
@@ -67,7 +80,7 @@ def _settings(rng: np.random.Generator, world: World, length: int) -> Settings:
         theta_spacing=str(rng.choice(["uniform", "gaussian", "asinh"], p=[0.8, 0.1, 0.1])),
         theta_min=theta_min,
         theta_max=theta_max,
-        alpha=_two_digits(_log_uniform(rng, *((1e-8, 5.0) if careless() else (1e-7, 1e-3)))),
+        alpha=_two_digits(_log_uniform(rng, *((1e-8, 5.0) if careless() else (1e-8, 1e-4)))),
         steps=_steps(rng, length, time_step, careless()),
         time_step=time_step,
         normalise=str(rng.choice(["paper", "survival"])) if careless() else "none",
@@ -176,7 +189,7 @@ def _value(rng: np.random.Generator, preset: str, parameter: Parameter) -> objec
 
 
 def _rewards(rng: np.random.Generator, most: int = 5) -> np.ndarray:
-    """Two to ``most`` distinct rewards, zero among them: halves from -3 to 6, or the same in a larger or smaller unit."""
+    """Two to ``most`` distinct rewards, zero among them: halves from -3 to 6, or the same in another unit."""
     unit = float(rng.choice([1.0, 1.0, 1.0, 0.1, 20.0]))
     others = np.setdiff1d(np.arange(-6, 13), [0]) / 2.0
     return unit * np.append(0.0, rng.choice(others, int(rng.integers(1, most)), replace=False))
