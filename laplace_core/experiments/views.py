@@ -65,12 +65,12 @@ def _closest_decision(world: World, settings: Settings, rows: int) -> int:
 
 def _settings(rng: np.random.Generator, world: World, length: int) -> Settings:
     """Each setting is careless with the same chance, which is drawn first: some views have one fault, some many."""
-    chance = float(rng.choice([0.0, 0.1, 0.25, 0.6], p=[0.4, 0.35, 0.18, 0.07]))
+    chance = float(rng.choice([0.0, 0.1, 0.25, 0.6], p=[0.45, 0.35, 0.15, 0.05]))
 
     def careless() -> bool:
         return bool(rng.random() < chance)
 
-    time_step = float(rng.choice([1.0, 0.5, 0.25, 1.0 / 3.0], p=[0.7, 0.1, 0.1, 0.1]))
+    time_step = float(rng.choice([1.0, 0.5, 0.25, 1.0 / 3.0], p=[0.79, 0.07, 0.07, 0.07]))
     theta_min, theta_max = _edges(rng, world.reward_values, careless())
     chosen = Settings(
         world=world.source or world.name,
