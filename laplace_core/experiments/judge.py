@@ -18,7 +18,9 @@ Decisions where the definition leaves a choice:
 - Policies tie by the same rule as values do; the scale is the largest |Q| of the world at that discount.
 - With time_step < 1 both sides of the timeline error are gathered by whole step and divided by time_step, so that this
   matters for the floor of 0.05 only. Rescaling by survival takes place before gathering, in both.
-- "Error smaller than before" compares with the error of the view as it is, with its own noise, also for fresh seeds.
+- On a fresh seed a wrong choice is repaired if it is not wrong under the change and the error is smaller than that of
+  the unchanged settings on the same seed. What else is to be repaired has to hold on the fresh seeds in full, the
+  timeline too.
 - steps times 2, 4, 8, 16 stop at 2,000: what exceeds it is tried as 2,000.
 - Widened sensitivities keep an end that already overhangs; their number grows in proportion to the range, rounded up.
 - The steep slope never lowers thetas.
@@ -79,6 +81,10 @@ class Judged:
         return self.choice != "right" or self.grades[action] != "sound"
 
 
+Fault = Callable[[Judged, Judged], str | None]
+"""What speaks against a view under a change, given the view before it; None if nothing does."""
+
+
 def grade(timeline_error: float) -> str:
     return "sound" if timeline_error <= SOUND else "smeared" if timeline_error <= SMEARED else "ruined"
 
@@ -131,40 +137,47 @@ class Judge:
     def share_held(self, changes: Mapping[str, object], seeds: int) -> float:
         """Share of noise seeds, other than those that decide, on which the change repairs; to look into a case."""
         settings = self._changed(changes)
-        others = [replace(settings, noise_seed=1_900_000_007 + 104_729 * n) for n in range(seeds)]
-        return sum(self._unmended(self._judge(one, self.horizon)) is None for one in others) / seeds
+        others = [1_900_000_007 + 104_729 * n for n in range(seeds)]
+        return sum(self._on_seed(settings, seed, self._unmended) is None for seed in others) / seeds
 
-    def _objection(self, changes: Mapping[str, object], fault: Callable[[Judged], str | None]) -> str | None:
+    def _objection(self, changes: Mapping[str, object], fault: Fault) -> str | None:
         """The fault of the view under a change: on its own noise first, then on more than one of the fresh seeds."""
         settings = self._changed(changes)
         try:
             if _horizons(settings)[-1] < self.horizon - 1e-9:
                 return "its last horizon does not reach T"
-            found = fault(self._judge(settings, self.horizon))
+            found = fault(self._judge(settings, self.horizon), self.judged)
         except InputError as error:
             return f"refused: {error}"
         if found or not settings.noise:
             return found
         held = []
         for seed in FRESH_SEEDS:
-            held.append(fault(self._judge(replace(settings, noise_seed=seed), self.horizon)) is None)
+            held.append(self._on_seed(settings, seed, fault) is None)
             if held.count(False) > len(FRESH_SEEDS) - LEAST_HELD:
                 return f"fails on {held.count(False)} of {len(held)} fresh seeds"
         return None
 
-    def _unmended(self, found: Judged) -> str | None:
-        before = self.judged
+    def _on_seed(self, settings: Settings, seed: int, fault: Fault) -> str | None:
+        """The fault of settings on another noise, beside the unchanged view on the same noise."""
+        before = self._once(
+            ("before", seed), lambda: self._judge(replace(self.view.settings, noise_seed=seed), self.horizon)
+        )
+        return fault(self._judge(replace(settings, noise_seed=seed), self.horizon), before)
+
+    def _unmended(self, found: Judged, before: Judged) -> str | None:
+        """What is still wrong of what is wrong with the view; ``before`` has the error to compare with."""
         if found.choice == "wrong":
             return "the choice is wrong"
-        if before.choice == "wrong":
+        if self.judged.choice == "wrong":
             larger = found.error >= before.error * (1.0 - 1e-6)
             return f"the error is {found.error:.4g}, not below {before.error:.4g}" if larger else None
-        return self._off(found) if before.choice == "off" else self._unsound(found)
+        return self._off(found) if self.judged.choice == "off" else self._unsound(found, before)
 
     def _off(self, found: Judged) -> str | None:
         return f"the value error is {found.value_error:.6g}" if found.value_error > OFF else None
 
-    def _unsound(self, found: Judged) -> str | None:
+    def _unsound(self, found: Judged, before: Judged) -> str | None:
         if found.choice == "wrong":
             return "the choice is wrong"
         error = found.timeline_errors[self.action]
