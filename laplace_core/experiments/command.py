@@ -21,6 +21,14 @@ def add_report(verbs: argparse._SubParsersAction) -> None:
     detectors.add_argument("--json", action="store_true", help="print JSON")
     detectors.set_defaults(run=_detectors)
 
+    verdicts = kinds.add_parser("verdicts", help="what verdicts say against an independent judge")
+    verdicts.add_argument("--cases", default="2000", metavar="N", help="random views (default: 2000)")
+    verdicts.add_argument("--seed", default="0", metavar="N", help="seed of the views (default: 0)")
+    verdicts.add_argument("--jobs", default="1", metavar="N", help="processes at a time (default: 1)")
+    verdicts.add_argument("--only", metavar="NUMBER", help="show this one view in full instead")
+    verdicts.add_argument("--json", action="store_true", help="print JSON")
+    verdicts.set_defaults(run=_verdicts)
+
     training = kinds.add_parser("training", help="score, steps and time of an algorithm over several seeds")
     training.add_argument("algorithm", metavar="ALGORITHM", help="as in train")
     training.add_argument("environment", metavar="ENVIRONMENT", help="as in train")
@@ -74,6 +82,18 @@ def _detectors(options: argparse.Namespace) -> None:
     from laplace_core.experiments import detector  # only this verb needs it
 
     numbers, text = detector.report(options.cases, options.seed)
+    print(json.dumps(numbers, indent=1) if options.json else text)
+
+
+def _verdicts(options: argparse.Namespace) -> None:
+    from laplace_core.experiments import verdicts  # only this verb needs it
+
+    seed = checked_number("seed", options.seed, int, 0, 2**31 - 1)
+    if options.only is not None:
+        print(verdicts.shown(checked_number("only", options.only, int, 0, verdicts.MOST_VIEWS), seed))
+        return
+    cases = checked_number("cases", options.cases, int, 1, verdicts.MOST_VIEWS)
+    numbers, text = verdicts.report(cases, seed, checked_number("jobs", options.jobs, int, 1, verdicts.MOST_JOBS))
     print(json.dumps(numbers, indent=1) if options.json else text)
 
 
