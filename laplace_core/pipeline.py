@@ -188,12 +188,21 @@ def rewards_of(gamma_space: GammaSpace, settings: Settings) -> np.ndarray:
 
     Unless rows are clipped and rescaled, it is linear in gamma-space and needs no tau-space.
     """
-    s = settings
-    if s.normalise == "paper":
-        return decode_and_read(gamma_space, s).expected_reward
+    if settings.normalise == "paper":
+        return decode_and_read(gamma_space, settings).expected_reward
+    return rewards_of_parts(linear_parts(gamma_space), gamma_space.gammas, settings)
+
+
+def linear_parts(gamma_space: GammaSpace) -> np.ndarray:
+    """What :func:`rewards_of_parts` reads: the reward that the values imply and the constant channel, ``(A, G, 2)``."""
     means = gamma_space.differences @ theta_midpoints(gamma_space.thetas)
-    parts = np.stack([means, gamma_space.constant], axis=-1)  # (A, G, 2)
-    decoded = decode(parts, gamma_space.gammas, s.steps, s.alpha, s.time_step)
+    return np.stack([means, gamma_space.constant], axis=-1)
+
+
+def rewards_of_parts(parts: np.ndarray, gammas: np.ndarray, settings: Settings) -> np.ndarray:
+    """:func:`rewards_of` from :func:`linear_parts`, ``(A, K)``, for rows that are not rescaled to 1."""
+    s = settings
+    decoded = decode(parts, gammas, s.steps, s.alpha, s.time_step)
     if s.normalise == "none":
         return decoded[..., 0]
     return normalise_rows(decoded[..., :1], decoded[..., 1], s.normalise, s.time_step)[..., 0]

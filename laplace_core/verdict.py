@@ -184,6 +184,9 @@ def _explained(trials: Trials, found: Verdict) -> tuple[Verdict, str]:
         where = _where(trials, cause)
         found = replace(found, cause=cause, where=where, remedies=tuple(repairing[:MOST_REMEDIES]))
         return found, _blame(cause, where if len(trials.study.action_names) > 1 else None)
+    if trials.doubtful:
+        words = " What repairs it under this noise does not under every other, so that no single setting is to blame."
+        return found, words
     return replace(found, exhausted=True), _exhausted(trials, found)
 
 

@@ -1,8 +1,8 @@
 """Which remedies of an artefact are offered: those that were run on this very view and take it away.
 
-A remedy is offered if under it the artefact is gone and the view is better, or as good: a wrong choice must become
-right and values that were off must hold (:class:`laplace_core.trials.Trials`), what was right must stay right, and
-the timeline must not lose. One view suggests one alpha at most: the verdict's, if that suggests any.
+A remedy is offered if under it the artefact is gone and what is wrong with the view is repaired
+(:class:`laplace_core.trials.Trials`): the choice, else the values, else the timeline. Where nothing is wrong with it,
+nothing may become so. One view suggests one alpha at most: the verdict's, if that suggests any.
 """
 
 from __future__ import annotations
@@ -48,7 +48,7 @@ def _is_offered(
     trial = trials.run(remedy)
     if trial is None or not _gone(artefact, trial.study, look, measures):
         return False
-    if trials.grade.wrong or trials.grade.off:
+    if trials.grade.wrong or trials.grade.off or trials.smeared:
         # What acts wrongly later in an episode is no fault of this choice: it may be mended by itself.
         return set(remedy.changes) == {"deadline"} or trials.repairs(remedy, trial)
     good = not trial.grade.wrong and not trial.grade.off
@@ -64,7 +64,7 @@ def _alpha(
         return None
     if trials is not None:
         settled = trials.alpha if trials.affordable else None
-        if settled is not None or trials.grade.wrong or trials.grade.off:
+        if settled is not None or trials.grade.wrong or trials.grade.off or trials.smeared:
             return settled
         wished = [alpha for alpha in wished if _harmless(alpha, trials)]
     for alpha in wished:
