@@ -39,9 +39,10 @@ from laplace_core.worlds import load_world, parameters_of
 
 ALPHAS = tuple(float(f"{alpha:.2g}") for alpha in np.geomspace(1e-9, 10.0, 60))
 """The regularisations that are tried."""
-FRESH_SEEDS = 60
-"""Noise seeds, besides the view's own, under which a repair must hold: all of them, so that nine of any ten others will
-nearly always do so too."""
+FRESH_SEEDS = 100
+"""Noise seeds, besides the view's own, under which a repair is tried."""
+MAY_FAIL = 2
+"""Of these so many may fail: what holds under 98.5% holds under nine of any ten others with a chance of 99%."""
 OFTEN = 0.6
 """A change that holds under this share of them, but not under all, is neither offered nor ruled out."""
 LEAST_FALL = 1e-6
@@ -165,10 +166,11 @@ class Trials:
         if s.theta_spacing != "uniform":
             yield Remedy("Space the sensitivities evenly", {"theta_spacing": "uniform"}, "uneven sensitivities")
         for factor in (2, 4, 8, 16):
-            if s.steps * factor <= MAX_STEPS:
-                yield Remedy(f"Decode {s.steps * factor} rows", {"steps": s.steps * factor}, "folding")
+            steps = min(MAX_STEPS, s.steps * factor)
+            if steps > s.steps:
+                yield Remedy(f"Decode {steps} rows", {"steps": steps}, "folding")
         if s.time_step < 1.0:
-            steps = max(1, int(np.ceil(s.steps * s.time_step - 1e-9)))
+            steps = int(np.ceil(self.study.horizons[-1] - 1e-9))  # the same stretch of time
             yield Remedy("Decode one row a step", {"time_step": 1.0, "steps": steps}, "fine rows")
 
     @cached_property
@@ -226,7 +228,10 @@ class Trials:
         if not self._noise_stays(change.changes):
             return True
         fresh = _Fresh(trial.study)
-        return self._holds(lambda seed: self._grade_of(trial, fresh.rewards(seed)))
+        return self._holds(
+            lambda seed: self._grade_of(trial, fresh.rewards(seed)),
+            lambda seed: timeline_error(trial.study, self.action, fresh.decoded(seed)),
+        )
 
     @property
     def learned_wrong(self) -> bool:
@@ -255,17 +260,21 @@ class Trials:
         random = np.random.default_rng([self.settings.noise_seed, FRESH_SEEDS])
         return [int(seed) for seed in random.integers(2**30, 2**31, FRESH_SEEDS)]
 
-    def _holds(self, graded: Callable[[int], Grade]) -> bool:
-        """Whether choice and values are repaired under all fresh noise; notes where they often are."""
+    def _holds(self, graded: Callable[[int], Grade], timeline: Callable[[int], float]) -> bool:
+        """Whether a view is repaired under nearly all fresh noise; notes where it often is."""
         failed = 0
         for seed in self._seeds:
-            after, before = graded(seed), self._before(seed)
-            good = not after.wrong and (not self.grade.wrong or after.error < before.error)
-            failed += not (good and (self.grade.wrong or not after.off))
+            after = graded(seed)
+            if self.grade.wrong:
+                good = not after.wrong and after.error < self._before(seed).error * (1.0 - LEAST_FALL)
+            else:
+                good = not after.wrong and not after.off
+                good = good and (self.grade.off or timeline_grade(timeline(seed)) == "sound")
+            failed += not good
             if failed > (1.0 - OFTEN) * FRESH_SEEDS:
                 return False
-        self.doubtful |= failed > 0
-        return not failed
+        self.doubtful |= failed > MAY_FAIL
+        return failed <= MAY_FAIL
 
     def _before(self, seed: int) -> Grade:
         """The view itself under another noise."""
@@ -318,7 +327,8 @@ class Trials:
             if not self._repaired(after, lambda alpha=alpha: self._timeline_at(alpha)):
                 continue
             if self._noise_stays({}) and not self._holds(
-                lambda seed, alpha=alpha: self._grade_of(self._here, self._fresh.rewards(seed, alpha))
+                lambda seed, alpha=alpha: self._grade_of(self._here, self._fresh.rewards(seed, alpha)),
+                lambda seed, alpha=alpha: timeline_error(self.study, self.action, self._fresh.decoded(seed, alpha)),
             ):
                 continue
             found[alpha] = after
@@ -384,6 +394,11 @@ class _Fresh:
             if part.space is None or FRESH_SEEDS * part.space.values.nbytes <= self.MOST_KEPT:
                 self._made[seed] = part
         return part.rewards(s, s.alpha if alpha is None else alpha)
+
+    def decoded(self, seed: int, alpha: float | None = None) -> Decoded:
+        """The whole tau-space under the noise of a seed."""
+        s = self._study.settings
+        return decode_and_read(with_noise(self._clean, s.noise, seed), s if alpha is None else replace(s, alpha=alpha))
 
 
 def wider(s: Settings, low: float, high: float) -> dict[str, object]:

@@ -22,13 +22,13 @@ CASES = {
     "repeated reward": ("two_branch", 0, {"normalise": "paper"}, {}),
     "mixed policies": ("two_decisions", 1, {"policy": "per_gamma", "alpha": 1e-6}, CALM),
     "folding": ("two_branch", 1, {"steps": 1}, {"steps": 3}),
-    "edge clipping": ("two_branch", 1, {"theta_min": 0.0}, {"theta_min": -2.0}),
+    "edge clipping": ("two_branch", 1, {"theta_min": 0.0, "alpha": 1e-4}, {"theta_min": -2.0}),
     "slope blur": ("two_branch", 0, {"slope": 0.5, "params": {"slip": 0.2}}, {"slope": 25.0, "params": {"slip": 0.2}}),
     "reward quantisation": ("fig6_chain", 0, {"slope": 1000.0, "thetas": 60}, {"slope": 63.0}),
-    "over-smoothing": ("rise_and_fade", 0, {"alpha": 2.0}, CALM),
+    "over-smoothing": ("fig6_chain", 0, {"alpha": 2.0}, CALM),
     "negative mass": ("fig6_chain", 0, {"alpha": 0.1}, {"alpha": 5e-3}),
     "soft deadline": ("two_branch", 0, {"softness": 1.0}, {}),
-    "noise amplification": ("rise_and_fade", 0, {"noise": 1e-4, "alpha": 1e-4}, {"alpha": 1e-4}),
+    "noise amplification": ("fig6_chain", 0, {"noise": 1e-3, "alpha": 1e-4}, {"alpha": 1e-4}),
     "constant horizon": ("cliff_grid", 0, {"deadline": "constant"}, {"deadline": "time_to_go"}),
 }
 
