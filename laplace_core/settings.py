@@ -69,8 +69,13 @@ class Settings:
 
     def __post_init__(self):
         put = partial(object.__setattr__, self)
+        if not isinstance(self.world, str | os.PathLike):
+            raise InputError(f"world must be a name or a path, not {type(self.world).__name__}.")
         put("world", os.fspath(self.world))
-        put("params", tuple(self.params.items() if isinstance(self.params, Mapping) else self.params))
+        try:
+            put("params", tuple(dict(self.params).items()))
+        except (TypeError, ValueError):
+            raise InputError("params must be a mapping, or pairs, of names and values.") from None
         for parameter in SCHEMA:
             value = getattr(self, parameter.name)
             if value is not None:

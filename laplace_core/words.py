@@ -7,6 +7,7 @@ from collections.abc import Iterable, Sequence
 
 import numpy as np
 
+from laplace_core.encoding import bin_masses
 from laplace_core.errors import InputError
 from laplace_core.parameters import Parameter
 from laplace_core.pipeline import Study
@@ -59,15 +60,15 @@ def study_notes(found: Study) -> list[str]:
     notes = []
     if world.absorbing.any():
         names = [world.states[s] for s in np.flatnonzero(world.absorbing)]
-        notes.append(
-            f"the episode ends on entering {_listed(names)}: whatever is done there, only rewards of 0 follow"
-        )
-    low, high = found.gamma_space.thetas[[0, -1]]
-    outside = world.reward_values[(world.reward_values < low) | (world.reward_values > high)]
+        notes.append(f"the episode ends on entering {_listed(names)}: whatever is done there, only rewards of 0 follow")
+    thetas = found.gamma_space.thetas
+    outside = world.reward_values[(world.reward_values < thetas[0]) | (world.reward_values > thetas[-1])]
     if outside.size:
+        held = bin_masses(outside, thetas, found.settings.slope).sum(axis=-1).max()
         notes.append(
-            f"the sensitivities, {low:g} to {high:g}, do not reach the {'reward' if outside.size == 1 else 'rewards'} "
-            f"{_listed([f'{value:g}' for value in outside])}: tau-space holds none of that"
+            f"the sensitivities, {thetas[0]:g} to {thetas[-1]:g}, do not reach the "
+            f"{'reward' if outside.size == 1 else 'rewards'} {_listed([f'{value:g}' for value in outside])}: "
+            f"{'none' if held < 5e-3 else f'at most {held:.0%}'} of that is in tau-space"
         )
     return notes
 

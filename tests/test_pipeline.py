@@ -208,13 +208,13 @@ def test_rows_and_columns_know_their_time():
 @pytest.mark.parametrize(
     ("settings", "named"),
     [
-        (dict(state="nowhere"), "nowhere"),
-        (dict(thetas=1), "thetas"),
-        (dict(steps=0), "steps"),
-        (dict(acting_gamma=1.0), "acting_gamma"),
-        (dict(solver="nonsense"), "solver"),
-        (dict(gamma_min=0.9, gamma_max=0.1), "gamma-min"),
-        (dict(theta_min=3.0, theta_max=1.0), "theta-min"),
+        ({"state": "nowhere"}, "nowhere"),
+        ({"thetas": 1}, "thetas"),
+        ({"steps": 0}, "steps"),
+        ({"acting_gamma": 1.0}, "acting_gamma"),
+        ({"solver": "nonsense"}, "solver"),
+        ({"gamma_min": 0.9, "gamma_max": 0.1}, "gamma-min"),
+        ({"theta_min": 3.0, "theta_max": 1.0}, "theta-min"),
     ],
 )
 def test_settings_that_do_not_fit_are_refused(settings, named):

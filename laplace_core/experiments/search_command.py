@@ -51,7 +51,9 @@ def _search(options: argparse.Namespace) -> None:
         for seed in range(seeds)
     ]
     for name, values in varied.items():
-        parsed = [parameter.parse(value) for parameter in planned[0].SCHEMA if parameter.name == name for value in values]
+        parsed = [
+            parameter.parse(value) for parameter in planned[0].SCHEMA if parameter.name == name for value in values
+        ]
         if len(set(parsed)) < len(parsed):
             raise InputError(f"--vary {name}={','.join(values)[:60]} has the same value twice: leave one out.")
     told = search.budget(planned, folder)

@@ -48,7 +48,8 @@ def add_train(verbs) -> None:
         "train",
         help="train an agent, or go on with a run",
         description="Train an agent on an environment. What is not given comes from the settings file of the "
-        "algorithm and environment, else from the defaults below.",
+        "algorithm and environment, else, for a tabular world, from its rewards and returns, else from the defaults "
+        "below. A setting that the others make meaningless is refused.",
         usage="laplace train ALGORITHM ENVIRONMENT [settings] [--run FOLDER]\n       laplace train --resume FOLDER",
     )
     train.add_argument("algorithm", nargs="?", metavar="ALGORITHM", help=f"one of {', '.join(SETTINGS)}")
@@ -287,7 +288,11 @@ def add_evaluate(verbs) -> None:
     evaluate.add_argument("--episodes", default="100", metavar="N", help="how many (default: 100)")
     evaluate.add_argument("--seed", default="0", metavar="N", help="which start seeds (default: 0)")
     evaluate.add_argument("--horizon", metavar="T", help="act for an episode of T steps, by the time to go")
-    evaluate.add_argument("--softness", metavar="W", help="of readout and decoded: width of the deadline over the time to go (default: .2)")
+    evaluate.add_argument(
+        "--softness",
+        metavar="W",
+        help="of readout and decoded: width of the deadline over the time to go (default: .2)",
+    )
     evaluate.add_argument("--alpha", metavar="A", help="of readout and decoded: regularisation (default: 1)")
     evaluate.add_argument(
         "--rule",
