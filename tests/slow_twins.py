@@ -9,7 +9,10 @@ from laplace_core.worlds.env import TabularEnv
 
 
 def dense_model(world: World) -> tuple[np.ndarray, np.ndarray]:
-    """P(s' | s, a) alive, ``(S, A, S)``, with idling for ever as the end, and P(r = v | s, a), ``(S, A, V)``, one outcome at a time."""
+    """P(s' | s, a) alive, ``(S, A, S)``, and P(r = v | s, a), ``(S, A, V)``, one outcome at a time.
+
+    To idle for ever is the end.
+    """
     values = list(world.reward_values)
     moves = np.zeros((world.n_states, world.n_actions, world.n_states))
     paid = np.zeros((world.n_states, world.n_actions, len(values)))
