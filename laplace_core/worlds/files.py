@@ -6,7 +6,6 @@ The format is shown in the README. A file is refused with one sentence that name
 from __future__ import annotations
 
 import json
-import re
 from collections import Counter
 from collections.abc import Iterator
 from dataclasses import replace
@@ -15,10 +14,10 @@ from pathlib import Path
 import numpy as np
 
 from laplace_core.errors import InputError
+from laplace_core.parameters import NUMBER
 from laplace_core.worlds.model import END, MAX_OUTCOMES, MAX_REWARD, PROBABILITY_TOLERANCE, Outcome, World
 
 MAX_BYTES = 50_000_000
-NUMBER = re.compile(r"[+-]?(\d+(\.\d*)?|\.\d+)([eE][+-]?\d{1,4})?", re.ASCII)
 _KEYS = {"name", "states", "actions", "start", "transitions", "positions"}
 
 
