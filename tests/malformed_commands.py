@@ -232,7 +232,8 @@ def near_search() -> Iterator[tuple[list[str], str | list[str]]]:
         yield [*base, "--vary", f"{name}=1e-3"], "setting"
         yield [*base, "--set", f"{name}=1e-3"], "setting"
     for text in ("=[1e-3,1e-4]", "=1e-3;1e-4", "=1e-3:1e-2", "=1e-3..1e-2", "=1e-3,", "=", ":1e-3", " 1e-3",
-                 "=1e-3|1e-4", "=(1e-3,1e-4)", "=1e-3 1e-4", "=1e-3,1e-3", "=.001,1e-3", "==1e-3", "=linspace(0,1,3)"):  # fmt: skip
+                 "=1e-3|1e-4", "=(1e-3,1e-4)", "=1e-3 1e-4", "=1e-3,1e-3", "=.001,1e-3", "==1e-3",
+                 "=linspace(0,1,3)"):  # fmt: skip
         yield [*base, "--vary", f"learning_rate{text}"], ""
     for option in ("--vary", "--set"):
         for text in ("environment=fig6_chain", "environment=two_branch", "algorithm=c51", "seed=3", "seeds=3", "jobs=2",
@@ -268,7 +269,8 @@ def near_evaluate(checkpoint: str) -> Iterator[tuple[list[str], str | list[str]]
     for option in ("--gamma", "--gammas", "--steps", "--out", "--start", "--against", "--environment", "--theta-min"):
         yield [*base, option, "3"], ""
     for text in ("runs/x", "agent", "agent.pt", "agent.pth", "agent.zip", "best.safetensors", "two_branch",
-                 "gym:Taxi-v4", checkpoint.upper(), checkpoint + ".bak", checkpoint.removesuffix(".safetensors")):  # fmt: skip
+                 "gym:Taxi-v4", checkpoint.upper(), checkpoint + ".bak",
+                 checkpoint.removesuffix(".safetensors")):  # fmt: skip
         yield ["evaluate", text], ""
     for rule in ("greedy", "matched"):
         for name in ruled:
