@@ -19,10 +19,10 @@ from laplace_core.learned.command import add_learn, study_of_file
 from laplace_core.learned.settings import LEARN_SCHEMA
 from laplace_core.pipeline import Study, study, study_of_gamma_space
 from laplace_core.saved import read_gamma_space, save_study
-from laplace_core.settings import SCHEMA, flag, parse_settings
+from laplace_core.settings import SCHEMA, check_paper_grid, flag, parse_settings
 from laplace_core.training.command import add_evaluate, add_train
 from laplace_core.training.race_command import add_race
-from laplace_core.words import action_runs, add_parameters, named_params
+from laplace_core.words import action_runs, add_parameters, named_params, study_notes
 from laplace_core.worlds import PRESETS, TOY_TEXT, load_world
 
 
@@ -131,11 +131,15 @@ def _decode(options: argparse.Namespace) -> None:
         params["seed_index"] = options.seed_index
     given = {parameter.name: getattr(options, parameter.name) for parameter in SCHEMA}
     settings = parse_settings(options.world, params, given)
-    if options.out is not None and not options.out.endswith(".npz"):
+    check_paper_grid(given)
+    if options.noise is None and options.noise_seed is not None:
+        raise InputError("--noise-seed changes nothing without --noise: give both, or neither.")
+    if options.out is not None and not options.out.lower().endswith(".npz"):
         raise InputError(f"--out {options.out[:60]!r} must end in .npz.")
-    if options.world.endswith(".safetensors"):
+    ending = options.world.lower().rpartition(".")[2]
+    if ending == "safetensors":
         found = study_of_file(options.world, settings)
-    elif options.world.endswith(".npz"):
+    elif ending == "npz":
         found = study_of_gamma_space(read_gamma_space(options.world, settings.state), settings)
     else:
         found = study(load_world(options.world, params), settings)
@@ -154,6 +158,7 @@ def summary(found: Study) -> dict[str, object]:
         "survival": decoded.survival.tolist(),
         "horizon_values": decoded.horizon_values.tolist(),
         "chosen_action": decoded.actions.tolist(),
+        "notes": study_notes(found),
     }
     if truth is not None:
         result |= {
@@ -186,6 +191,7 @@ def _report(found: Study, shown: int = 8) -> str:
     lines.append(f"chosen by T   {action_runs(found, decoded.actions)}")
     if truth is not None:
         lines.append(f"best by T     {action_runs(found, truth.optimal_action)}")
+    lines += study_notes(found)
     return "\n".join(lines)
 
 

@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 
 from laplace_core.errors import InputError
+
+NUMBER = re.compile(r"[+-]?(\d+(\.\d*)?|\.\d+)([eE][+-]?\d{1,4})?", re.ASCII)
+"""What is a number wherever one is written: none of Python's other spellings, such as 1_000."""
 
 
 @dataclass(frozen=True)
@@ -48,10 +52,7 @@ class Parameter:
             if text.lower() not in ("true", "false", "1", "0"):
                 raise InputError(f"{self.name} must be true or false, not {text[:40]!r}.")
             return text.lower() in ("true", "1")
-        try:
-            number = float(text)
-        except ValueError:
-            number = float("nan")
+        number = float(text) if NUMBER.fullmatch(text) else float("nan")
         if not self.low <= number <= self.high or (self.type is int and number != int(number)):
             what = "a whole number" if self.type is int else "a number"
             raise InputError(f"{self.name} must be {what} from {self.low:g} to {self.high:g}, not {text[:40]!r}.")

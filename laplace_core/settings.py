@@ -6,10 +6,12 @@ schema below; None means "what suits the world" and is filled in by :func:`resol
 
 from __future__ import annotations
 
+import os
 import re
 import shlex
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 
@@ -33,7 +35,14 @@ OVERHANG = 0.2
 
 @dataclass(frozen=True)
 class Settings:
-    """Settings of one study; see ``SCHEMA`` for the meaning and range of each."""
+    """Settings of one study; see ``SCHEMA`` for the meaning and range of each.
+
+    Values may be given as text or numbers and are kept in their own type; None is what suits the world. ``world`` may
+    be given as a ``Path``, ``params`` as a mapping.
+
+    Raises:
+        InputError: a value out of its range.
+    """
 
     world: str = "two_branch"
     params: tuple[tuple[str, object], ...] = ()
@@ -59,6 +68,20 @@ class Settings:
     noise: float | None = None
     noise_seed: int | None = None
 
+    def __post_init__(self):
+        put = partial(object.__setattr__, self)
+        if not isinstance(self.world, str | os.PathLike):
+            raise InputError(f"world must be a name or a path, not {type(self.world).__name__}.")
+        put("world", os.fspath(self.world))
+        try:
+            put("params", tuple(dict(self.params).items()))
+        except (TypeError, ValueError):
+            raise InputError("params must be a mapping, or pairs, of names and values.") from None
+        for parameter in SCHEMA:
+            value = getattr(self, parameter.name)
+            if value is not None:
+                put(parameter.name, parameter.parse(value))
+
     def to_command(self, out: str | None = None) -> str:
         """The ``decode`` command that reproduces this study."""
         words = ["python", "-m", "laplace_core", "decode", self.world]
@@ -78,8 +101,8 @@ class Settings:
                 name it.
         """
         chosen = [(p.name, getattr(self, p.name)) for p in SCHEMA if getattr(self, p.name) is not None]
-        words = [f"{name}={_literal(BY_NAME[name].parse(value))}" for name, value in chosen]
-        if world_expression is None and self.world.endswith(".npz"):
+        words = [f"{name}={_literal(value)}" for name, value in chosen]
+        if world_expression is None and self.world.lower().endswith(".npz"):
             state = "" if self.state is None else f", {_literal(self.state)}"
             words.insert(0, f"world={_literal(self.world)}")
             return _script(
@@ -164,8 +187,27 @@ def parse_settings(world: str, params: Mapping[str, object], given: Mapping[str,
     Raises:
         InputError: a value out of its range; the sentence begins with the setting's name.
     """
-    values = {name: BY_NAME[name].parse(value) for name, value in given.items() if value is not None}
-    return Settings(world=world, params=tuple(params.items()), **values)
+    return Settings(world=world, params=params, **given)
+
+
+def check_paper_grid(given: Mapping[str, object]) -> None:
+    """Refuse a discount grid of one's own beside the paper's fifteen discounts, which would not be heard.
+
+    Args:
+        given: values by the name of the setting, those that were given explicitly; None was not.
+
+    Raises:
+        InputError: naming the setting; the paper's own numbers are no conflict.
+    """
+    if given.get("spacing") != "paper":
+        return
+    fixed = {"gammas": len(PAPER_GAMMAS), "gamma_min": PAPER_GAMMAS[0], "gamma_max": PAPER_GAMMAS[-1]}
+    for name, value in fixed.items():
+        if given.get(name) is not None and BY_NAME[name].parse(given[name]) != value:
+            raise InputError(
+                f"{flag(BY_NAME[name])} cannot be chosen beside --spacing paper, which is these {len(PAPER_GAMMAS)} "
+                f"discounts from {PAPER_GAMMAS[0]:g} to {PAPER_GAMMAS[-1]:g}: leave it out, or choose another spacing."
+            )
 
 
 def resolve(settings: Settings, world: World) -> Settings:
@@ -174,7 +216,6 @@ def resolve(settings: Settings, world: World) -> Settings:
     Rewards decide the sensitivities (the range plus 20% at each end) and the slope (2.35 / spacing); how long
     a random walk survives decides the steps.
     """
-    given = _checked(settings)
     suggested = dict(world.suggested)
     if settings.spacing is not None or settings.gamma_min is not None or settings.gamma_max is not None:
         for name in ("spacing", "gamma_min", "gamma_max"):  # a suggested grid comes whole or not at all
@@ -182,7 +223,7 @@ def resolve(settings: Settings, world: World) -> Settings:
     values = {
         parameter.name: suggested.get(parameter.name, parameter.default) if value is None else value
         for parameter in SCHEMA
-        for value in [given[parameter.name]]
+        for value in [getattr(settings, parameter.name)]
     }
     if values["spacing"] == "paper":
         values |= {"gammas": len(PAPER_GAMMAS), "gamma_min": PAPER_GAMMAS[0], "gamma_max": PAPER_GAMMAS[-1]}
@@ -211,15 +252,9 @@ def _file_of(named: str, world: World) -> str:
 
     A name that :func:`laplace_core.load_world` builds a listed world from is not this world's.
     """
-    if named.endswith(WORLD_FILES):
+    if named.lower().endswith(WORLD_FILES):
         return named
     return f"{re.sub(r'[^A-Za-z0-9_-]+', '_', world.name)[:40].strip('_') or 'world'}.json"
-
-
-def _checked(settings: Settings) -> dict[str, object]:
-    """Values by name, None where not chosen; settings made in Python meet the same ranges as text."""
-    chosen = {parameter.name: getattr(settings, parameter.name) for parameter in SCHEMA}
-    return {name: value if value is None else BY_NAME[name].parse(value) for name, value in chosen.items()}
 
 
 _GRIDS = ("gammas", "spacing", "gamma_min", "gamma_max", "thetas", "theta_spacing", "theta_min", "theta_max")
@@ -240,12 +275,11 @@ def resolve_for_gamma_space(settings: Settings, gammas: np.ndarray) -> Settings:
             raise InputError(f"{flag(BY_NAME[name])} cannot be chosen for a saved gamma-space: the file decides it.")
     if settings.params:
         raise InputError("a saved gamma-space has no parameters: leave out --param.")
-    chosen = _checked(settings)
     length = int(np.clip(np.ceil(-3.0 / np.log(np.max(gammas))), 3, 200))
     values = {
         parameter.name: parameter.default
         for parameter in SCHEMA
-        if parameter.name not in ENCODING_NAMES and chosen[parameter.name] is None
+        if parameter.name not in ENCODING_NAMES and getattr(settings, parameter.name) is None
     }
     values["steps"] = settings.steps or min(MAX_STEPS, int(np.ceil(length / (settings.time_step or 1.0))))
     return replace(settings, **values)

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Sequence
 
 import numpy as np
 
+from laplace_core.encoding import bin_masses
 from laplace_core.errors import InputError
 from laplace_core.parameters import Parameter
 from laplace_core.pipeline import Study
@@ -35,7 +36,48 @@ def checked_number(name: str, text: object, kind: type, low: float, high: float)
     return Parameter(name, None, low, high, "", kind).parse(text)
 
 
-def named_params(entries: Sequence[str]) -> dict[str, str]:
+RULE_OPTIONS = {"fading": ("stretch",), "readout": ("alpha", "softness"), "decoded": ("alpha", "softness")}
+"""What each rule of control can be told; the others take nothing."""
+
+
+def check_rule_options(rule: str, given: Iterable[str]) -> None:
+    """Refuse an option that the rule would not hear.
+
+    Raises:
+        InputError: naming the option and the rules that take it.
+    """
+    for name in given:
+        if name not in RULE_OPTIONS.get(rule, ()):
+            takers = " and ".join(taker for taker, options in RULE_OPTIONS.items() if name in options)
+            raise InputError(f"--{name} changes nothing under the rule {rule[:40]!r}: it is of {takers}.")
+
+
+def study_notes(found: Study) -> list[str]:
+    """What a reader of a decoded state should know of its world and sensitivities, a sentence each."""
+    world = found.world
+    if world is None:
+        return []
+    notes = []
+    if world.absorbing.any():
+        names = [world.states[s] for s in np.flatnonzero(world.absorbing)]
+        notes.append(f"the episode ends on entering {_listed(names)}: whatever is done there, only rewards of 0 follow")
+    thetas = found.gamma_space.thetas
+    outside = world.reward_values[(world.reward_values < thetas[0]) | (world.reward_values > thetas[-1])]
+    if outside.size:
+        held = bin_masses(outside, thetas, found.settings.slope).sum(axis=-1).max()
+        notes.append(
+            f"the sensitivities, {thetas[0]:g} to {thetas[-1]:g}, do not reach the "
+            f"{'reward' if outside.size == 1 else 'rewards'} {_listed([f'{value:g}' for value in outside])}: "
+            f"{'none' if held < 5e-3 else f'at most {held:.0%}'} of that is in tau-space"
+        )
+    return notes
+
+
+def _listed(names: Sequence[str], most: int = 6) -> str:
+    return ", ".join(names[:most]) + (f" and {len(names) - most} more" if len(names) > most else "")
+
+
+def named_params(entries: Sequence[str], option: str = "--param") -> dict[str, str]:
     """``--param name=value`` entries by name.
 
     Raises:
@@ -45,9 +87,9 @@ def named_params(entries: Sequence[str]) -> dict[str, str]:
     for entry in entries:
         name, equals, value = entry.partition("=")
         if not equals or not name:
-            raise InputError(f"--param {entry[:40]!r} must have the form name=value.")
+            raise InputError(f"{option} {entry[:40]!r} must have the form name=value.")
         if name in params:
-            raise InputError(f"--param {name[:40]} is given twice.")
+            raise InputError(f"{option} {name[:40]} is given twice.")
         params[name] = value
     return params
 

@@ -9,6 +9,8 @@ import json
 from collections.abc import Iterator
 from copy import deepcopy
 
+from tests.malformed_tables import NEAR_ENDS, NEAR_NUMBERS
+
 VALID = {
     "name": "my_world",
     "states": ["start", "short", "long"],
@@ -193,3 +195,52 @@ def _all_cases() -> Iterator[tuple[str, str, tuple[str, ...]]]:
 
 
 CASES = list(_all_cases())
+
+
+def _near_rewards() -> Iterator[tuple[str, str, str | None]]:
+    for number in (0, 2):
+        for text in NEAR_NUMBERS:
+            yield f"reward {text!r}", _changed(("transitions", number, "reward"), {text: 1.0}), "reward"
+    for text in ("5.0", "+5", "5e0", "05", "5.", "500e-2"):
+        yield f"reward {text!r}", _changed(("transitions", 2, "reward"), {text: 0.25, "4": 0.75}), None
+    for value in (5, 5.0, "5", [5], [5, 1], [[5, 1]], {"value": 5, "p": 1}, {"mean": 5}, {"5": "1"}, {"5": "100%"}):
+        for number in range(JOINT):
+            yield f"reward {value!r}", _changed(("transitions", number, "reward"), value), f"transitions[{number}]"
+
+
+def _near_successors() -> Iterator[tuple[str, str, str | None]]:
+    named = ("short", "END", 1, -1, ["short"], [["short", 1]], ["short", 1], {"state": "short", "p": 1}, {"short": "1"})
+    for value in (*named, *({text: 1.0} for text in NEAR_ENDS), {"Short": 1.0}, {"short ": 1.0}, {"1": 1.0}):
+        for number in range(JOINT):
+            yield f"next {value!r}", _changed(("transitions", number, "next"), value), f"transitions[{number}]"
+    for text in (*NEAR_ENDS, "Long", "long ", "2", 2, None, ["END"], {"END": 1}):
+        yield f"next {text!r}", _changed(("transitions", JOINT, "outcomes", 0, "next"), text), "outcomes[0]"
+
+
+def _near_probabilities() -> Iterator[tuple[str, str, str | None]]:
+    for path in (("next", "short"), ("reward", "0")):
+        for value in ("1", "1.0", "100%", 100, [1.0], {"p": 1}, True, None, -1, 1.5, "1/1", 0.999):
+            yield f"{path} {value!r}", _changed(("transitions", 0, *path), value), "transitions[0]"
+    for value in ("0.25", "25%", 25, [0.25], True, None, -0.25, "1/4", 0.2, ".25"):
+        yield f"p {value!r}", _changed(("transitions", JOINT, "outcomes", 0, "p"), value), f"transitions[{JOINT}]"
+    for value in ("start", 0, ["start"], [1, 0, 0], {"start": 100}, {"start": "1"}, {"Start": 1}, {"0": 1}, {"*": 1}):
+        yield f"start {value!r}", _changed(("start",), value), "'start'"
+
+
+def _near_keys() -> Iterator[tuple[str, str, str | None]]:
+    for key in ("p", "prob", "probability", "to", "next_state", "done", "terminal", "terminated", "comment", "_note",
+                "Reward", "rewards", "gamma", "discount"):  # fmt: skip
+        for number in (0, 2, JOINT):
+            yield f"{key} in an entry", _changed(("transitions", number, key), 1), f"transitions[{number}]"
+    for key in ("gamma", "discount", "terminal", "terminal_states", "initial", "initial_state", "start_state", "P", "R",
+                "n_states", "rewards", "goal", "horizon", "version", "description", "$schema", "Start"):  # fmt: skip
+        yield f"{key} beside the others", _changed((key,), 1), repr(key)
+    for value in ("any", "all", "**", "left,right", "left|right", ["left", "right"], 0, None, "Left", " left", "LEFT"):
+        yield f"action {value!r}", _changed(("transitions", 2, "action"), value), "transitions[2]"
+    for key in ("states", "actions"):
+        for value in (3, "start,short,long", {"start": 0}, [0, 1, 2], [{"name": "start"}], ["start", "start"]):
+            yield f"{key} {value!r}", _changed((key,), value), key[:-1]
+
+
+NEAR = [case for kind in (_near_rewards, _near_successors, _near_probabilities, _near_keys) for case in kind()]
+"""(what it is, text, word of the refusal; None where the text means the world of ``VALID``), in other conventions."""

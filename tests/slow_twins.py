@@ -9,16 +9,31 @@ from laplace_core.worlds.env import TabularEnv
 
 
 def dense_model(world: World) -> tuple[np.ndarray, np.ndarray]:
-    """P(s' | s, a) alive, ``(S, A, S)``, and P(r = v | s, a), ``(S, A, V)``, one outcome at a time."""
+    """P(s' | s, a) alive, ``(S, A, S)``, and P(r = v | s, a), ``(S, A, V)``, one outcome at a time.
+
+    To idle for ever is the end.
+    """
     values = list(world.reward_values)
     moves = np.zeros((world.n_states, world.n_actions, world.n_states))
     paid = np.zeros((world.n_states, world.n_actions, len(values)))
     columns = (world.state, world.action, world.next_state, world.probability, world.reward)
+    over = {END, *idle_for_ever(world)}
     for s, a, successor, p, r in zip(*columns, strict=True):
         paid[s, a, values.index(r)] += p
-        if successor != END:
+        if successor not in over:
             moves[s, a, successor] += p
     return moves, paid
+
+
+def idle_for_ever(world: World) -> set[int]:
+    """States after which nothing is ever paid and END never comes, found by striking out, again and again."""
+    left = set(range(world.n_states))
+    columns = (world.state, world.next_state, world.probability, world.reward)
+    rows = [row for row in zip(*columns, strict=True) if row[2] > 0]
+    while struck := {state for state, successor, _, reward in rows if state in left
+                     and (reward != 0 or successor == END or successor not in left)}:  # fmt: skip
+        left -= struck
+    return left
 
 
 def as_table(world: World, policy: np.ndarray) -> np.ndarray:
@@ -79,12 +94,12 @@ def rule_by_recursion(world: World, actions: np.ndarray, state: int, horizon: in
 def timeline_by_paths(world: World, state: int, action: int, policy: np.ndarray, steps: int) -> np.ndarray:
     """P(r_tau = v, alive), ``(steps, V)``, by walking every path there is."""
     table, values = as_table(world, policy), list(world.reward_values)
-    found = np.zeros((steps, len(values)))
+    found, over = np.zeros((steps, len(values))), {END, *idle_for_ever(world)}
 
     def walk(state: int, action: int, tau: int, chance: float) -> None:
         for row in world.outcomes(state, action):
             found[tau, values.index(row.reward)] += chance * row.probability
-            if row.next_state != END and tau + 1 < steps:
+            if row.next_state not in over and tau + 1 < steps:
                 for b in np.flatnonzero(table[row.next_state]):
                     walk(row.next_state, b, tau + 1, chance * row.probability * table[row.next_state, b])
 

@@ -47,6 +47,46 @@ def arrays_of(path) -> dict[str, np.ndarray]:
         return dict(file)
 
 
+# --- notes ---
+
+
+def test_rewards_that_no_sensitivity_reaches_are_told(capsys):
+    out = printed(capsys, "decode two_branch --theta-max 7 --theta-min -2")
+    note = "the sensitivities, -2 to 7, do not reach the reward 10: none of that is in tau-space"
+    assert out.splitlines()[-1] == note
+    assert strict_json(printed(capsys, "decode two_branch --theta-max 7 --theta-min -2 --json"))["notes"] == [note]
+    # With a slope of 1 the reward 5, half a unit above 4.5, keeps sigmoid(6) - sigmoid(.5) = .375 of its mass.
+    wide = printed(capsys, "decode two_branch --theta-min -1 --theta-max 4.5 --thetas 100 --slope 1")
+    assert "do not reach the rewards 5, 10: at most 38% of that is in tau-space" in wide
+
+
+def test_a_world_within_its_sensitivities_needs_no_note(capsys):
+    assert strict_json(printed(capsys, "decode two_branch --json"))["notes"] == []
+
+
+def test_states_that_end_an_episode_are_told(capsys, tmp_path):
+    path = tmp_path / "sink.json"
+    path.write_text(TEXT.replace("END", "sink").replace('"long"]', '"long", "sink"]').replace('"transitions": [',
+        '"transitions": [{"state": "sink", "action": "*", "next": {"sink": 1}, "reward": {"0": 1}}, '))  # fmt: skip
+    out = printed(capsys, ["decode", str(path)])
+    assert "the episode ends on entering sink" in out
+
+
+# --- files ---
+
+
+def test_endings_may_be_in_capitals(capsys, tmp_path):
+    (tmp_path / "W.JSON").write_text(TEXT)
+    (tmp_path / "X.NPZ").write_bytes(with_arrays())
+    assert "my_world" not in printed(capsys, ["decode", str(tmp_path / "X.NPZ"), "--out", str(tmp_path / "Y.NPZ")])
+    assert "state start" in printed(capsys, ["decode", str(tmp_path / "W.JSON")])
+    assert arrays_of(tmp_path / "Y.NPZ")["gamma_space"].shape == (2, 3, 4)
+    learned = tmp_path / "L.SAFETENSORS"
+    printed(capsys, ["learn", str(tmp_path / "W.JSON"), "--episodes", "2", "--out", str(learned)])
+    assert "state start" in printed(capsys, ["decode", str(learned)])
+    assert_refused(capsys, ["decode", "two_branch", "--out", "x.NPY"], "x.NPY", ".npz")
+
+
 # --- worlds ---
 
 
@@ -235,7 +275,7 @@ def test_the_catalogue_is_long():
     assert len({name for name, _, _ in CASES}) == len(CASES)
 
 
-@pytest.mark.parametrize("name", ["", "out", "out.npy", "out.npz ", "out.npz/", "out.NPZ", "-", "missing/out.npz"])
+@pytest.mark.parametrize("name", ["", "out", "out.npy", "out.npz ", "out.npz/", "out.NPY", "-", "missing/out.npz"])
 def test_a_file_that_cannot_be_written_is_refused(tmp_path, capsys, monkeypatch, name):
     monkeypatch.chdir(tmp_path)
     assert_refused(capsys, ["decode", "two_branch", "--thetas", "5", "--out", name], name.strip())

@@ -216,18 +216,18 @@ def test_rows_and_columns_know_their_time():
 @pytest.mark.parametrize(
     ("settings", "named"),
     [
-        (Settings(state="nowhere"), "nowhere"),
-        (Settings(thetas=1), "thetas"),
-        (Settings(steps=0), "steps"),
-        (Settings(acting_gamma=1.0), "acting_gamma"),
-        (Settings(solver="nonsense"), "solver"),
-        (Settings(gamma_min=0.9, gamma_max=0.1), "gamma-min"),
-        (Settings(theta_min=3.0, theta_max=1.0), "theta-min"),
+        ({"state": "nowhere"}, "nowhere"),
+        ({"thetas": 1}, "thetas"),
+        ({"steps": 0}, "steps"),
+        ({"acting_gamma": 1.0}, "acting_gamma"),
+        ({"solver": "nonsense"}, "solver"),
+        ({"gamma_min": 0.9, "gamma_max": 0.1}, "gamma-min"),
+        ({"theta_min": 3.0, "theta_max": 1.0}, "theta-min"),
     ],
 )
 def test_settings_that_do_not_fit_are_refused(settings, named):
     with pytest.raises(InputError, match=named):
-        study(load_world("two_branch"), settings)
+        study(load_world("two_branch"), Settings(**settings))
 
 
 def test_a_study_too_large_to_hold_is_refused():

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import json
 from dataclasses import replace
 
+import gymnasium
 import numpy as np
 import pytest
 import torch
@@ -11,12 +13,14 @@ import torch
 from laplace_core import Settings, load_world, study
 from laplace_core.agents import LaplaceSettings
 from laplace_core.agents.laplace import LaplaceAgent
+from laplace_core.agents.settings import ENVIRONMENTS, C51Settings
+from laplace_core.cli import main
 from laplace_core.encoding import discount_grid
 from laplace_core.errors import InputError
 from laplace_core.inverse import decode
 from laplace_core.learning import proxy_gamma_space, target_policies
 from laplace_core.training import environments
-from laplace_core.training.checkpoint import load_checkpoint, new_agent
+from laplace_core.training.checkpoint import load_checkpoint, new_agent, save_checkpoint
 from laplace_core.training.command import settings_of
 from laplace_core.training.evaluation import evaluate
 from laplace_core.training.loop import train
@@ -42,6 +46,60 @@ class Knowing:
 
     def greedy(self, observations):
         return self.action_values(observations, self.acting_head).argmax(axis=1)
+
+
+class Optimal:
+    """Acts by the best values that there are at a discount near 1."""
+
+    acting_head = 0
+
+    def __init__(self, world):
+        self.n_observations, self.n_actions = world.n_states, world.n_actions
+        self._values = proxy_gamma_space(world, world.reward_values, np.array([0.9999]),
+                                         target_policies(world, np.array([0.9999]), "shared", 0.9999))  # fmt: skip
+
+    def action_values(self, observations, head=None):
+        return self._values[observations.argmax(axis=1), :, 0]
+
+
+def test_frozen_lake_lasts_as_long_as_gymnasium_lets_it():
+    """gymnasium stops it after 100 steps and calls the optimum .74 (its registry); without a limit it is .82."""
+    scores = evaluate(Optimal(load_world("gym:FrozenLake-v1")), "gym:FrozenLake-v1", 2000)
+    assert scores.lengths.max() == 100
+    assert scores.mean == pytest.approx(0.740, abs=4 * np.sqrt(0.74 * 0.26 / 2000))
+
+
+@pytest.mark.parametrize("name", [name for name in ENVIRONMENTS if name.startswith("gym:")])
+def test_gymnasiums_own_time_limits_hold(name):
+    own = gymnasium.spec(name.removeprefix("gym:")).max_episode_steps
+    assert environments.spec(name).time_limit == (own or environments.WORLD_TIME_LIMIT)
+    env = environments.make(name)
+    env.reset(seed=0)
+    env.unwrapped._state = 0
+    # Up against the wall of the top left corner: never over, so that only the limit ends it (slipping may, sooner).
+    for step in range(1, environments.spec(name).time_limit + 1):
+        _, _, terminated, truncated, _ = env.step(1 if "Taxi" in name else 0 if "Cliff" in name else 3)
+        if terminated:
+            return
+        assert truncated == (step == environments.spec(name).time_limit)
+    assert truncated
+
+
+def test_atoms_that_do_not_reach_the_returns_are_told(tmp_path, capsys):
+    """two_branch pays 5 at once or 10 after two steps, .99^2 * 10 = 9.8 discounted: neither lies within -1 to 2."""
+    told = {}
+    for high in (2.0, 20.0):
+        settings = C51Settings(environment="two_branch", hidden=8, v_min=-1.0, v_max=high)
+        path = tmp_path / f"{high:g}.safetensors"
+        save_checkpoint(path, new_agent(settings), 0, None)
+        assert main(["evaluate", str(path), "--episodes", "7", "--json"]) == 0
+        told[high] = json.loads(capsys.readouterr().out)["notes"]
+    assert told[20.0] == []
+    (note,) = told[2.0]
+    assert note.startswith("7 of 7 discounted returns")
+    assert "the atoms of this agent, -1 to 2" in note
+    assert main(["evaluate", str(tmp_path / "2.safetensors"), "--episodes", "7"]) == 0
+    assert capsys.readouterr().out.splitlines()[-1] == note
 
 
 def test_returns_are_sums_of_rewards_and_lengths_are_steps():

@@ -15,6 +15,7 @@ from laplace_core.worlds import (
     timeline_world,
     world_from_rows,
     world_rows,
+    world_text,
 )
 
 MOST_ROWS = 2_000
@@ -65,7 +66,7 @@ def _uploaded() -> None:
     ending = file.name.lower().rpartition(".")[2]
     try:
         if ending == "json":
-            text = file.getvalue().decode("utf-8", errors="replace")
+            text = world_text(file.getvalue(), file.name)
             parse_world(text)
             state.go_to(world=sources.OWN, own=pack(text))
         elif ending == "safetensors":

@@ -7,7 +7,7 @@ import json
 from pathlib import Path
 
 from laplace_core.training.command import settings_of
-from laplace_core.words import checked_number
+from laplace_core.words import check_rule_options, checked_number
 
 
 def add_report(verbs: argparse._SubParsersAction) -> None:
@@ -122,7 +122,10 @@ def _horizon(options: argparse.Namespace) -> None:
         if getattr(options, name) is not None
     }
     from laplace_core.experiments import horizon  # loads torch
+    from laplace_core.training.rules import RULES
 
+    if options.rule in RULES:
+        check_rule_options(options.rule, given)
     paths, references = ([Path(path) for path in several] for several in (options.checkpoints, options.reference))
     numbers, text = horizon.report(paths, options.rule, horizons, episodes, seed, given, references)
     print(json.dumps(numbers, indent=1) if options.json else text)

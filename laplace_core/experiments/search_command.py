@@ -34,10 +34,15 @@ def add_search(verbs: argparse._SubParsersAction) -> None:
 def _search(options: argparse.Namespace) -> None:
     seeds, folder = checked_number("seeds", options.seeds, int, 1, 100), Path(options.runs)
     jobs = checked_number("jobs", options.jobs, int, 1, 256)
-    varied = {name: text.split(",") for name, text in named_params(options.vary).items()}
-    common = dict(named_params(options.set))
+    varied = {name: text.split(",") for name, text in named_params(options.vary, "--vary").items()}
+    common = dict(named_params(options.set, "--set"))
     if "seed" in varied or "seed" in common:
         raise InputError("seeds are counted from 0: say how many with --seeds.")
+    for name in ("algorithm", "environment"):
+        if name in varied or name in common:
+            raise InputError(f"the {name} of a search is named behind the verb, one a search: it cannot be varied.")
+    if both := [name for name in varied if name in common]:
+        raise InputError(f"{both[0][:40]} is given to --vary and to --set: leave one of them out.")
     from laplace_core.experiments import search, search_report  # loads torch
 
     planned = [
@@ -45,6 +50,12 @@ def _search(options: argparse.Namespace) -> None:
         for trial in search.trials(varied, options.one_at_a_time)
         for seed in range(seeds)
     ]
+    for name, values in varied.items():
+        parsed = [
+            parameter.parse(value) for parameter in planned[0].SCHEMA if parameter.name == name for value in values
+        ]
+        if len(set(parsed)) < len(parsed):
+            raise InputError(f"--vary {name}={','.join(values)[:60]} has the same value twice: leave one out.")
     told = search.budget(planned, folder)
     if options.budget or not options.json:
         print(told, flush=True)

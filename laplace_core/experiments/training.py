@@ -10,7 +10,7 @@ import numpy as np
 from laplace_core.agents.agent import Agent
 from laplace_core.errors import InputError
 from laplace_core.training.checkpoint import load_checkpoint
-from laplace_core.training.command import settings_of
+from laplace_core.training.command import return_notes, settings_of
 from laplace_core.training.evaluation import Scores, evaluate
 from laplace_core.training.loop import train
 from laplace_core.training.run_folder import read_config, read_metrics
@@ -47,6 +47,7 @@ def report(algorithm: str, environment: str, seeds: int, aim: float, folder: Pat
     lines.append("value - came: how far the values at the starts are above the discounted returns that came")
     others = settings_of(algorithm, environment, {}).evaluate_episodes
     lines.append(f"steps to {aim:g}: the first evaluation while training ({others} other start seeds) that reaches it")
+    lines += [f"seed {row['seed']}: {note}" for row in rows for note in row["notes"]]
     return numbers, "\n".join(lines)
 
 
@@ -69,7 +70,8 @@ def _seed(algorithm: str, environment: str, seed: int, aim: float, folder: Path)
     events = read_metrics(run)
     seconds = seconds_behind(events)
     reached = next((i for i, e in enumerate(events) if e["event"] == "Evaluation" and e["score"] >= aim), None)
-    scores, value_error = evaluated(load_checkpoint(run / "best.safetensors").agent, environment, EPISODES, seed)
+    agent = load_checkpoint(run / "best.safetensors").agent
+    scores, value_error = evaluated(agent, environment, EPISODES, seed)
     return {
         "seed": seed,
         "score": scores.mean,
@@ -79,6 +81,7 @@ def _seed(algorithm: str, environment: str, seed: int, aim: float, folder: Path)
         "seconds_to_aim": None if reached is None else seconds[reached],
         "steps": settings.steps,
         "seconds": seconds[-1],
+        "notes": return_notes(agent, scores),
     }
 
 

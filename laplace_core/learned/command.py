@@ -22,12 +22,16 @@ from laplace_core.learned.reading import study_of
 from laplace_core.learned.settings import DECIDED_NAMES, LEARN_SCHEMA, parse_learn_settings
 from laplace_core.parameters import as_text
 from laplace_core.pipeline import Study
-from laplace_core.settings import Settings
+from laplace_core.settings import Settings, check_paper_grid
 from laplace_core.words import action_runs, add_parameters, named_params
 from laplace_core.worlds import load_world
 
 REPORT_EVERY = 0.4
 """Seconds between two lines of progress, and between two snapshots unless writing them takes long."""
+
+
+PEER_NAMES = ("peer_gamma", "atoms", "quantiles", "expectiles", "quantile_half")
+"""Settings that only the peers have."""
 
 
 def add_learn(verbs) -> None:
@@ -50,10 +54,15 @@ def add_learn(verbs) -> None:
 
 def run_learn(options: argparse.Namespace) -> None:
     """Learn to the end; SIGTERM ends it at once with status 143, and the snapshot on disk is whole."""
-    settings = parse_learn_settings({p.name: getattr(options, p.name) for p in LEARN_SCHEMA})
-    if options.out is not None and not options.out.endswith(".safetensors"):
+    given = {p.name: getattr(options, p.name) for p in LEARN_SCHEMA}
+    settings = parse_learn_settings(given)
+    check_paper_grid(given)
+    for name in PEER_NAMES:
+        if options.peers is None and given[name] is not None:
+            raise InputError(f"--{name.replace('_', '-')} changes nothing without --peers: give both, or neither.")
+    if options.out is not None and not options.out.lower().endswith(".safetensors"):
         raise InputError(f"--out {options.out[:60]!r} must end in .safetensors.")
-    if options.world.endswith((".npz", ".safetensors")):
+    if options.world.lower().endswith((".npz", ".safetensors")):
         raise InputError(f"{options.world[:60]} is no world: learn a preset, a world file (.json) or gym:NAME.")
     learning = Learning(load_world(options.world, named_params(options.param)), settings)
     with _ended_by_signal(), _reporters(options) as reporters:
@@ -170,7 +179,7 @@ def report(learned: Learned, progress: dict[str, object]) -> str:
     return "\n".join(lines)
 
 
-def study_of_file(path: str, settings: Settings) -> Study:
+def study_of_file(path: str | Path, settings: Settings) -> Study:
     """``decode`` of a learned file: the state of one learner, the truth beside it; ``seed_index`` is its parameter.
 
     Raises:
@@ -188,4 +197,4 @@ def study_of_file(path: str, settings: Settings) -> Study:
         if wanted not in (None, has):
             raise InputError(f"--{name.replace('_', '-')} cannot be chosen: it is {as_text(has)} in this learned file.")
     found = study_of(learned, settings, int(text))
-    return replace(found, settings=replace(found.settings, world=path, params=(("seed_index", int(text)),)))
+    return replace(found, settings=replace(found.settings, world=str(path), params=(("seed_index", int(text)),)))

@@ -68,7 +68,7 @@ def start(world: World | str, settings: LearnSettings, folder: str | Path) -> Ru
 
 def _is_named(world: World) -> bool:
     """Whether source and parameters are enough to build this very world again."""
-    if not world.source or world.source.endswith(".json"):
+    if not world.source or world.source.lower().endswith(".json"):
         return False
     try:
         return load_world(world.source, dict(world.params)) is world

@@ -17,7 +17,7 @@ def return_bounds(world: World, policy: np.ndarray, gamma: float, sweeps: int = 
     """
     possible = world.probability > 0
     state, action, following, reward = (
-        column[possible] for column in (world.state, world.action, world.next_state, world.reward)
+        column[possible] for column in (world.state, world.action, world.following, world.reward)
     )
     firsts = np.searchsorted(state * world.n_actions + action, np.arange(world.n_states * world.n_actions))
     alive, chosen = following != END, np.arange(world.n_states) * world.n_actions + policy

@@ -26,7 +26,11 @@ MAX_NUMBERS = 12_000_000
 
 @dataclass(frozen=True)
 class LearnSettings:
-    """Settings of one run of learning; see ``LEARN_SCHEMA`` for the meaning and range of each."""
+    """Settings of one run of learning; see ``LEARN_SCHEMA`` for the meaning and range of each.
+
+    Raises:
+        InputError: a value out of its range.
+    """
 
     episodes: int | None = None
     seeds: int | None = None
@@ -51,6 +55,12 @@ class LearnSettings:
     quantiles: int | None = None
     expectiles: int | None = None
     quantile_half: float | None = None
+
+    def __post_init__(self):
+        for parameter in LEARN_SCHEMA:
+            value = getattr(self, parameter.name)
+            if value is not None:
+                object.__setattr__(self, parameter.name, parameter.parse(value))
 
     @property
     def rate(self) -> Decay:
@@ -125,7 +135,7 @@ def parse_learn_settings(given: Mapping[str, object]) -> LearnSettings:
     for name in given:
         if name not in BY_NAME:
             raise InputError(f"{str(name)[:40]!r} is not a setting of learning; known are {', '.join(BY_NAME)}.")
-    return LearnSettings(**{name: BY_NAME[name].parse(value) for name, value in given.items() if value is not None})
+    return LearnSettings(**given)
 
 
 def resolve_learning(settings: LearnSettings, world: World) -> LearnSettings:
@@ -135,7 +145,7 @@ def resolve_learning(settings: LearnSettings, world: World) -> LearnSettings:
         InputError: settings that do not fit the world or each other.
     """
     chosen = {f.name: getattr(settings, f.name) for f in fields(settings)}
-    chosen = {name: BY_NAME[name].parse(value) for name, value in chosen.items() if value is not None}
+    chosen = {name: value for name, value in chosen.items() if value is not None}
     grid = resolve(Settings(**{name: chosen[name] for name in GRID_NAMES if name in chosen}), world)
     values = {parameter.name: parameter.default for parameter in LEARN_SCHEMA}
     values |= {name: getattr(grid, name) for name in GRID_NAMES} | _suggested(world) | chosen

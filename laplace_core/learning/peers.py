@@ -255,7 +255,7 @@ def return_distribution(
     while masses.size and masses.sum() * discount * largest / (1.0 - gamma) > tolerance:
         source, outcome = _expand(bounds, pairs)
         returns = returns[source] + discount * world.reward[outcome]
-        masses, states = masses[source] * world.probability[outcome], world.next_state[outcome]
+        masses, states = masses[source] * world.probability[outcome], world.following[outcome]
         states, returns, masses, shift, cell = _merge(states, returns, masses, cell, most)
         squares += shift
         ended = states == END

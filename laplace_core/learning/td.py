@@ -31,7 +31,10 @@ MAX_TABLE = 50_000_000  # numbers in a table: 400 MB
 
 
 class Transition(NamedTuple):
-    """One sampled step; ``kind`` is the index of the reward in ``world.reward_values``, ``next_state`` may be END."""
+    """One sampled step; ``kind`` is the index of the reward in ``world.reward_values``.
+
+    ``next_state`` is END where the episode ends, on entering an absorbing state too.
+    """
 
     state: int
     action: int
@@ -115,7 +118,7 @@ class Sampler:
         before = np.append(0.0, cumulated)[self._bounds[:-1]]
         self._cumulated = (cumulated - before[pair]).tolist()
         # Plain lists: one number is read several times faster than from an array.
-        self._next_state = world.next_state[possible].tolist()
+        self._next_state = world.following[possible].tolist()
         self._reward = world.reward[possible].tolist()
         self._kind = np.searchsorted(world.reward_values, world.reward[possible]).tolist()
         self._start = _cumulated(world.start).tolist()

@@ -10,10 +10,18 @@ import sys
 import threading
 import time
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 
-from laplace_core.agents.settings import ENVIRONMENTS, GYMNASIUM_ENVIRONMENTS, SETTINGS, LoopSettings
+from laplace_core.agents.settings import (
+    ENVIRONMENTS,
+    GYMNASIUM_ENVIRONMENTS,
+    SETTINGS,
+    LaplaceSettings,
+    LoopSettings,
+)
+from laplace_core.encoding import PAPER_GAMMAS
 from laplace_core.errors import InputError
 from laplace_core.learned.returns import return_bounds
 from laplace_core.parameters import as_text
@@ -22,8 +30,12 @@ from laplace_core.settings import Settings, flag, resolve
 from laplace_core.training.events import Checkpoint, Episode, Evaluation, Resumed, Step
 from laplace_core.training.progress import ProgressFile
 from laplace_core.training.run_folder import read_config
-from laplace_core.words import add_parameters, checked_number
+from laplace_core.words import add_parameters, check_rule_options, checked_number
 from laplace_core.worlds import load_world
+
+if TYPE_CHECKING:  # these bring torch along
+    from laplace_core.agents.agent import Agent
+    from laplace_core.training.evaluation import Scores
 
 REPORT_EVERY = 0.5
 """Seconds between two lines of progress."""
@@ -36,7 +48,8 @@ def add_train(verbs) -> None:
         "train",
         help="train an agent, or go on with a run",
         description="Train an agent on an environment. What is not given comes from the settings file of the "
-        "algorithm and environment, else from the defaults below.",
+        "algorithm and environment, else, for a tabular world, from its rewards and returns, else from the defaults "
+        "below. A setting that the others make meaningless is refused.",
         usage="laplace train ALGORITHM ENVIRONMENT [settings] [--run FOLDER]\n       laplace train --resume FOLDER",
     )
     train.add_argument("algorithm", nargs="?", metavar="ALGORITHM", help=f"one of {', '.join(SETTINGS)}")
@@ -56,7 +69,7 @@ def run_train(options: argparse.Namespace) -> None:
     names = {p.name for kind in SETTINGS.values() for p in kind.SCHEMA}
     given = {name: value for name, value in vars(options).items() if name in names and value is not None}
     if options.resume:
-        if options.algorithm or given:
+        if options.algorithm or options.folder or given:
             raise InputError("--resume goes on with the settings of the run: leave out everything else.")
         folder = Path(options.resume)
         settings = read_config(folder / "config.json")
@@ -116,7 +129,7 @@ def command_of(settings: LoopSettings, folder: str) -> list[str]:
     words = ["train", settings.ALGORITHM, settings.environment]
     for parameter in settings.SCHEMA:
         value = getattr(settings, parameter.name)
-        if value != usual[parameter.name]:
+        if value != usual[parameter.name] and parameter.name not in unheard(settings):
             words += [flag(parameter), as_text(value)]
     return [*words, "--run", folder]
 
@@ -125,7 +138,8 @@ def settings_of(algorithm: str | None, environment: str | None, given: dict[str,
     """Settings for an algorithm and environment: its file's, with those given in their place.
 
     Raises:
-        InputError: an unknown algorithm, environment or setting, or a value out of its range.
+        InputError: an unknown algorithm, environment or setting, a value out of its range, or a given setting that
+            changes nothing beside the others.
     """
     from laplace_core.training.tuned import tuned_settings
 
@@ -133,9 +147,37 @@ def settings_of(algorithm: str | None, environment: str | None, given: dict[str,
         raise InputError(f"the algorithm must be one of {', '.join(SETTINGS)}, not {str(algorithm)[:40]!r}.")
     if environment not in ENVIRONMENTS:
         raise InputError(f"the environment must be one of {', '.join(ENVIRONMENTS)}, not {str(environment)[:40]!r}.")
+    if given.get("environment", environment) != environment:
+        raise InputError("the environment is named once, behind the algorithm: it is no setting besides.")
     kind = SETTINGS[algorithm]
     suits = tuned_settings(algorithm, environment) or _of_world(kind, environment)
-    return kind.parse(suits | given | {"environment": environment})
+    settings = kind.parse(suits | given | {"environment": environment})
+    for name, reason in unheard(settings).items():
+        if name in given:
+            raise InputError(f"{name} changes nothing {reason}: leave it out.")
+    return settings
+
+
+def unheard(settings: LoopSettings) -> dict[str, str]:
+    """Settings that the others make meaningless, by name, and where that is so."""
+    found: dict[str, str] = {}
+    if not settings.prioritised:
+        found |= dict.fromkeys(("priority_exponent", "priority_correction"), "without prioritised=true")
+    if settings.epsilon_first == settings.epsilon_final:
+        found["exploration"] = "where epsilon_first and epsilon_final are the same"
+    if not isinstance(settings, LaplaceSettings):
+        return found
+    if settings.consistency == 0:
+        found["consistency_exponent"] = "at consistency 0"
+    if settings.experience == "per_discount":
+        found["envs"] = "where every discount has an environment of its own (experience=per_discount)"
+    if settings.spacing == "paper":
+        paper = {"gammas": len(PAPER_GAMMAS), "gamma_min": PAPER_GAMMAS[0], "gamma_max": PAPER_GAMMAS[-1]}
+        differ = [name for name, value in paper.items() if getattr(settings, name) != value]
+        found |= dict.fromkeys(differ, "beside spacing=paper, which has its own fifteen discounts")
+    elif settings.gammas == 1:
+        found |= dict.fromkeys(("spacing", "gamma_min", "acting_gamma"), "for a single discount, which is gamma_max")
+    return found
 
 
 def _of_world(kind: type[LoopSettings], environment: str) -> dict[str, object]:
@@ -211,6 +253,30 @@ class _Line:
         self._say(f"{self.step:,} steps in {time.monotonic() - self.started:.0f} s; the run is in {self.folder}")
 
 
+def own_discount(agent: Agent) -> np.ndarray | None:
+    """The discount of the return that an agent's fixed atoms stand for, ``(1,)``; None where it has none."""
+    return np.array([agent.acting_discount]) if hasattr(agent, "atoms") else None
+
+
+def return_notes(agent: Agent, scores: Scores) -> list[str]:
+    """Whether atoms reach the returns that came, in a sentence if not.
+
+    Args:
+        scores: with the discounted returns at :func:`own_discount`.
+    """
+    if not hasattr(agent, "atoms"):
+        return []
+    low, high = float(agent.atoms[0]), float(agent.atoms[-1])
+    came = scores.discounted[:, 0]
+    outside = int(np.count_nonzero((came < low) | (came > high)))
+    if not outside:
+        return []
+    return [
+        f"{outside} of {came.size} discounted returns, which were {came.min():.1f} to {came.max():.1f}, lie outside "
+        f"the atoms of this agent, {low:g} to {high:g}: set v_min and v_max wider"
+    ]
+
+
 def add_evaluate(verbs) -> None:
     """The parser of the verb ``evaluate``."""
     evaluate = verbs.add_parser(
@@ -222,15 +288,19 @@ def add_evaluate(verbs) -> None:
     evaluate.add_argument("--episodes", default="100", metavar="N", help="how many (default: 100)")
     evaluate.add_argument("--seed", default="0", metavar="N", help="which start seeds (default: 0)")
     evaluate.add_argument("--horizon", metavar="T", help="act for an episode of T steps, by the time to go")
-    evaluate.add_argument("--softness", default="0.2", metavar="W", help="width of the deadline over the time to go")
-    evaluate.add_argument("--alpha", default="1", metavar="A", help="regularisation of the inverse (default: 1)")
+    evaluate.add_argument(
+        "--softness",
+        metavar="W",
+        help="of readout and decoded: width of the deadline over the time to go (default: .2)",
+    )
+    evaluate.add_argument("--alpha", metavar="A", help="of readout and decoded: regularisation (default: 1)")
     evaluate.add_argument(
         "--rule",
         metavar="NAME",
         help="greedy, matched (the discount nearest to the time to go), fading, readout, decoded (the same, slowly) or "
         "own (of fixed_horizon); default: with a horizon fading or own where the agent can, else greedy",
     )
-    evaluate.add_argument("--stretch", default="1.5", metavar="C", help="of fading: its time constant / the time to go")
+    evaluate.add_argument("--stretch", metavar="C", help="of fading: its time constant / the time to go (default: 1.5)")
     evaluate.add_argument("--json", action="store_true", help="print JSON, with every return")
     evaluate.set_defaults(run=run_evaluate)
 
@@ -239,31 +309,29 @@ def run_evaluate(options: argparse.Namespace) -> None:
     """Evaluate one checkpoint."""
     episodes = checked_number("episodes", options.episodes, int, 1, 100_000)
     seed = checked_number("seed", options.seed, int, 0, 10**6)
-    softness = checked_number("softness", options.softness, float, 0.0, 10.0)
-    alpha = checked_number("alpha", options.alpha, float, 1e-9, 1e6)
-    stretch = checked_number("stretch", options.stretch, float, 1e-2, 100.0)
+    told_rule = {
+        name: checked_number(name, getattr(options, name), float, low, high)
+        for name, low, high in (("softness", 0.0, 10.0), ("alpha", 1e-9, 1e6), ("stretch", 1e-2, 100.0))
+        if getattr(options, name) is not None
+    }
     horizon = None if options.horizon is None else checked_number("horizon", options.horizon, int, 1, 10_000)
     from laplace_core.training.checkpoint import load_checkpoint  # all three load torch
     from laplace_core.training.evaluation import evaluate
-    from laplace_core.training.rules import suited
+    from laplace_core.training.rules import RULES, suited
 
     loaded = load_checkpoint(options.checkpoint)
-    rule = options.rule or suited(loaded.agent, horizon)
+    rule = suited(loaded.agent, horizon) if options.rule is None else options.rule
+    if rule in RULES:
+        check_rule_options(rule, told_rule)
     scores = evaluate(
-        loaded.agent,
-        loaded.environment,
-        episodes,
-        seed,
-        horizon=horizon,
-        softness=softness,
-        rule=rule,
-        alpha=alpha,
-        stretch=stretch,
-    )
+        loaded.agent, loaded.environment, episodes, seed, horizon=horizon, rule=rule,
+        discounts=own_discount(loaded.agent), **told_rule,
+    )  # fmt: skip
+    notes = return_notes(loaded.agent, scores)
     told = {
         "checkpoint": options.checkpoint, "algorithm": loaded.algorithm, "environment": loaded.environment,
         "rule": rule, "horizon": horizon, "episodes": episodes, "seed": seed, "mean": scores.mean,
-        "standard_error": scores.standard_error,
+        "standard_error": scores.standard_error, "notes": notes,
     }  # fmt: skip
     if options.json:
         print(json.dumps(told | {"returns": scores.returns.tolist(), "lengths": scores.lengths.tolist()}))
@@ -273,3 +341,5 @@ def run_evaluate(options: argparse.Namespace) -> None:
         f"{loaded.algorithm} on {loaded.environment}, {rule}{limit}: {scores.mean:.2f} +- {scores.standard_error:.2f} "
         f"(standard error, {episodes} episodes), from {scores.returns.min():.1f} to {scores.returns.max():.1f}"
     )
+    for note in notes:
+        print(note)

@@ -17,11 +17,11 @@ from gymnasium.wrappers import TimeLimit
 
 from laplace_core.agents.settings import ENVIRONMENTS, GYMNASIUM_ENVIRONMENTS
 from laplace_core.errors import InputError
-from laplace_core.worlds import load_world
+from laplace_core.worlds import load_world, toy_text_limit
 from laplace_core.worlds.env import TabularEnv
 
 WORLD_TIME_LIMIT = 200
-"""Steps after which an episode in a preset world is truncated; a world itself has no limit."""
+"""Steps after which an episode in a preset world is truncated, and in one of gymnasium's that sets no limit itself."""
 
 _POLE = ("state", "steps_beyond_terminated")
 _INNER = {"CartPole-v1": _POLE, "CartPole-v0": _POLE, "Acrobot-v1": ("state",), "MountainCar-v0": ("state",)}
@@ -62,7 +62,7 @@ def make(name: str, pictures: bool = False, limited: bool = True) -> gymnasium.E
     _check_listed(name)
     if name not in GYMNASIUM_ENVIRONMENTS:
         world = OneHot(TabularEnv(load_world(name)))
-        return TimeLimit(world, WORLD_TIME_LIMIT) if limited else world
+        return TimeLimit(world, _world_limit(name)) if limited else world
     mode = "rgb_array" if pictures else None
     try:
         return gymnasium.make(
@@ -87,7 +87,12 @@ def spec(name: str) -> Spec:
     if name in _SPECS:
         return _SPECS[name]
     world = load_world(name)
-    return Spec(world.n_states, world.n_actions, WORLD_TIME_LIMIT)
+    return Spec(world.n_states, world.n_actions, _world_limit(name))
+
+
+def _world_limit(name: str) -> int:
+    """Steps to truncation in a tabular world: gymnasium's own where there is one."""
+    return (toy_text_limit(name.removeprefix("gym:")) if name.startswith("gym:") else None) or WORLD_TIME_LIMIT
 
 
 def chance(name: str) -> bool:

@@ -27,8 +27,8 @@ def add_race(verbs) -> None:
     race.add_argument("--against", default="greedy", metavar="NAME", help="rule of the other side (default: greedy)")
     race.add_argument("--against-agent", metavar="CHECKPOINT", help="another agent for the other side")
     race.add_argument("--gamma", metavar="g", help="discount for the other side to be greedy at (default: acting one)")
-    race.add_argument("--seeds", default="100", metavar="N", help="how many starts, 2 to 500 (default: 100)")
-    race.add_argument("--first", default="0", metavar="K", help="the first of them (default: 0)")
+    race.add_argument("--seeds", metavar="N", help="how many starts, 2 to 500 (default: 100)")
+    race.add_argument("--first", metavar="K", help="the first of them (default: 0)")
     race.add_argument("--start", metavar="K", help="only the race from this start, step by step")
     race.add_argument("--json", action="store_true", help="print JSON, with every return")
     race.set_defaults(run=run_race)
@@ -37,8 +37,11 @@ def add_race(verbs) -> None:
 def run_race(options: argparse.Namespace) -> None:
     """One race, or many."""
     horizon = checked_number("horizon", options.horizon, int, 1, 10_000)
-    count = checked_number("seeds", options.seeds, int, 2, 500)
-    first = checked_number("first", options.first, int, 0, 10**8)
+    count = 100 if options.seeds is None else checked_number("seeds", options.seeds, int, 2, 500)
+    first = 0 if options.first is None else checked_number("first", options.first, int, 0, 10**8)
+    for name in ("seeds", "first"):
+        if options.start is not None and getattr(options, name) is not None:
+            raise InputError(f"--{name} changes nothing beside --start, which is one race: leave one of them out.")
     start = None if options.start is None else checked_number("start", options.start, int, 0, 10**8)
     gamma = None if options.gamma is None else checked_number("gamma", options.gamma, float, 1e-6, 0.999999)
     from laplace_core.training.checkpoint import load_checkpoint  # all three load torch

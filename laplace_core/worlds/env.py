@@ -14,7 +14,8 @@ from laplace_core.worlds.model import END, World
 class TabularEnv(gymnasium.Env):
     """Samples a :class:`World`; observations are state indices.
 
-    A terminating step returns the state it left as its observation, since END is not a state.
+    Entering an absorbing state terminates. A step to END returns the state it left as its observation, since END is
+    not a state.
     There is no time limit: wrap in ``gymnasium.wrappers.TimeLimit`` where the world may run for ever.
     """
 
@@ -52,9 +53,10 @@ class TabularEnv(gymnasium.Env):
         draw = np.searchsorted(np.cumsum(world.probability[first:last]), self.np_random.random(), side="right")
         row = first + min(int(draw), last - first - 1)  # the sum of the probabilities may round below 1
         reward, successor = float(world.reward[row]), int(world.next_state[row])
+        terminated = bool(world.following[row] == END)
         observation = self._state if successor == END else successor
-        self._state = None if successor == END else successor
-        return observation, reward, successor == END, False, {}
+        self._state = None if terminated else successor
+        return observation, reward, terminated, False, {}
 
     def render(self) -> str | None:
         if self.render_mode != "ansi":

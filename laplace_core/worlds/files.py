@@ -6,7 +6,6 @@ The format is shown in the README. A file is refused with one sentence that name
 from __future__ import annotations
 
 import json
-import re
 from collections import Counter
 from collections.abc import Iterator
 from dataclasses import replace
@@ -15,10 +14,10 @@ from pathlib import Path
 import numpy as np
 
 from laplace_core.errors import InputError
+from laplace_core.parameters import NUMBER
 from laplace_core.worlds.model import END, MAX_OUTCOMES, MAX_REWARD, PROBABILITY_TOLERANCE, Outcome, World
 
 MAX_BYTES = 50_000_000
-NUMBER = re.compile(r"[+-]?(\d+(\.\d*)?|\.\d+)([eE][+-]?\d{1,4})?", re.ASCII)
 _KEYS = {"name", "states", "actions", "start", "transitions", "positions"}
 
 
@@ -30,18 +29,46 @@ def read_world(path: str | Path) -> World:
     """
     path = Path(path)
     try:
-        if path.stat().st_size > MAX_BYTES:
-            raise InputError(f"{path.name} is larger than {MAX_BYTES // 1_000_000} MB; a world file is not.")
-        text = path.read_text(encoding="utf-8-sig")
+        with path.open("rb") as file:
+            content = file.read(MAX_BYTES + 1)
     except OSError as error:
         raise InputError(f"{path.name} cannot be read: {(error.strerror or 'unknown error').lower()}.") from None
-    except UnicodeDecodeError:
-        raise InputError(f"{path.name} is not UTF-8 text, so it is no world file.") from None
-    except InputError:
-        raise
     except ValueError:  # a zero byte, or a character that the file system cannot hold
         raise InputError(f"{path.name!r} cannot be the name of a file.") from None
-    return parse_world(text)
+    return parse_world_bytes(content, path.name)
+
+
+def parse_world_bytes(content: bytes, name: str = "the world file") -> World:
+    """Build a world from the content of a world file, wherever it came from: a disk, an upload.
+
+    Args:
+        name: what to call it in a refusal.
+
+    Raises:
+        InputError: too large, not UTF-8, or not a world.
+    """
+    return parse_world(world_text(content, name))
+
+
+def world_text(content: bytes, name: str = "the world file") -> str:
+    """The text of a world file: UTF-8, with or without a byte order mark, which is not part of the text.
+
+    Args:
+        name: what to call it in a refusal.
+
+    Raises:
+        InputError: too large, or another encoding.
+    """
+    name = name[:60] if name.isprintable() else repr(name[:60])
+    if len(content) > MAX_BYTES:
+        raise InputError(f"{name} is larger than {MAX_BYTES // 1_000_000} MB; a world file is not.")
+    try:
+        text = content.decode("utf-8-sig")
+    except UnicodeDecodeError:
+        text = "\0"
+    if "\0" in text:  # UTF-16 and UTF-32 of plain letters decode as well, with zeros between them
+        raise InputError(f"{name} is not UTF-8 text: save it with the encoding UTF-8.")
+    return text
 
 
 def parse_world(text: str) -> World:

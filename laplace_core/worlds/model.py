@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
-from functools import cached_property
+from dataclasses import dataclass, field, fields
+from functools import cached_property, partial
 from types import MappingProxyType
 from typing import NamedTuple
 
@@ -36,8 +36,9 @@ class Outcome(NamedTuple):
 class World:
     """A tabular MDP as a flat list of outcomes, sorted by (state, action).
 
-    Every state offers every action. Build one with :meth:`from_outcomes`, which validates; worlds compare
-    and hash by identity, so that results can be cached per world.
+    Every state offers every action. However a world is made (:meth:`from_outcomes`, the constructor,
+    ``dataclasses.replace``), it is checked, its outcomes are sorted, its probabilities add up to 1 and its arrays are
+    read-only. Worlds compare and hash by identity, so that results can be cached per world.
 
     Attributes:
         states, actions: names, S and A of them.
@@ -46,6 +47,9 @@ class World:
         suggested: settings that suit this world (steps, alpha, ...), by the name of the setting.
         positions: where to draw each state, shape ``(S, 2)``, or None.
         source, params: what :func:`laplace_core.load_world` builds the same world from; empty if made by hand.
+
+    Raises:
+        InputError: sizes, names, indices, rewards or probabilities that make no MDP.
     """
 
     name: str
@@ -79,34 +83,50 @@ class World:
             InputError: sizes, names, indices, rewards or probabilities that make no MDP.
         """
         states, actions = tuple(states), tuple(actions)
-        _check_names("state", states, MAX_STATES)
+        _check_names("state", states, MAX_STATES)  # before the first outcome is read: there may be very many
         _check_names("action", actions, MAX_STATES)
         table = list(outcomes)
         if not table or len(table) > MAX_OUTCOMES:
             raise InputError(f"world {name!r} has {len(table)} outcomes; it needs 1 to {MAX_OUTCOMES:,}.")
         state, action, next_state = (np.array([row[i] for row in table], dtype=np.int64) for i in (0, 1, 3))
         probability, reward = (np.array([row[i] for row in table], dtype=float) for i in (2, 4))
-        _check_outcomes(name, states, actions, state, action, next_state, probability, reward)
-        order = np.lexsort((action, state))
-        state, action, next_state, probability, reward = (
-            column[order] for column in (state, action, next_state, probability, reward)
-        )
-        totals = np.bincount(state * len(actions) + action, weights=probability, minlength=len(states) * len(actions))
-        off = np.flatnonzero(np.abs(totals - 1.0) > PROBABILITY_TOLERANCE)
-        if off.size:
-            s, a = divmod(int(off[0]), len(actions))
-            raise InputError(
-                f"the outcomes of state {states[s]!r}, action {actions[a]!r} have total probability "
-                f"{totals[off[0]]:.9g}; it must be 1."
-            )
-        probability = probability / totals[state * len(actions) + action]
-        start = _start_distribution(name, states, start)
-        for column in (state, action, next_state, probability, reward, start):
-            column.setflags(write=False)
+        if start is None:
+            start = np.eye(1, len(states))[0]
         return cls(
-            name, states, actions, start, state, action, next_state, probability, reward,
-            MappingProxyType(dict(suggested or {})), positions,
-        )  # fmt: skip
+            name, states, actions, start, state, action, next_state, probability, reward, suggested or {}, positions
+        )
+
+    def __post_init__(self):
+        put = partial(object.__setattr__, self)
+        put("states", tuple(self.states))
+        put("actions", tuple(self.actions))
+        put("suggested", MappingProxyType(dict(self.suggested)))
+        _check_names("state", self.states, MAX_STATES)
+        _check_names("action", self.actions, MAX_STATES)
+        columns = {name: _column(self, name, kind) for name, kind in _COLUMNS.items()}
+        _check_outcomes(self.name, self.states, self.actions, **columns)
+        pair = columns["state"] * self.n_actions + columns["action"]
+        if np.any(np.diff(pair) < 0):
+            order = np.argsort(pair, kind="stable")
+            pair, columns = pair[order], {name: column[order] for name, column in columns.items()}
+        totals = _totals(self, pair, columns["probability"])
+        columns["probability"] = columns["probability"] / totals[pair]
+        columns["start"] = _start_distribution(self.name, self.states, self.start)
+        if self.positions is not None:
+            columns["positions"] = _positions(self.name, self.states, self.positions)
+        for name, column in columns.items():
+            column.setflags(write=False)
+            put(name, column)
+
+    def __getstate__(self) -> dict[str, object]:
+        # What is cached is left behind, and a mapping proxy cannot be pickled.
+        return {entry.name: getattr(self, entry.name) for entry in fields(self)} | {"suggested": dict(self.suggested)}
+
+    def __setstate__(self, state: dict[str, object]) -> None:
+        self.__dict__.update(state | {"suggested": MappingProxyType(state["suggested"])})
+        for value in state.values():
+            if isinstance(value, np.ndarray):
+                value.setflags(write=False)
 
     @property
     def n_states(self) -> int:
@@ -122,11 +142,46 @@ class World:
         return self.state * self.n_actions + self.action
 
     @cached_property
+    def absorbing(self) -> np.ndarray:
+        """Where, whatever is done, only rewards of exactly 0 follow for ever and END is never reached, bool ``(S,)``.
+
+        Entering such a state is the end of the episode in all but name, and counts as the end.
+        """
+        from scipy.sparse.csgraph import breadth_first_order  # slow to import
+
+        possible = self.probability > 0
+        state, following = self.state[possible], self.next_state[possible]
+        lively = np.zeros(self.n_states, dtype=bool)
+        lively[state[(self.reward[possible] != 0) | (following == END)]] = True
+        # Backwards along every move, from one node in front of all lively states: what is reached can become lively.
+        n, inside = self.n_states, following != END
+        tails = np.concatenate([following[inside], np.full(np.count_nonzero(lively), n)])
+        heads = np.concatenate([state[inside], np.flatnonzero(lively)])
+        backwards = sparse.csr_array((np.ones(tails.size), (tails, heads)), shape=(n + 1, n + 1))
+        reached = breadth_first_order(backwards, n, return_predecessors=False)
+        absorbing = np.ones(n + 1, dtype=bool)
+        absorbing[reached] = False
+        absorbing = absorbing[:n]
+        absorbing.setflags(write=False)
+        return absorbing
+
+    @cached_property
+    def following(self) -> np.ndarray:
+        """The next state of each outcome, and END where it is an absorbing one, int ``(N,)``."""
+        # END is -1 and picks the last entry, which stands for it.
+        following = np.where(np.append(self.absorbing, True)[self.next_state], END, self.next_state)
+        following.setflags(write=False)
+        return following
+
+    @cached_property
     def transition_matrix(self) -> sparse.csr_array:
-        """P(s' | s, a), alive only, shape ``(S*A, S)``: rows of terminating pairs sum to less than 1."""
-        alive = self.next_state != END
+        """P(s' | s, a), alive only, shape ``(S*A, S)``: rows of pairs that may end the episode sum to less than 1.
+
+        An episode ends at END and on entering an :attr:`absorbing` state.
+        """
+        alive = self.following != END
         shape = (self.n_states * self.n_actions, self.n_states)
-        return sparse.csr_array((self.probability[alive], (self._pair[alive], self.next_state[alive])), shape=shape)
+        return sparse.csr_array((self.probability[alive], (self._pair[alive], self.following[alive])), shape=shape)
 
     @cached_property
     def reward_values(self) -> np.ndarray:
@@ -146,7 +201,7 @@ class World:
         return (self.reward_probabilities @ self.reward_values).reshape(self.n_states, self.n_actions)
 
     def outcomes(self, state: int, action: int) -> list[Outcome]:
-        """What may happen after one state and action (indices)."""
+        """What may happen after one state and action (indices), absorbing next states by their own index."""
         first, last = np.searchsorted(
             self._pair, [state * self.n_actions + action, state * self.n_actions + action + 1]
         )
@@ -190,7 +245,28 @@ def _check_names(kind: str, names: tuple[str, ...], most: int) -> None:
         seen.add(name)
 
 
+_COLUMNS = {
+    "state": np.int64, "action": np.int64, "next_state": np.int64, "probability": np.float64, "reward": np.float64,
+}  # fmt: skip
+ROUNDING = 1e-14
+"""A sum of probabilities that is this near to 1 is left as it is, so that a world built anew keeps its last digit."""
+
+
+def _column(world: World, name: str, kind: type) -> np.ndarray:
+    """A copy of one column in its own type, ``(N,)``."""
+    given = np.asarray(getattr(world, name))
+    if given.ndim != 1 or given.dtype.kind not in ("iu" if kind is np.int64 else "iuf"):
+        what = "whole numbers" if kind is np.int64 else "numbers"
+        raise InputError(f"world {world.name!r}: {name} must be a list of {what}, one an outcome.")
+    return given.astype(kind)
+
+
 def _check_outcomes(name, states, actions, state, action, next_state, probability, reward) -> None:
+    sizes = {column.size for column in (state, action, next_state, probability, reward)}
+    if len(sizes) > 1:
+        raise InputError(f"world {name!r} has columns of {min(sizes)} to {max(sizes)} outcomes; all must be as long.")
+    if not 1 <= state.size <= MAX_OUTCOMES:
+        raise InputError(f"world {name!r} has {state.size} outcomes; it needs 1 to {MAX_OUTCOMES:,}.")
     if state.min() < 0 or state.max() >= len(states) or action.min() < 0 or action.max() >= len(actions):
         raise InputError(f"world {name!r} has an outcome outside its {len(states)} states and {len(actions)} actions.")
     if next_state.min() < END or next_state.max() >= len(states):
@@ -201,12 +277,31 @@ def _check_outcomes(name, states, actions, state, action, next_state, probabilit
         raise InputError(f"world {name!r} has a reward that is not a number within +-{MAX_REWARD:g}.")
 
 
-def _start_distribution(name: str, states: tuple[str, ...], start: np.ndarray | None) -> np.ndarray:
-    if start is None:
-        start = np.eye(1, len(states))[0]
+def _totals(world: World, pair: np.ndarray, probability: np.ndarray) -> np.ndarray:
+    """What the probabilities of each (state, action) are divided by, ``(S*A,)``."""
+    totals = np.bincount(pair, weights=probability, minlength=world.n_states * world.n_actions)
+    off = np.flatnonzero(np.abs(totals - 1.0) > PROBABILITY_TOLERANCE)
+    if off.size:
+        s, a = divmod(int(off[0]), world.n_actions)
+        raise InputError(
+            f"the outcomes of state {world.states[s]!r}, action {world.actions[a]!r} have total probability "
+            f"{totals[off[0]]:.9g}; it must be 1."
+        )
+    return np.where(np.abs(totals - 1.0) <= ROUNDING, 1.0, totals)
+
+
+def _start_distribution(name: str, states: tuple[str, ...], start: np.ndarray) -> np.ndarray:
     start = np.array(start, dtype=float)
     if start.shape != (len(states),) or not np.all(np.isfinite(start)) or start.min() < 0:
         raise InputError(f"world {name!r} needs one non-negative start probability a state.")
-    if abs(start.sum() - 1.0) > PROBABILITY_TOLERANCE:
-        raise InputError(f"the start probabilities of world {name!r} add up to {start.sum():.9g}; they must be 1.")
-    return start / start.sum()
+    total = start.sum()
+    if abs(total - 1.0) > PROBABILITY_TOLERANCE:
+        raise InputError(f"the start probabilities of world {name!r} add up to {total:.9g}; they must be 1.")
+    return start if abs(total - 1.0) <= ROUNDING else start / total
+
+
+def _positions(name: str, states: tuple[str, ...], positions: np.ndarray) -> np.ndarray:
+    positions = np.array(positions, dtype=float)
+    if positions.shape != (len(states), 2) or not np.all(np.isfinite(positions)):
+        raise InputError(f"world {name!r} needs one finite place [x, y] a state, or no positions.")
+    return positions

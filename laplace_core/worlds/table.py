@@ -11,7 +11,7 @@ from collections.abc import Iterable, Mapping, Sequence
 import numpy as np
 
 from laplace_core.errors import InputError
-from laplace_core.worlds.files import NUMBER
+from laplace_core.parameters import NUMBER
 from laplace_core.worlds.model import (
     END,
     MAX_OUTCOMES,
