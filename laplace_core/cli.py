@@ -12,6 +12,7 @@ from typing import NoReturn
 import numpy as np
 
 from laplace_core.agents.settings import SETTINGS
+from laplace_core.artifacts import Artefact, find_artefacts
 from laplace_core.errors import InputError
 from laplace_core.experiments.command import add_report
 from laplace_core.experiments.search_command import add_search
@@ -22,7 +23,8 @@ from laplace_core.saved import read_gamma_space, save_study
 from laplace_core.settings import SCHEMA, check_paper_grid, flag, parse_settings
 from laplace_core.training.command import add_evaluate, add_train
 from laplace_core.training.race_command import add_race
-from laplace_core.words import action_runs, add_parameters, named_params, study_notes
+from laplace_core.verdict import Verdict, judge
+from laplace_core.words import action_runs, add_parameters, checked_number, named_params, study_notes
 from laplace_core.worlds import PRESETS, TOY_TEXT, load_world
 
 
@@ -86,6 +88,10 @@ def _parser() -> argparse.ArgumentParser:
     decode.add_argument("--param", action="append", default=[], metavar="name=value", help="a parameter of the world")
     add_parameters(decode, SCHEMA)
     decode.add_argument("--seed-index", metavar="N", help="which learner of a learned agent, from 0")
+    decode.add_argument("--horizon", metavar="T", help="the horizon that the verdict speaks of (default: the longest)")
+    decode.add_argument(
+        "--explain", action="store_true", help="search for the cause of what is wrong: every single setting is tried"
+    )
     decode.add_argument("--out", metavar="FILE.npz", help="write all arrays and the settings here")
     decode.add_argument("--json", action="store_true", help="print JSON")
     decode.set_defaults(run=_decode)
@@ -143,9 +149,49 @@ def _decode(options: argparse.Namespace) -> None:
         found = study_of_gamma_space(read_gamma_space(options.world, settings.state), settings)
     else:
         found = study(load_world(options.world, params), settings)
+    longest = float(found.horizons[-1])
+    horizon = longest if options.horizon is None else checked_number("horizon", options.horizon, float, 1e-3, longest)
     if options.out is not None:
         save_study(found, options.out)
-    print(json.dumps(summary(found), indent=1) if options.json else _report(found))
+    row = found.row_at(horizon)
+    verdict = judge(found, row, explain=options.explain)
+    listed = find_artefacts(found, verdict.chosen, float(found.horizons[row])) if options.explain else None
+    if options.json:
+        print(json.dumps(summary(found) | {"verdict": _verdict(found, row, verdict, listed)}, indent=1))
+    else:
+        print("\n".join([_report(found), *_verdict_lines(found, verdict, listed)]))
+
+
+def _verdict(found: Study, row: int, verdict: Verdict, listed: list[Artefact] | None) -> dict[str, object]:
+    """What is right and wrong at one horizon, for JSON; causes, remedies and artefacts only where they were sought."""
+    told: dict[str, object] = {
+        "horizon": float(found.horizons[row]),
+        "choice": verdict.choice,
+        "chosen": found.action_names[verdict.chosen],
+        "timeline": verdict.timeline,
+        "timeline_error": verdict.timeline_error,
+        "value_error": verdict.value_error,
+        "regret": verdict.regret,
+        "sentence": verdict.sentence,
+    }
+    if listed is None:
+        return told
+    remedies = [{"label": remedy.label, "changes": dict(remedy.changes)} for remedy in verdict.remedies]
+    return told | {
+        "cause": verdict.cause.name if verdict.cause else None,
+        "remedies": remedies,
+        "exhausted": verdict.exhausted,
+        "artefacts": [{"name": each.name, "size": each.size, "shown": each.shown} for each in listed],
+    }
+
+
+def _verdict_lines(found: Study, verdict: Verdict, listed: list[Artefact] | None) -> list[str]:
+    lines = [f"verdict       {verdict.sentence}"]
+    if listed is None:
+        return lines
+    lines += [f"remedy        {remedy.label}" for remedy in verdict.remedies]
+    name = found.action_names[verdict.chosen]
+    return lines + [f"artefact      {each.name}, in {name}: {each.shown}. {each.sentence}" for each in listed]
 
 
 def summary(found: Study) -> dict[str, object]:

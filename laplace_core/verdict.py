@@ -161,8 +161,10 @@ def _first_words(study: Study, row: int, found: Verdict, choice: str) -> str:
 def _timeline_words(found: Verdict, name: str) -> str:
     if found.timeline == "sound":
         return ""
-    share = f"{100 * found.timeline_error:.0f}%" if found.timeline_error < 10 else "far more than all"
-    return f" The timeline of {name} is {found.timeline}: {share} of its probability lies at another step or reward."
+    size = found.timeline_error
+    if size <= 1.0:
+        return f" The timeline of {name} is {found.timeline}: {100 * size:.0f}% of it lies at another step or reward."
+    return f" The timeline of {name} is ruined: its rows are off by {size:.3g} times all that truly comes."
 
 
 def _explained(trials: Trials, found: Verdict) -> tuple[Verdict, str]:

@@ -105,7 +105,7 @@ def _of_world(study: Study) -> dict[str, np.ndarray]:
     timeline = timeline_of(study, length)
     arrays = {
         "rewards": world.reward_values,
-        "timeline": timeline.astype(np.float32),
+        "timeline": timeline,
         "optimum": study.truth.optimum,
     }
     lowest = world.reward_values[timeline.max(axis=(0, 1)) > 1e-9][0]
