@@ -54,7 +54,14 @@ def verdict_for(view: View) -> Verdict:
     _explained[view] = None
     while len(_explained) > 128:
         _explained.pop(next(iter(_explained)))
-    return judge(study_for(view), row_of(view), view.action)
+    return judge(study_for(view), row_of(view), view.action, trials=_trials(view))
+
+
+@lru_cache(maxsize=8)
+def _trials(view: View) -> Trials | None:
+    """What single changes make of a view, for its verdict and its list of artefacts alike."""
+    found = study_for(view)
+    return None if found.truth is None else Trials(found, row_of(view), view.action)
 
 
 _explained: dict[View, None] = {}
@@ -68,7 +75,7 @@ def is_explained(view: View) -> bool:
     graded = _graded(view)
     if graded.searched or view in _explained:
         return True
-    return Trials(study_for(view), row_of(view), view.action).work <= AT_ONCE
+    return _trials(view).work <= AT_ONCE
 
 
 def verdict_at_once(view: View) -> Verdict:
@@ -77,16 +84,14 @@ def verdict_at_once(view: View) -> Verdict:
 
 
 @lru_cache(maxsize=128)
-def _artefacts(
-    subject: Subject, settings: Settings, action: int, horizon: float, searching: bool
-) -> tuple[Artefact, ...]:
-    return tuple(find_artefacts(_study(subject, settings), action, horizon, searching))
+def _artefacts(view: View, action: int, searching: bool) -> tuple[Artefact, ...]:
+    found, trials = study_for(view), _trials(view) if action == view.action else None
+    return tuple(find_artefacts(found, action, float(found.horizons[row_of(view)]), searching, trials))
 
 
 def artefacts_for(view: View, action: int | None = None, searching: bool = True) -> tuple[Artefact, ...]:
     """Artefacts in the tau-space of the shown action, or of another, with remedies that were tried, if asked for."""
-    horizon = float(study_for(view).horizons[row_of(view)])
-    return _artefacts(view.subject, view.settings, view.action if action is None else action, horizon, searching)
+    return _artefacts(view, view.action if action is None else action, searching)
 
 
 def artefacts_elsewhere(view: View) -> str:
@@ -195,6 +200,7 @@ def forget() -> None:
         _study,
         _graded,
         verdict_for,
+        _trials,
         _artefacts,
         _episode_regrets,
         _world_figure,

@@ -307,11 +307,6 @@ class Trials:
             best = following if following in self._repairing else None
         return None
 
-    def at_alpha(self, alpha: float) -> tuple[Grade, float]:
-        """Grade and timeline error of the view at another alpha."""
-        decoded = self._decoded_at(alpha)
-        return grade(self.study, self.row, decoded), timeline_error(self.study, self.action, decoded)
-
     def _with_alpha(self, alpha: float) -> Study:
         s = replace(self.settings, alpha=alpha)
         return replace(self.study, settings=s, decoded=decode_and_read(self.study.gamma_space, s))

@@ -95,12 +95,15 @@ WHY = {
 """What each cause does, in one sentence."""
 
 
-def judge(study: Study, row: int, action: int | None = None, explain: bool = True) -> Verdict:
+def judge(
+    study: Study, row: int, action: int | None = None, explain: bool = True, trials: Trials | None = None
+) -> Verdict:  # fmt: skip
     """The verdict at the horizon of one row, ``study.horizons[row]``.
 
     Args:
         action: whose timeline is graded; default: the chosen one.
         explain: whether to search for a cause and remedies.
+        trials: of this very view, where they are there already.
     """
     names, decoded = study.action_names, study.decoded
     values = decoded.horizon_values[:, row]
@@ -109,8 +112,8 @@ def judge(study: Study, row: int, action: int | None = None, explain: bool = Tru
     numbers = _numbers(values, decoded.scale, chosen, names)
     if study.truth is None:
         return Verdict("unknown", None, f"{at} the decoded values choose {names[chosen]}{numbers}.", chosen)
-    action = chosen if action is None else action
-    graded, misplaced = grade(study, row), timeline_error(study, action)
+    looked_at = chosen if action is None else action
+    graded, misplaced = grade(study, row), timeline_error(study, looked_at)
     found = Verdict(
         "wrong" if graded.wrong else "lucky" if graded.off else "right",
         timeline_grade(misplaced),
@@ -123,7 +126,7 @@ def judge(study: Study, row: int, action: int | None = None, explain: bool = Tru
         misplaced,
     )
     first = _first_words(study, row, found, f"{at} the decoded values choose {names[chosen]}{numbers}")
-    last = ("" if graded.wrong else _wrong_elsewhere(study, row)) + _timeline_words(found, names[action])
+    last = ("" if graded.wrong else _wrong_elsewhere(study, row)) + _timeline_words(found, names[looked_at])
     if found.choice == "right" and study.settings.deadline == "constant":
         constant = constant_horizon(Look(study, chosen, study.horizons[row]))
         if constant is not None:
@@ -137,7 +140,7 @@ def judge(study: Study, row: int, action: int | None = None, explain: bool = Tru
         return replace(found, sentence=first + last)
     if not explain:
         return replace(found, sentence=first + last, searched=False)
-    explained, why = _explained(Trials(study, row, action), found)
+    explained, why = _explained(trials or Trials(study, row, action), found)
     if found.choice == "right":  # the cause is one of the timeline
         return replace(explained, sentence=f"{first}{last}{why}")
     return replace(explained, sentence=f"{first}{why}{last}")

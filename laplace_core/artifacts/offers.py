@@ -2,7 +2,8 @@
 
 A remedy is offered if under it the artefact is gone and what is wrong with the view is repaired
 (:class:`laplace_core.trials.Trials`): the choice, else the values, else the timeline. Where nothing is wrong with it,
-nothing may become so. One view suggests one alpha at most: the verdict's, if that suggests any.
+nothing may become so. One view suggests one alpha at most, that of the verdict; without a truth, one at which nothing
+suggests another.
 """
 
 from __future__ import annotations
@@ -63,10 +64,7 @@ def _alpha(
     if not wished:
         return None
     if trials is not None:
-        settled = trials.alpha if trials.affordable else None
-        if settled is not None or trials.grade.wrong or trials.grade.off or trials.smeared:
-            return settled
-        wished = [alpha for alpha in wished if _harmless(alpha, trials)]
+        return trials.alpha if trials.affordable else None
     for alpha in wished:
         under = _under(look.study, Remedy("", {"alpha": alpha}))
         here = Look(under, look.action, look.horizon)
@@ -74,12 +72,6 @@ def _alpha(
         if not any("alpha" in remedy.changes for each in left for remedy in each.remedies):
             return alpha  # nothing at it suggests another one
     return None
-
-
-def _harmless(alpha: float, trials: Trials) -> bool:
-    """Whether another alpha leaves a right view right, and its timeline no worse."""
-    after, error = trials.at_alpha(alpha)
-    return not after.wrong and not after.off and error <= trials.timeline_error + _NO_WORSE
 
 
 def _with_alpha(artefact: Artefact, alpha: float, look: Look, measures: Mapping[str, Measure]) -> Artefact:
