@@ -25,7 +25,10 @@ KINDS = ("short", "lasting")
 BASE_ALPHA = {"short": 1e-11, "lasting": 1e-9}
 """Near rounding; the longer the timeline, the sooner that is reached."""
 MOST_ROWS = 400
-CHANCES = {"per gamma": 0.5, "constant": 0.6}
+CHANCES = {
+    "short": {"per gamma": 0.5, "constant": 0.6},
+    "lasting": {"per gamma": 0.5, "constant": 0.4},
+}
 """Of a switch to be thrown: .3, but for two that change nothing in many worlds."""
 EXCLUSIVE = (("blur", "quantisation"), ("smearing", "ringing"), ("rescaling", "conditional"))
 
@@ -56,7 +59,7 @@ def draw_case(rng: np.random.Generator, chances: Mapping[str, float] | None = No
         dt = float(rng.choice([1.0, 0.5, 0.25], p=[0.6, 0.2, 0.2]))
         steps = max(2, round(length * rng.choice([0.5, 1.0, 1.0, 1.3]) / dt))
         base = _base(rng, world, min(steps, MOST_ROWS, round(200 / dt)), kind, dt)
-    chances = dict.fromkeys(SWITCHES, 0.3) | CHANCES | dict(chances or {})
+    chances = dict.fromkeys(SWITCHES, 0.3) | CHANCES[kind] | dict(chances or {})
     switched = tuple(name for name in SWITCHES if rng.random() < chances[name])
     for pair in EXCLUSIVE:
         if set(pair) <= set(switched):
