@@ -141,7 +141,7 @@ SWITCHES_OF: Mapping[str, set[str]] = {
 
 TITLES: Mapping[str, str] = {
     "short": "Worlds that end within nine steps, with more rows than steps",
-    "lasting": "Worlds with cycles, hundreds of steps or no end, with fewer or more rows, some of them closer than steps",
+    "lasting": "Worlds with cycles, hundreds of steps or no end, with fewer or more rows, some closer than steps",
     "all": "All together",
 }
 
