@@ -18,9 +18,10 @@ from scipy.optimize import nnls
 
 from laplace_core.artifacts import VISIBLE
 from laplace_core.experiments.cases import Case, spacing_of
+from laplace_core.gamma_space import encode
 from laplace_core.inverse import decode_matrix
-from laplace_core.learning import greedy_policy
-from laplace_core.pipeline import Study, grids, study
+from laplace_core.learning import greedy_policy, target_policies
+from laplace_core.pipeline import Study, decode_and_read, grids, study
 from laplace_core.settings import SLOPE_TIMES_SPACING, Settings
 from laplace_core.worlds import END, Outcome, World
 
@@ -81,7 +82,7 @@ class Effects:
         steps = np.array([int(np.floor(k * dt + 0.5)) for k in range(len(rows))])
         return np.array([dt * rows[steps == n].sum(axis=0) for n in range(steps[-1] + 1)])
 
-    @property
+    @cached_property
     def held(self) -> int:
         """Number of whole steps that the rows hold."""
         s = self.settings
@@ -146,15 +147,14 @@ class Effects:
 
     def values(self, softness: float) -> list[float]:
         """True V_T of the action at the horizon of every row, the deadline hard or soft."""
-        s, found = self.settings, []
-        means = [float(m) * s.acting_gamma**n for n, m in enumerate(self.timeline @ self.world.reward_values)]
+        s, found, steps = self.settings, [], np.arange(self.held)
+        means = (self.timeline @ self.world.reward_values) * s.acting_gamma**steps
         for k in range(s.steps):
             T = k * s.time_step + 0.5 + 0.5 * s.time_step
             if softness:
-                late = [np.clip((T - 0.5 - n) / (softness * T), -500.0, 500.0) for n in range(len(means))]
-                found.append(sum(m / (1.0 + np.exp(-x)) for m, x in zip(means, late, strict=True)))
+                found.append(float(means @ (0.5 + 0.5 * np.tanh((T - 0.5 - steps) / (2.0 * softness * T)))))
             else:
-                found.append(sum(m for n, m in enumerate(means) if n <= k * s.time_step))
+                found.append(float(means[steps <= k * s.time_step].sum()))
         return found
 
     def mixed(self) -> float:
@@ -277,16 +277,27 @@ class Effects:
         change = max(abs(b - a) for a, b in zip(hard, soft, strict=True))
         return change / max(1e-12, *map(abs, hard))
 
+    def chosen_everywhere(self, settings: Settings) -> np.ndarray:
+        """Action chosen in every state at the horizon of every row, ``(K, S)``, each state decoded by itself."""
+        s, world, everywhere = settings, self.world, np.arange(self.world.n_states)
+        (gammas, thetas), (moves, pays) = grids(s), self.processes
+        bases = np.empty((world.n_states, world.n_actions, gammas.size, world.reward_values.size))
+        for g, policy in enumerate(target_policies(world, gammas, s.policy, s.acting_gamma)):
+            system = np.eye(world.n_states) - gammas[g] * moves[policy, everywhere]
+            later = np.linalg.solve(system, pays[policy, everywhere])
+            bases[:, :, g] = np.moveaxis(pays + gammas[g] * (moves @ later), 0, 1)
+        spaces = (encode(basis, world.reward_values, gammas, thetas, s.slope) for basis in bases)
+        return np.array([decode_and_read(space, s).actions for space in spaces]).T
+
     def constant(self) -> float:
-        """Loss of an episode acted with constant T, each state decoded in a study of its own, step by step."""
+        """Loss of an episode acted with constant T, each state decoded by itself, step by step."""
         if self.case.settings.deadline != "constant" or self.world.n_actions == 1:
             return 0.0
         s, world, everywhere = replace(self.case.settings, noise=0.0), self.world, np.arange(self.world.n_states)
-        found = [study(world, replace(s, state=str(state))) for state in everywhere]
-        horizons = found[0].horizons
+        horizons = np.array([k * s.time_step + 0.5 + 0.5 * s.time_step for k in range(s.steps)])
         whole = range(1, int(np.floor(horizons[-1])) + 1)
         nearest = [int(np.argmin(np.abs(horizons - T))) for T in whole]
-        chosen = np.array([[each.decoded.actions[k] for each in found] for k in nearest]).reshape(-1, world.n_states)
+        chosen = self.chosen_everywhere(s)[nearest]
         moves, pays = self.processes
         now = pays @ world.reward_values
 
