@@ -18,7 +18,9 @@ def over_smoothing(look: Look) -> Artefact | None:
     here = look.error()
     if here < VISIBLE:
         return None
-    smaller = np.append(alpha / 10.0 ** np.arange(0.5, 9.0, 0.5), LEAST_ALPHA)
+    # The error may dip within a decade of alpha, where smearing and folding cancel; far below it hardly changes.
+    decades = np.concatenate([np.arange(0.1, 2.0, 0.1), np.arange(2.0, 9.0, 0.5)])
+    smaller = np.append(alpha / 10.0**decades, LEAST_ALPHA)
     tried = {a: look.error(a) for a in smaller if LEAST_ALPHA <= a < alpha}
     size = here - min(tried.values(), default=here)
     if size < VISIBLE:

@@ -14,8 +14,11 @@ MOST_THETAS = 2_000
 SEEN = 0.02
 """A reward that never gets this much of a row is not missed where it runs into another."""
 
-NEGLIGIBLE = 1e-3
-"""A reward that has less than this outside the sensitivities lies inside them."""
+OVERHANG = 8.0
+"""In 1/slope: the sensitivities are widened to so far beyond the last reward."""
+NEGLIGIBLE = 1.05 * float(sigmoid(-OVERHANG))
+"""A reward that has less than this outside the sensitivities lies inside them: .00035, and hardly more than widening
+leaves."""
 
 
 def edge_clipping(look: Look) -> Artefact | None:
@@ -38,7 +41,7 @@ def edge_clipping(look: Look) -> Artefact | None:
     remedies = ()
     if study.world is not None:
         rewards = study.world.reward_values
-        over = max(0.2 * (rewards[-1] - rewards[0]), 8.0 / s.slope)  # sigmoid(-8) is negligible
+        over = max(0.2 * (rewards[-1] - rewards[0]), OVERHANG / s.slope)
         low, high = min(s.theta_min, float(rewards[0] - over)), max(s.theta_max, float(rewards[-1] + over))
         remedies = (Remedy("Widen the sensitivities", _theta_range(s, low, high)),)
     return Artefact(

@@ -14,14 +14,13 @@ from dataclasses import replace
 from functools import cached_property
 
 import numpy as np
-from scipy.optimize import nnls
 
 from laplace_core.artifacts import VISIBLE
 from laplace_core.experiments.cases import Case, spacing_of
 from laplace_core.gamma_space import encode
 from laplace_core.inverse import decode_matrix
 from laplace_core.learning import greedy_policy, target_policies
-from laplace_core.pipeline import Study, decode_and_read, grids, study
+from laplace_core.pipeline import decode_and_read, grids, study
 from laplace_core.settings import SLOPE_TIMES_SPACING, Settings
 from laplace_core.worlds import END, Outcome, World
 
@@ -184,9 +183,21 @@ class Effects:
         settings = replace(self.quiet, policy="shared", state=None)
         return self.moved(self.rows(settings, policy=self.policy), self.rows(settings, ended, policy))
 
+    def ever_paid(self) -> np.ndarray:
+        """Rewards that the action may bring, sooner or later, under any of the policies that discounts follow."""
+        moves, pays = self.processes
+        paid = pays[self.action, int(np.argmax(self.world.start))] > 0.0
+        s, everywhere = self.quiet, np.arange(self.world.n_states)
+        for policy in target_policies(self.world, grids(s)[0], s.policy, s.acting_gamma):
+            there = moves[self.action, int(np.argmax(self.world.start))] > 0.0
+            for _ in everywhere:
+                there = there | (there @ moves[policy, everywhere] > 0.0)
+            paid = paid | (pays[policy, everywhere][there] > 0.0).any(axis=0)
+        return self.world.reward_values[paid]
+
     def clipped(self) -> float:
-        """Mass that a range beyond every reward, at the same spacing and slope, adds to a row."""
-        s, rewards, spacing = self.quiet, self.world.reward_values, spacing_of(self.quiet)
+        """Mass that a range beyond every reward of the action, at the same spacing and slope, adds to a row."""
+        s, rewards, spacing = self.quiet, self.ever_paid(), spacing_of(self.quiet)
         over = 8.0 / s.slope
         below = max(0, int(np.ceil((s.theta_min - rewards[0] + over) / spacing)))
         above = max(0, int(np.ceil((rewards[-1] + over - s.theta_max) / spacing)))
@@ -246,28 +257,11 @@ class Effects:
         return here - min(error(alpha) for alpha in np.geomspace(s.alpha, LEAST_ALPHA, 24)[1:])
 
     def negative(self) -> float:
-        """What the inverse of the same data and alpha adds to a row's troughs if it may not go below zero."""
+        """What a picture that stops at zero has more than the one that is drawn, in the worst row."""
         if self.case.settings.normalise == "paper":
             return 0.0
-        found = study(self.world, self.settings)
-        rows = self.by_reward(found.decoded.tau_space[self.action])
-        bounded = self._bounded(found.gamma_space.gammas, self.by_reward(found.gamma_space.differences[self.action]))
-        added = (np.where(rows < 0.0, bounded, rows) - rows).sum(axis=-1) / self.settings.time_step
-        return float((added / self._divisor(found)).max())
-
-    def _divisor(self, found: Study) -> np.ndarray | float:
-        """What the rows that are drawn were divided by; infinite where they are left out."""
-        if self.case.settings.normalise == "none":
-            return 1.0
-        alive = found.decoded.survival[self.action] / self.settings.time_step
-        return np.where(alive > 0.05, alive, np.inf)
-
-    def _bounded(self, gammas: np.ndarray, Z: np.ndarray) -> np.ndarray:
-        """min |F x - z|^2 + alpha^2 |x|^2 with x >= 0, one reward at a time, ``(K, V)``."""
-        s = self.settings
-        transform = gammas[:, None] ** (np.arange(s.steps) * s.time_step)
-        stacked, rest = np.vstack([transform, s.alpha * np.eye(s.steps)]), np.zeros(s.steps)
-        return np.column_stack([nnls(stacked, np.append(z, rest), maxiter=100 * s.steps)[0] for z in Z.T])
+        rows = self.by_reward(self.rows(self.case.settings))
+        return float((np.maximum(rows, 0.0) - rows).sum(axis=-1).max())
 
     def softened(self) -> float:
         """Largest change of a true value by the softness, as a share of the largest hard one."""
