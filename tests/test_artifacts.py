@@ -173,6 +173,14 @@ def test_a_timeline_is_held_against_whole_steps_where_rows_are_closer():
     assert Look(found, 1).error() == pytest.approx(np.abs(gathered - true).sum() / (2 * true.sum()), abs=1e-3)
 
 
+def test_a_smaller_alpha_that_helps_is_found_though_much_smaller_ones_do_harm():
+    # Two rows of fifteen steps: a little below alpha 1 folding undoes some smearing, and from half of it on it wins.
+    found, artefacts = look("rise_and_fade", steps=2, alpha=1.0)
+    here, little, half_a_decade = (Look(found, 0).error(alpha) for alpha in (1.0, 0.63, 0.316))
+    assert little < here < half_a_decade
+    assert artefacts["over-smoothing"].size == pytest.approx(here - little, abs=1e-3)
+
+
 def test_thousands_of_rewards_need_no_matrix_of_rewards_by_rewards():
     rewards = 4_000
     rows = [Outcome(0, 0, 1.0 / rewards, 1, n / 8.0) for n in range(rewards)] + [Outcome(1, 0, 1.0, END, 0.0)]

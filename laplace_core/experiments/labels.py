@@ -254,7 +254,8 @@ class Effects:
         here = error(s.alpha)
         if here <= VISIBLE:  # no fall can exceed it
             return 0.0
-        return here - min(error(alpha) for alpha in np.geomspace(s.alpha, LEAST_ALPHA, 24)[1:])
+        near, far = np.geomspace(s.alpha, s.alpha / 100.0, 41)[1:], np.geomspace(s.alpha, LEAST_ALPHA, 24)[1:]
+        return here - min(error(alpha) for alpha in (*near, *far) if alpha >= 0.999 * LEAST_ALPHA)
 
     def negative(self) -> float:
         """What a picture that stops at zero has more than the one that is drawn, in the worst row."""
