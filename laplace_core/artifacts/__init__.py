@@ -14,13 +14,14 @@ from laplace_core.artifacts.look import Look
 from laplace_core.artifacts.model import VISIBLE, Artefact, Remedy
 from laplace_core.artifacts.noise import noise_amplification
 from laplace_core.artifacts.offers import offered
-from laplace_core.artifacts.process import folding, mixed_policies, repeated_reward
+from laplace_core.artifacts.process import conditional_rewards, folding, mixed_policies, repeated_reward
 from laplace_core.artifacts.rewards import edge_clipping, reward_quantisation, slope_blur
 from laplace_core.pipeline import Study
 from laplace_core.trials import Trials
 
 MEASURES: dict[str, Callable[[Look], Artefact | None]] = {
     "repeated reward": repeated_reward,
+    "conditional rewards": conditional_rewards,
     "mixed policies": mixed_policies,
     "noise amplification": noise_amplification,
     "folding": folding,

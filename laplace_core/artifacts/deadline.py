@@ -8,24 +8,21 @@ from laplace_core.artifacts.look import Look
 from laplace_core.artifacts.model import VISIBLE, Artefact, Remedy
 from laplace_core.control import constant_horizon_loss
 from laplace_core.errors import InputError
-from laplace_core.horizon import horizon_values
 
 
 def soft_deadline(look: Look) -> Artefact | None:
     """A deadline so soft that it reads another horizon: largest change of the true values, relative."""
-    s, truth = look.settings, look.study.truth
-    if truth is None or s.softness == 0:
+    s = look.settings
+    if not look.has_truth or s.softness == 0:
         return None
-    rewards = truth.expected_reward[look.action]
-    hard = horizon_values(rewards, s.acting_gamma, 0.0, s.time_step)
-    soft = horizon_values(rewards, s.acting_gamma, s.softness, s.time_step)
+    hard, soft = look.true_values(0.0), look.true_values(s.softness)
     size = float(np.abs(soft - hard).max() / max(np.abs(hard).max(), 1e-12))
     if size < VISIBLE:
         return None
     return Artefact(
         "soft deadline",
         size,
-        f"a value moves by up to {100 * size:.0f}% of the largest",
+        f"a true value moves by up to {100 * size:.0f}% of the largest one",
         "The soft deadline counts part of what comes after T and leaves out part of what comes before.",
         (Remedy("Set softness to 0", {"softness": 0.0}),),
     )
@@ -35,7 +32,7 @@ def constant_horizon(look: Look) -> Artefact | None:
     """Acting with the same T at every step: what a whole episode loses, as a share of the best one's value.
 
     Against acting by the time to go on the same decoded values (free of noise), at the horizon of the look or at
-    the worst one. A world too large for whole episodes is left out.
+    the worst one. A world too large for whole episodes is left out, and so is a timeline too short for a whole step.
     """
     study, s = look.study, look.settings
     if study.world is None or s.deadline != "constant" or study.world.n_actions == 1:
@@ -43,6 +40,8 @@ def constant_horizon(look: Look) -> Artefact | None:
     try:
         loss, best = constant_horizon_loss(study.world, s)
     except InputError:
+        return None
+    if not len(loss):
         return None
     loss, best = loss[:, study.state], best[:, study.state]
     T = int(np.argmax(loss)) + 1
@@ -54,7 +53,7 @@ def constant_horizon(look: Look) -> Artefact | None:
     return Artefact(
         "constant horizon",
         size,
-        f"an episode of {T} steps loses {loss[T - 1]:.2f}, {100 * size:.0f}% of what the best one is worth",
-        "At every step the agent acts as if all of T were still left, and waits for rewards that come after the end.",
+        f"an episode of {T} steps loses {loss[T - 1]:.2f}, {100 * size:.0f}% of the largest value of a best episode",
+        "At every step the agent acts as if all of T were still left, and may aim at rewards that come after the end.",
         (Remedy("Act by the time to go", {"deadline": "time_to_go"}),),
     )

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from laplace_core.artifacts.look import Look
+from laplace_core.artifacts.look import Look, of_a_row
 from laplace_core.artifacts.model import VISIBLE, Artefact, Remedy
 
 LEAST_ALPHA = 1e-9
@@ -18,7 +18,9 @@ def over_smoothing(look: Look) -> Artefact | None:
     here = look.error()
     if here < VISIBLE:
         return None
-    smaller = np.append(alpha / 10.0 ** np.arange(0.5, 9.0, 0.5), LEAST_ALPHA)
+    # The error may dip within a decade of alpha, where smearing and folding cancel; far below it hardly changes.
+    decades = np.concatenate([np.arange(0.1, 2.0, 0.1), np.arange(2.0, 9.0, 0.5)])
+    smaller = np.append(alpha / 10.0**decades, LEAST_ALPHA)
     tried = {a: look.error(a) for a in smaller if LEAST_ALPHA <= a < alpha}
     size = here - min(tried.values(), default=here)
     if size < VISIBLE:
@@ -29,7 +31,7 @@ def over_smoothing(look: Look) -> Artefact | None:
     return Artefact(
         "over-smoothing",
         size,
-        f"{100 * size:.0f}% of the timeline is smeared over time by alpha",
+        f"the timeline is off by {100 * here:.0f}%, with less alpha by {100 * (here - size):.0f}%",
         f"Alpha {alpha:g} suppresses components that gamma-space still holds, so rewards spread over neighbouring "
         "steps.",
         (Remedy(f"Lower alpha to {best:g}", {"alpha": best}),),
@@ -37,7 +39,7 @@ def over_smoothing(look: Look) -> Artefact | None:
 
 
 def negative_mass(look: Look) -> Artefact | None:
-    """Ringing of the linear inverse: largest negative probability of the rewards in a row."""
+    """Ringing of the linear inverse: the most that entries below zero, by reward, take away from a row."""
     s = look.settings
     if s.normalise == "paper":
         return None
@@ -53,8 +55,9 @@ def negative_mass(look: Look) -> Artefact | None:
     return Artefact(
         "negative mass",
         size,
-        f"up to {size:.2f} of negative probability in a row",
-        "A linear inverse rings around sharp events; negative probability is the trough beside a peak."
+        f"entries below zero take away up to {of_a_row(size)}",
+        "Nothing keeps a linear inverse from going below zero, as no probability does: it rings beside sharp events, "
+        "and it magnifies whatever error gamma-space has."
         + ("" if nearest else " With these discounts less ringing would mean more smearing."),
         tuple(Remedy(f"Set alpha to {a:g}", {"alpha": a}) for a in nearest),
     )

@@ -6,7 +6,8 @@ The inverse is linear, so that before any rescaling the picture is a sum,
 
 with D the decode matrix and F the transform. Each artefact of the inverse is measured on its own summand, and by
 reward: midpoints are gathered at the world's nearest reward, so that the measures do not depend on how finely
-rewards are resolved, and noise that averages out between neighbouring thresholds does not count.
+rewards are resolved, and noise that averages out between neighbouring thresholds does not count. What is held against
+the truth is gathered by whole step as well: a world pays at whole steps, however many rows lie around each.
 """
 
 from __future__ import annotations
@@ -17,6 +18,7 @@ import numpy as np
 
 from laplace_core.artifacts.model import VISIBLE
 from laplace_core.encoding import bin_masses
+from laplace_core.horizon import deadline_weights, row_horizons
 from laplace_core.inverse import decode, decode_matrix, normalise_rows
 from laplace_core.pipeline import Study, basis_of, timeline_of
 
@@ -38,18 +40,35 @@ class Look:
         return self.study.truth is not None
 
     @cached_property
-    def nearest(self) -> np.ndarray:
-        """Which reward each midpoint is nearest to, one-hot ``(H-1, V)``; without a world each stands for itself."""
-        if self.study.world is None:
-            return np.eye(self.study.midpoints.size)
+    def _groups(self) -> tuple[np.ndarray, np.ndarray]:
+        """Which rewards have midpoints nearest to them, and the first midpoint of each; both increase."""
         rewards = self.study.world.reward_values
-        which = np.searchsorted((rewards[1:] + rewards[:-1]) / 2.0, self.study.midpoints)
-        return (which[:, None] == np.arange(rewards.size)).astype(float)
+        nearest = np.searchsorted((rewards[1:] + rewards[:-1]) / 2.0, self.study.midpoints)
+        first = np.flatnonzero(np.diff(nearest, prepend=-1))
+        return nearest[first], first
+
+    def by_reward(self, bins: np.ndarray) -> np.ndarray:
+        """Midpoints ``(..., H-1)`` gathered at the nearest reward, ``(..., V)``; without a world they stay apart.
+
+        Sums over neighbours, so that no matrix of midpoints by rewards, or rewards by rewards, is ever made.
+        """
+        if self.study.world is None:
+            return bins
+        rewards, first = self._groups
+        gathered = np.zeros((*bins.shape[:-1], self.study.world.reward_values.size))
+        gathered[..., rewards] = np.add.reduceat(bins, first, axis=-1)
+        return gathered
+
+    def by_step(self, rows: np.ndarray) -> np.ndarray:
+        """Rows as probability ``(K, n)`` gathered at the nearest whole step, as probability of the step, ``(N, n)``."""
+        dt = self.settings.time_step
+        step = np.floor(np.arange(len(rows)) * dt + 0.5 + 1e-9).astype(int)
+        return dt * np.add.reduceat(rows, np.flatnonzero(np.diff(step, prepend=-1)), axis=0)
 
     @cached_property
     def differences(self) -> np.ndarray:
         """Z of this action by reward, as it is there, noise and all, ``(G, V)``."""
-        return self.study.gamma_space.differences[self.action] @ self.nearest
+        return self.by_reward(self.study.gamma_space.differences[self.action])
 
     @cached_property
     def masses(self) -> np.ndarray:
@@ -62,7 +81,7 @@ class Look:
 
     def exact(self, policy: str | None = None) -> np.ndarray:
         """Exact Z by reward under the study's own target policy or another one, ``(G, V)``."""
-        return self.basis(policy) @ (self.masses @ self.nearest)
+        return self.by_reward(self.basis(policy) @ self.masses)
 
     def timeline(self, steps: int | None = None) -> np.ndarray:
         """True P(r_tau = v, alive) at the whole steps that ``steps`` rows hold, ``(N, V)``."""
@@ -91,15 +110,31 @@ class Look:
         return normalise_rows(rows, survival, s.normalise)
 
     @cached_property
-    def _true_rows(self) -> np.ndarray:
-        return self.study.truth.tau_space[self.action] @ self.nearest / self.settings.time_step
+    def true_steps(self) -> np.ndarray:
+        """True P(r_tau = v, alive) at every whole step that a row is nearest to, ``(N, V)``.
+
+        A step beyond the last row is not held by the rows before it: it is 0 here.
+        """
+        dt, held = self.settings.time_step, self.timeline()
+        last = int(np.floor((self.settings.steps - 1) * dt + 0.5 + 1e-9))
+        return np.pad(held, ((0, max(0, last + 1 - len(held))), (0, 0)))
+
+    def true_values(self, softness: float) -> np.ndarray:
+        """True V_T of the action at the horizon of every row, ``(K,)``, under a deadline of this softness."""
+        s, timeline = self.settings, self.timeline()
+        steps = np.arange(len(timeline))
+        discounted = (timeline @ self.study.world.reward_values) * s.acting_gamma**steps
+        if softness == 0:
+            return np.array([discounted[steps <= k * s.time_step + 1e-9].sum() for k in range(s.steps)])
+        horizons = row_horizons(s.steps, s.time_step)
+        return np.array([deadline_weights(T, steps.size, softness) @ discounted for T in horizons])
 
     def error(self, alpha: float | None = None) -> float:
         """Timeline error at an alpha, before rescaling: total variation from the truth, as a share of the truth."""
         alpha = self.settings.alpha if alpha is None else alpha
         if alpha not in self._errors:
-            true = self._true_rows
-            off = np.abs(self.decode(self.differences, alpha) - true).sum()
+            true = self.by_reward(self.true_steps @ self.masses)
+            off = np.abs(self.by_step(self.decode(self.differences, alpha)) - true).sum()
             # Hardly anything may be left inside the sensitivities.
             self._errors[alpha] = float(off / (2.0 * max(true.sum(), VISIBLE)))
         return self._errors[alpha]
@@ -108,3 +143,8 @@ class Look:
 def largest_change(rows: np.ndarray) -> float:
     """The most probability that a change ``(K, n)`` of the rows moves in one of them: half the absolute sum."""
     return 0.5 * float(np.abs(rows).sum(axis=-1).max())
+
+
+def of_a_row(size: float) -> str:
+    """An amount of probability against that of one row, which the terms of a linear inverse may exceed."""
+    return f"{size:.2f} of a row's probability" if size <= 1.0 else f"{size:.3g} times a row's whole probability"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from laplace_core.artifacts.look import Look, largest_change
+from laplace_core.artifacts.look import Look, largest_change, of_a_row
 from laplace_core.artifacts.model import VISIBLE, Artefact, Remedy
 
 LARGEST_ALPHA = 10.0
@@ -39,7 +39,7 @@ def _against_truth(look: Look) -> Artefact | None:
     return Artefact(
         "noise amplification",
         size,
-        f"noise moves up to {size:.2f} of a row's probability",
+        f"noise moves up to {of_a_row(size)}",
         _SENTENCE + ("" if calm else _TOO_MUCH),
         tuple(chosen + without if calm else without + chosen),
     )

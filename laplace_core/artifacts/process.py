@@ -1,27 +1,34 @@
-"""Artefacts of what is decoded as one process: rescaled rows, mixed policies, time beyond the last row."""
+"""Artefacts of what is decoded as one process: rows rescaled, mixed policies, time beyond the last row."""
 
 from __future__ import annotations
 
 import numpy as np
 
-from laplace_core.artifacts.look import Look, largest_change
+from laplace_core.artifacts.look import Look, largest_change, of_a_row
 from laplace_core.artifacts.model import VISIBLE, Artefact, Remedy
-from laplace_core.inverse import MAX_STEPS
+from laplace_core.horizon import horizon_values
+from laplace_core.inverse import MAX_STEPS, SURVIVAL_FLOOR
 from laplace_core.pipeline import MAX_VALUES
 from laplace_core.worlds import PRESETS
 
 
 def repeated_reward(look: Look) -> Artefact | None:
-    """Rows rescaled to probability 1 although the episode is over: probability invented, summed over time.
+    """Rows rescaled to probability 1: what this adds beyond the truth of each reward, summed over time.
 
-    Without a truth the decoded survival stands in for the true one.
+    Whether the episode is over or idles on zero reward makes no difference: a step counts as far as the rescaled rows
+    exceed the true chances of its rewards by more than the rows do as they were decoded. Without a truth, by which no
+    reward can be told from its residue, what exceeds the decoded survival counts.
     """
     study, s = look.study, look.settings
     if s.normalise != "paper":
         return None
-    alive = (study.truth or study.decoded).survival[look.action]
-    invented = np.clip(study.decoded.mass[look.action] - np.clip(alive, 0.0, s.time_step), 0.0, None)
-    size = float(invented.sum())
+    drawn = study.decoded.tau_space[look.action] / s.time_step
+    if look.has_truth:
+        rescaled, decoded = look.by_step(look.by_reward(drawn)), look.by_step(look.decode(look.differences))
+        size = float(np.clip(_beyond(rescaled, look.true_steps) - _beyond(decoded, look.true_steps), 0.0, None).sum())
+    else:
+        alive = np.clip(study.decoded.survival[look.action] / s.time_step, 0.0, 1.0)
+        size = float(s.time_step * np.clip(drawn.sum(axis=-1) - alive, 0.0, None).sum())
     if size < VISIBLE:
         return None
     remedies = [Remedy("Keep survival", {"normalise": "none"})]
@@ -31,10 +38,46 @@ def repeated_reward(look: Look) -> Artefact | None:
     return Artefact(
         "repeated reward",
         size,
-        f"{size:.2f} steps of invented probability",
-        "Every row is rescaled to probability 1, also where survival is gone, so a residue of the last reward "
-        "comes back as a certain one.",
+        f"rescaling invents the probability of {size:.2f} sure rewards",
+        "Rows are rescaled to probability 1, also where little or nothing is left in the row, so that a residue of an "
+        "earlier reward counts as a certain one.",
         tuple(remedies),
+    )
+
+
+def _beyond(rows: np.ndarray, true: np.ndarray) -> np.ndarray:
+    """Probability in each row that no true reward accounts for, ``(N,)``."""
+    return np.clip(rows - true, 0.0, None).sum(axis=-1)
+
+
+def conditional_rewards(look: Look) -> Artefact | None:
+    """Rewards given survival, summed as if sure: largest change of a value, as a share of the largest true one.
+
+    Against the rows as they were decoded, in which survival is still a factor. A hundredth of the largest reward is the
+    least value that counts as one, so that an action that is worth nothing is no measure. Without a truth the largest
+    value of the rows as they were decoded stands in.
+    """
+    study, s = look.study, look.settings
+    if s.normalise != "survival":
+        return None
+    Z = study.gamma_space.differences[look.action]
+    weighted = s.time_step * look.decode((Z @ study.midpoints)[:, None])[:, 0]
+    plain = study.decoded.expected_reward[look.action]
+    weighted, plain = (horizon_values(rows, s.acting_gamma, s.softness, s.time_step) for rows in (weighted, plain))
+    change = float(np.abs(plain - weighted).max())
+    true = look.true_values(s.softness) if look.has_truth else weighted
+    least = 1e-2 * np.abs(study.world.reward_values).max() if look.has_truth else 0.0
+    size = float(change / max(np.abs(true).max(), least, 1e-12))
+    if size < VISIBLE:
+        return None
+    return Artefact(
+        "conditional rewards",
+        size,
+        f"a value moves by up to {change:.3g}, where the largest {'true ' if look.has_truth else ''}one "
+        f"is {np.abs(true).max():.3g}",
+        "Each row is divided by its survival, so that it says what comes if the episode still runs; the values sum "
+        f"this as if it were sure to run, and leave out rows whose survival is at most {SURVIVAL_FLOOR:g}.",
+        (Remedy("Keep survival", {"normalise": "none"}),),
     )
 
 
@@ -50,9 +93,9 @@ def mixed_policies(look: Look) -> Artefact | None:
     return Artefact(
         "mixed policies",
         size,
-        f"{others} of {len(look.gammas)} discounts differ, which moves {size:.2f} of a row's probability",
+        f"{others} of {len(look.gammas)} discounts differ, which moves up to {of_a_row(size)}",
         "Each discount follows its own greedy policy, so the values over gamma are no transform of any single "
-        "process and the rows show rewards that never occur together.",
+        "process and the rows are no timeline of one.",
         (Remedy("Share one policy", {"policy": "shared"}),),
     )
 
@@ -72,7 +115,7 @@ def folding(look: Look) -> Artefact | None:
     return Artefact(
         "folding",
         size,
-        f"{size:.2f} of probability in a row comes from after row {s.steps - 1}",
+        f"what comes after the last row moves up to {of_a_row(size)}",
         "Gamma-space holds rewards that come after the last row; the inverse folds them into the rows that exist.",
         (Remedy(f"Decode {steps} rows", {"steps": steps}),) if steps else (),
     )
@@ -81,5 +124,5 @@ def folding(look: Look) -> Artefact | None:
 def _folded(look: Look, whole: np.ndarray, steps: int) -> float:
     """D (Z - what the rows hold): ``whole`` is the exact Z of the true process, ``(G, V)``."""
     timeline = look.timeline(steps)
-    held = (look.gammas[:, None] ** np.arange(len(timeline)) @ timeline) @ (look.masses @ look.nearest)
+    held = look.by_reward((look.gammas[:, None] ** np.arange(len(timeline)) @ timeline) @ look.masses)
     return largest_change(look.decode(whole - held, steps=steps))

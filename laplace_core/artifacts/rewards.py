@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from laplace_core.artifacts.look import Look
+from laplace_core.artifacts.look import Look, of_a_row
 from laplace_core.artifacts.model import VISIBLE, Artefact, Remedy
 from laplace_core.artifacts.noise import propagated, violations
 from laplace_core.encoding import sigmoid
@@ -14,8 +14,11 @@ MOST_THETAS = 2_000
 SEEN = 0.02
 """A reward that never gets this much of a row is not missed where it runs into another."""
 
-NEGLIGIBLE = 1e-3
-"""A reward that has less than this outside the sensitivities lies inside them."""
+OVERHANG = 8.0
+"""In 1/slope: the sensitivities are widened to so far beyond the last reward."""
+NEGLIGIBLE = 1.05 * float(sigmoid(-OVERHANG))
+"""A reward that has less than this outside the sensitivities lies inside them: .00035, and hardly more than widening
+leaves."""
 
 
 def edge_clipping(look: Look) -> Artefact | None:
@@ -38,14 +41,15 @@ def edge_clipping(look: Look) -> Artefact | None:
     remedies = ()
     if study.world is not None:
         rewards = study.world.reward_values
-        over = max(0.2 * (rewards[-1] - rewards[0]), 8.0 / s.slope)  # sigmoid(-8) is negligible
+        over = max(0.2 * (rewards[-1] - rewards[0]), OVERHANG / s.slope)
         low, high = min(s.theta_min, float(rewards[0] - over)), max(s.theta_max, float(rewards[-1] + over))
         remedies = (Remedy("Widen the sensitivities", _theta_range(s, low, high)),)
     return Artefact(
         "edge clipping",
         size,
-        f"up to {size:.2f} of a row's probability is missing",
-        "A reward at the edge of the sensitivities, or beyond it, leaves part of its probability outside the picture.",
+        f"up to {of_a_row(size)} is missing",
+        "A reward at the edge of the sensitivities, or beyond it, leaves part or all of its probability outside the "
+        "picture.",
         remedies,
     )
 
@@ -81,7 +85,7 @@ def slope_blur(look: Look) -> Artefact | None:
         size,
         f"{size:.2f} of a row's probability lands nearer to another reward; a reward is {4.4 / s.slope:.2g} wide where "
         f"the next lies {gap:.2g} away",
-        "The activation is too gentle: neighbouring rewards run together in every row.",
+        "The activation is too gentle: neighbouring rewards run together.",
         (Remedy("Steepen the slope", {"slope": slope, "thetas": min(MOST_THETAS, max(s.thetas, thetas))}),),
     )
 
@@ -112,6 +116,6 @@ def reward_quantisation(look: Look) -> Artefact | None:
         "reward quantisation",
         size,
         f"reward {rewards[worst]:g} counts as {proxy[worst]:.4g}, off by {off[worst]:.2f} of the spacing",
-        "The slope is so steep that no two sensitivities overlap, and every reward is rounded to a midpoint.",
+        "The slope is so steep for the spacing of the sensitivities that rewards are rounded towards the midpoints.",
         (Remedy("Soften the slope", {"slope": gentle}),),
     )

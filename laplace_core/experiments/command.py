@@ -16,7 +16,9 @@ def add_report(verbs: argparse._SubParsersAction) -> None:
     kinds = report.add_subparsers(dest="experiment", required=True, metavar="EXPERIMENT")
 
     detectors = kinds.add_parser("detectors", help="precision and recall of each artefact's detector")
-    detectors.add_argument("--cases", type=int, default=500, metavar="N", help="random cases (default: 500)")
+    detectors.add_argument(
+        "--cases", type=int, default=500, metavar="N", help="random cases of each kind (default: 500)"
+    )
     detectors.add_argument("--seed", type=int, default=0, metavar="N", help="seed of the cases (default: 0)")
     detectors.add_argument("--json", action="store_true", help="print JSON")
     detectors.set_defaults(run=_detectors)

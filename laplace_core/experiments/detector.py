@@ -12,7 +12,7 @@ import numpy as np
 
 from laplace_core.artifacts import MEASURES, VISIBLE, find_artefacts
 from laplace_core.errors import InputError
-from laplace_core.experiments.cases import Case, draw_case
+from laplace_core.experiments.cases import KINDS, Case, draw_case
 from laplace_core.experiments.labels import Effects
 from laplace_core.pipeline import study
 
@@ -92,8 +92,8 @@ def wilson(part: int, whole: int, z: float = 1.96) -> tuple[float, float]:
     return float(max(0.0, (middle - half) / scale)), float(min(1.0, (middle + half) / scale))
 
 
-def compare(cases: int, seed: int) -> Iterator[Compared]:
-    """Cases one by one: the detector's list beside the truth. The same seed gives the same cases.
+def compare(cases: int, seed: int, kind: str = "short") -> Iterator[Compared]:
+    """Cases of one kind, one by one: the detector's list beside the truth. The same seed gives the same cases.
 
     Raises:
         InputError: a number of cases or a seed out of range.
@@ -103,8 +103,8 @@ def compare(cases: int, seed: int) -> Iterator[Compared]:
     if not 0 <= seed < 2**31:
         raise InputError(f"seed is {seed}; it must be from 0 to 2147483647.")
     for number in range(cases):
-        case = draw_case(np.random.default_rng([seed, number]))
-        found = find_artefacts(study(case.world, case.settings), case.action)
+        case = draw_case(np.random.default_rng([seed, number, KINDS.index(kind)]), kind=kind)
+        found = find_artefacts(study(case.world, case.settings), case.action, searching=False)
         sizes = dict.fromkeys(MEASURES, 0.0) | {artefact.name: artefact.size for artefact in found}
         yield Compared(case, Effects(case).all(), sizes)
 
@@ -124,6 +124,7 @@ def score(compared: list[Compared]) -> list[Score]:
 
 SWITCHES_OF: Mapping[str, set[str]] = {
     "repeated reward": {"rescaling"},
+    "conditional rewards": {"conditional"},
     "mixed policies": {"per gamma"},
     "noise amplification": {"noise"},
     "folding": {"few rows"},
@@ -138,12 +139,17 @@ SWITCHES_OF: Mapping[str, set[str]] = {
 """The switch that is meant for each artefact; others may bring it about as well."""
 
 
-def table(scores: list[Score], cases: int, seed: int) -> str:
-    """The scores for reading."""
+TITLES: Mapping[str, str] = {
+    "short": "Worlds that end within nine steps, with more rows than steps",
+    "lasting": "Worlds with cycles, hundreds of steps or no end, with fewer or more rows, some closer than steps",
+    "all": "All together",
+}
+
+
+def table(scores: list[Score], cases: int, seed: int, kind: str = "all") -> str:
+    """The scores of one kind of cases, or of all, for reading."""
     lines = [
-        f"Artefacts listed against artefacts there: {cases} random cases, seed {seed}, none left out.",
-        f"There: turning this one thing off changes the picture or the value by more than {VISIBLE:g} (shares).",
-        "Its switch: how often it was thrown; of these, without a visible effect; and there without it.",
+        f"{TITLES[kind]}: {cases} random cases, seed {seed}, none left out.",
         f"{'':19} {'there':>5} {'not':>4}  {'TP':>3} {'FP':>3} {'FN':>3}  {'precision (95%)':19} {'recall (95%)':19} "
         f"{'thrown':>6} {'unseen':>6} {'without':>7}",
     ]
@@ -163,7 +169,21 @@ def _with_interval(value: float | None, part: int, whole: int) -> str:
 
 
 def report(cases: int = 500, seed: int = HELD_OUT_SEED) -> tuple[dict[str, object], str]:
-    """Run the comparison: numbers for a file, and the table for reading."""
-    scores = score(list(compare(cases, seed)))
-    numbers = {"cases": cases, "seed": seed, "visible": VISIBLE, "artefacts": [one.as_dict() for one in scores]}
-    return numbers, table(scores, cases, seed)
+    """Run the comparison on as many cases of each kind: numbers for a file, and the tables for reading."""
+    compared = {kind: list(compare(cases, seed, kind)) for kind in KINDS}
+    compared["all"] = [one for each in compared.values() for one in each]
+    scores = {kind: score(each) for kind, each in compared.items()}
+    numbers = {
+        "cases": cases,
+        "seed": seed,
+        "visible": VISIBLE,
+        "artefacts": [one.as_dict() for one in scores["all"]],
+        "kinds": {kind: [one.as_dict() for one in scores[kind]] for kind in KINDS},
+    }
+    heading = (
+        "Artefacts listed against artefacts there.\n"
+        f"There: turning this one thing off changes the picture or the value by more than {VISIBLE:g} (shares).\n"
+        "Its switch: how often it was thrown; of these, without a visible effect; and there without it."
+    )
+    tables = [table(each, len(compared[kind]), seed, kind) for kind, each in scores.items()]
+    return numbers, "\n\n".join([heading, *tables])

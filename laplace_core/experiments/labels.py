@@ -2,9 +2,10 @@
 
 Nothing here calls the detector; only the level from which on a thing is visible is shared with it. Each effect is
 the change that turning one thing off makes, everything else kept: the study is run again without it, or the world
-is rebuilt without it, or every path of the world is walked. An artefact is really there if its effect exceeds the
-one visible level. Pictures are compared by reward, each midpoint counted for the reward nearest to it; what the
-inverse does is judged before rows are rescaled, and without noise where another grid or operator would draw another.
+is rebuilt without it, or the distribution over its states is carried on step by step. An artefact is really there if
+its effect exceeds the one visible level. Pictures are compared by reward, each midpoint counted for the reward nearest
+to it, and with the truth by whole step; what the inverse does is judged before rows are rescaled, and without noise
+where another grid or operator would draw another.
 """
 
 from __future__ import annotations
@@ -13,12 +14,13 @@ from dataclasses import replace
 from functools import cached_property
 
 import numpy as np
-from scipy.optimize import nnls
 
 from laplace_core.artifacts import VISIBLE
 from laplace_core.experiments.cases import Case, spacing_of
-from laplace_core.learning import greedy_policy
-from laplace_core.pipeline import grids, study
+from laplace_core.gamma_space import encode
+from laplace_core.inverse import decode_matrix
+from laplace_core.learning import greedy_policy, target_policies
+from laplace_core.pipeline import decode_and_read, grids, study
 from laplace_core.settings import SLOPE_TIMES_SPACING, Settings
 from laplace_core.worlds import END, Outcome, World
 
@@ -26,6 +28,8 @@ SEEN = 0.02
 """A reward that never has this chance in a row is not missed where another runs into it."""
 LEAST_ALPHA = 1e-9
 """Below it a smaller alpha is nobody's choice."""
+ROUNDING = 1e-12
+"""Share of the largest mass that a row may have from which on it holds more than rounding."""
 
 
 class Effects:
@@ -40,6 +44,7 @@ class Effects:
     def all(self) -> dict[str, float]:
         return {
             "repeated reward": self.invented(),
+            "conditional rewards": self.conditional(),
             "mixed policies": self.mixed(),
             "noise amplification": self.noise(),
             "folding": self.folded(),
@@ -62,39 +67,94 @@ class Effects:
         return counted
 
     def rows(self, settings: Settings, world: World | None = None, policy: np.ndarray | None = None) -> np.ndarray:
-        """The picture of the action, ``(K, H-1)``."""
+        """The picture of the action as probability, ``(K, H-1)``."""
         found = study(self.world if world is None else world, settings, policy)
-        return found.decoded.tau_space[self.action]
+        return found.decoded.tau_space[self.action] / settings.time_step
 
     def moved(self, rows: np.ndarray, others: np.ndarray) -> float:
         """Probability that lies with another reward, or row, in the worst row: half the absolute difference."""
         return 0.5 * float(np.abs(self.by_reward(rows - others)).sum(axis=-1).max())
 
+    def by_step(self, rows: np.ndarray) -> np.ndarray:
+        """Rows as probability, gathered at the whole step that each is nearest to, as many as there are of these."""
+        dt = self.settings.time_step
+        steps = np.array([int(np.floor(k * dt + 0.5)) for k in range(len(rows))])
+        return np.array([dt * rows[steps == n].sum(axis=0) for n in range(steps[-1] + 1)])
+
     @cached_property
-    def timeline(self) -> dict[int, dict[float, float]]:
-        """Chance of each reward at each step, by walking every path under the acting policy."""
-        found: dict[int, dict[float, float]] = {}
+    def held(self) -> int:
+        """Number of whole steps that the rows hold."""
+        s = self.settings
+        return sum(1 for n in range(s.steps + 1) if n <= (s.steps - 1) * s.time_step)
 
-        def walk(state: int, action: int, step: int, chance: float) -> None:
-            for row in self.world.outcomes(state, action):
-                at = found.setdefault(step, {})
-                at[row.reward] = at.get(row.reward, 0.0) + chance * row.probability
-                if row.next_state != END:
-                    walk(row.next_state, int(self.policy[row.next_state]), step + 1, chance * row.probability)
+    @cached_property
+    def processes(self) -> tuple[np.ndarray, np.ndarray]:
+        """Chances of the next state ``(A, S, S)`` and of each reward ``(A, S, V)``, outcome by outcome."""
+        values, n, actions = self.world.reward_values, self.world.n_states, self.world.n_actions
+        moves, pays = np.zeros((actions, n, n)), np.zeros((actions, n, values.size))
+        for state in range(n):
+            for action in range(actions):
+                for row in self.world.outcomes(state, action):
+                    pays[action, state, int(np.flatnonzero(values == row.reward)[0])] += row.probability
+                    if row.next_state != END:
+                        moves[action, state, row.next_state] += row.probability
+        return moves, pays
 
-        walk(int(np.argmax(self.world.start)), self.action, 0, 1.0)
-        return found
+    @cached_property
+    def timeline(self) -> np.ndarray:
+        """Chance of each reward at each whole step that the rows hold, ``(N, V)``, under the acting policy."""
+        moves, pays = self.processes
+        start, everywhere = int(np.argmax(self.world.start)), np.arange(self.world.n_states)
+        chances, there = [pays[self.action, start]], moves[self.action, start]
+        for _ in range(1, self.held):
+            chances.append(there @ pays[self.policy, everywhere])
+            there = there @ moves[self.policy, everywhere]
+        return np.array(chances)
 
-    def shown(self) -> list[dict[float, float]]:
-        """The true chances in each row that is decoded."""
-        return [self.timeline.get(step, {}) for step in range(self.settings.steps)]
+    def like(self, steps: np.ndarray) -> np.ndarray:
+        """The timeline beside gathered steps: nothing is true of a step beyond the last row."""
+        return np.concatenate([self.timeline, np.zeros((len(steps) - len(self.timeline), self.timeline.shape[1]))])
 
     def invented(self) -> float:
-        """Probability in the picture beyond the true survival, summed over rows."""
+        """Probability beyond the true chances that rescaling adds, by reward, summed over the steps."""
+        s = self.settings
         if self.case.settings.normalise != "paper":
             return 0.0
-        mass = self.rows(self.case.settings).sum(axis=-1)
-        return float(sum(max(0.0, m - sum(at.values())) for m, at in zip(mass, self.shown(), strict=True)))
+        found = study(self.world, s)
+        rows, sizes = found.decoded.tau_space[self.action], np.abs(found.gamma_space.differences[self.action])
+        largest = np.sqrt((sizes.sum(axis=1) ** 2).sum())
+        rescaled = np.zeros_like(rows)
+        matrix = decode_matrix(found.gamma_space.gammas, s.steps, s.alpha, s.time_step)
+        for k, row in enumerate(rows):
+            clipped = np.where(row > 0.0, row, 0.0)
+            if clipped.sum() > ROUNDING * largest * np.sqrt((matrix[k] ** 2).sum()):
+                rescaled[k] = clipped / clipped.sum()
+        drawn, left = (self.by_step(self.by_reward(each)) for each in (rescaled, rows / s.time_step))
+        true, total = self.like(drawn), 0.0
+        for p, d, t in zip(drawn, left, true, strict=True):
+            total += max(0.0, np.maximum(p - t, 0.0).sum() - np.maximum(d - t, 0.0).sum())
+        return float(total)
+
+    def conditional(self) -> float:
+        """Largest change of a value between rows given survival and rows left alone, in shares of the largest true."""
+        if self.case.settings.normalise != "survival":
+            return 0.0
+        both = [study(self.world, replace(self.case.settings, normalise=how)) for how in ("survival", "none")]
+        given, alone = (found.decoded.horizon_values[self.action] for found in both)
+        least = 0.01 * np.abs(self.world.reward_values).max()
+        return float(np.abs(given - alone).max() / max(least, 1e-12, *np.abs(self.values(self.settings.softness))))
+
+    def values(self, softness: float) -> list[float]:
+        """True V_T of the action at the horizon of every row, the deadline hard or soft."""
+        s, found, steps = self.settings, [], np.arange(self.held)
+        means = (self.timeline @ self.world.reward_values) * s.acting_gamma**steps
+        for k in range(s.steps):
+            T = k * s.time_step + 0.5 + 0.5 * s.time_step
+            if softness:
+                found.append(float(means @ (0.5 + 0.5 * np.tanh((T - 0.5 - steps) / (2.0 * softness * T)))))
+            else:
+                found.append(float(means[steps <= k * s.time_step].sum()))
+        return found
 
     def mixed(self) -> float:
         return self.moved(self.rows(self.settings), self.rows(replace(self.settings, policy="shared")))
@@ -103,26 +163,41 @@ class Effects:
         return self.moved(self.rows(self.settings), self.rows(self.quiet))
 
     def folded(self) -> float:
-        """Against a copy of the world that ends by itself after the last row."""
-        steps, n = self.settings.steps, self.world.n_states
-        rows = []
-        for t in range(steps):
-            for state in range(n):
-                for action in range(self.world.n_actions):
-                    for row in self.world.outcomes(state, action):
-                        over = row.next_state == END or t + 1 == steps
-                        goal = END if over else (t + 1) * n + row.next_state
-                        rows.append(Outcome(t * n + state, action, row.probability, goal, row.reward))
-        names = [f"{name} {t}" for t in range(steps) for name in self.world.states]
-        start = np.concatenate([self.world.start, np.zeros(n * (steps - 1))])
-        ended = World.from_outcomes("ended", names, self.world.actions, rows, start)
-        settings = replace(self.quiet, policy="shared", state=str(int(np.argmax(start))))
-        policy = np.tile(self.policy, steps)
+        """Against a copy of the world that ends by itself after the last row, in which all follow one policy."""
+        start = int(np.argmax(self.world.start))
+        states, rows, names = [(0, start)], [], []
+        number = {states[0]: 0}
+        for at, (t, state) in enumerate(states):  # more are added on the way
+            names.append(f"{self.world.states[state]} after {t}")
+            for action in range(self.world.n_actions):
+                for row in self.world.outcomes(state, action if t == 0 else int(self.policy[state])):
+                    after = END
+                    if row.next_state != END and t + 1 < self.held:
+                        if (t + 1, row.next_state) not in number:
+                            number[t + 1, row.next_state] = len(states)
+                            states.append((t + 1, row.next_state))
+                        after = number[t + 1, row.next_state]
+                    rows.append(Outcome(at, action, row.probability, after, row.reward))
+        ended = World.from_outcomes("ended", names, self.world.actions, rows)
+        policy = np.array([self.policy[state] for _, state in states])
+        settings = replace(self.quiet, policy="shared", state=None)
         return self.moved(self.rows(settings, policy=self.policy), self.rows(settings, ended, policy))
 
+    def ever_paid(self) -> np.ndarray:
+        """Rewards that the action may bring, sooner or later, under any of the policies that discounts follow."""
+        moves, pays = self.processes
+        paid = pays[self.action, int(np.argmax(self.world.start))] > 0.0
+        s, everywhere = self.quiet, np.arange(self.world.n_states)
+        for policy in target_policies(self.world, grids(s)[0], s.policy, s.acting_gamma):
+            there = moves[self.action, int(np.argmax(self.world.start))] > 0.0
+            for _ in everywhere:
+                there = there | (there @ moves[policy, everywhere] > 0.0)
+            paid = paid | (pays[policy, everywhere][there] > 0.0).any(axis=0)
+        return self.world.reward_values[paid]
+
     def clipped(self) -> float:
-        """Mass that a range beyond every reward, at the same spacing and slope, adds to a row."""
-        s, rewards, spacing = self.quiet, self.world.reward_values, spacing_of(self.quiet)
+        """Mass that a range beyond every reward of the action, at the same spacing and slope, adds to a row."""
+        s, rewards, spacing = self.quiet, self.ever_paid(), spacing_of(self.quiet)
         over = 8.0 / s.slope
         below = max(0, int(np.ceil((s.theta_min - rewards[0] + over) / spacing)))
         above = max(0, int(np.ceil((rewards[-1] + over - s.theta_max) / spacing)))
@@ -143,12 +218,13 @@ class Effects:
         """Probability in a row that lies nearer to another reward that is seen than to the one that was paid."""
         thetas = grids(self.settings)[1]
         middles = 0.5 * (thetas[1:] + thetas[:-1])
-        seen = sorted({v for at in self.shown() for v, p in at.items() if p >= SEEN})
+        values = self.world.reward_values
+        seen = [i for i in range(values.size) if self.timeline[:, i].max() >= SEEN]
         if len(seen) < 2:
             return 0.0
-        nearest = np.abs(middles[:, None] - np.array(seen)).argmin(axis=1)
-        wrong = {v: float(self.unit(v)[nearest != i].sum()) for i, v in enumerate(seen)}
-        return max(sum(p * wrong.get(v, 0.0) for v, p in at.items()) for at in self.shown())
+        nearest = np.abs(middles[:, None] - values[seen]).argmin(axis=1)
+        wrong = [float(self.unit(float(values[i]))[nearest != n].sum()) for n, i in enumerate(seen)]
+        return max(float(sum(chance[i] * w for i, w in zip(seen, wrong, strict=True))) for chance in self.timeline)
 
     def rounded(self) -> float:
         """Shift of the rewards' means, in spacings, against a grid so fine that the same slope overlaps itself."""
@@ -157,89 +233,81 @@ class Effects:
             return 0.0
         count = int(np.ceil((s.theta_max - s.theta_min + 12.0 * spacing) * s.slope / 2.0))
         fine = np.linspace(s.theta_min - 6.0 * spacing, s.theta_max + 6.0 * spacing, count)
-        off = {}
+        off = []
         for v in map(float, self.world.reward_values):
             whole = self.unit(v).sum() > 0.97  # at the edge of the range a reward is clipped, not rounded
-            off[v] = abs(self.mean(v, grids(s)[1]) - self.mean(v, fine)) / spacing if whole else 0.0
-        return max(sum(p * off[v] for v, p in at.items()) for at in self.shown())
+            off.append(abs(self.mean(v, grids(s)[1]) - self.mean(v, fine)) / spacing if whole else 0.0)
+        return max(float(chance @ off) for chance in self.timeline)
 
     def smeared(self) -> float:
         """How much nearer to the truth some smaller alpha brings the picture, in shares of its probability."""
-        s, units = self.settings, {}
+        s = self.settings
         if s.alpha <= LEAST_ALPHA:
             return 0.0
-        for v in self.world.reward_values:
-            units[float(v)] = self.unit(float(v))
-        true = np.zeros((s.steps, s.thetas - 1))
-        for row, at in enumerate(self.shown()):
-            for v, p in at.items():
-                true[row] += p * units[v]
+        units = np.array([self.by_reward(self.unit(float(v))) for v in self.world.reward_values])
 
         def error(alpha: float) -> float:
-            off = np.abs(self.by_reward(self.rows(replace(s, alpha=alpha)) - true)).sum()
-            return float(off / max(2.0 * true.sum(), 0.1))  # hardly anything may be left inside the sensitivities
+            steps = self.by_step(self.by_reward(self.rows(replace(s, alpha=alpha))))
+            true = self.like(steps) @ units
+            return float(np.abs(steps - true).sum() / max(2.0 * true.sum(), 0.1))  # hardly anything may be left inside
 
         here = error(s.alpha)
         if here <= VISIBLE:  # no fall can exceed it
             return 0.0
-        return here - min(error(alpha) for alpha in np.geomspace(s.alpha, LEAST_ALPHA, 24)[1:])
+        near, far = np.geomspace(s.alpha, s.alpha / 100.0, 41)[1:], np.geomspace(s.alpha, LEAST_ALPHA, 24)[1:]
+        return here - min(error(alpha) for alpha in (*near, *far) if alpha >= 0.999 * LEAST_ALPHA)
 
     def negative(self) -> float:
-        """What the inverse of the same data and alpha adds to a row's troughs if it may not go below zero."""
+        """What a picture that stops at zero has more than the one that is drawn, in the worst row."""
         if self.case.settings.normalise == "paper":
             return 0.0
-        found = study(self.world, self.settings)
-        rows = self.by_reward(found.decoded.tau_space[self.action])
-        bounded = self._bounded(found.gamma_space.gammas, self.by_reward(found.gamma_space.differences[self.action]))
-        return float((np.where(rows < 0.0, bounded, rows) - rows).sum(axis=-1).max())
-
-    def _bounded(self, gammas: np.ndarray, Z: np.ndarray) -> np.ndarray:
-        """min |F x - z|^2 + alpha^2 |x|^2 with x >= 0, one reward at a time, ``(K, V)``."""
-        s = self.settings
-        stacked = np.vstack([gammas[:, None] ** np.arange(s.steps), s.alpha * np.eye(s.steps)])
-        rest = np.zeros(s.steps)
-        return np.column_stack([nnls(stacked, np.append(z, rest))[0] for z in Z.T])
+        rows = self.by_reward(self.rows(self.case.settings))
+        return float((np.maximum(rows, 0.0) - rows).sum(axis=-1).max())
 
     def softened(self) -> float:
         """Largest change of a true value by the softness, as a share of the largest hard one."""
-        s = self.settings
-        if not s.softness:
+        if not self.settings.softness:
             return 0.0
-        means = [sum(v * p for v, p in at.items()) * s.acting_gamma**t for t, at in enumerate(self.shown())]
-        change, largest = 0.0, 1e-12
-        for T in range(1, s.steps + 1):
-            hard = sum(means[:T])
-            soft = sum(m / (1.0 + np.exp(-(T - 0.5 - t) / (s.softness * T))) for t, m in enumerate(means))
-            change, largest = max(change, abs(soft - hard)), max(largest, abs(hard))
-        return change / largest
+        hard, soft = self.values(0.0), self.values(self.settings.softness)
+        change = max(abs(b - a) for a, b in zip(hard, soft, strict=True))
+        return change / max(1e-12, *map(abs, hard))
+
+    def chosen_everywhere(self, settings: Settings) -> np.ndarray:
+        """Action chosen in every state at the horizon of every row, ``(K, S)``, each state decoded by itself."""
+        s, world, everywhere = settings, self.world, np.arange(self.world.n_states)
+        (gammas, thetas), (moves, pays) = grids(s), self.processes
+        bases = np.empty((world.n_states, world.n_actions, gammas.size, world.reward_values.size))
+        for g, policy in enumerate(target_policies(world, gammas, s.policy, s.acting_gamma)):
+            system = np.eye(world.n_states) - gammas[g] * moves[policy, everywhere]
+            later = np.linalg.solve(system, pays[policy, everywhere])
+            bases[:, :, g] = np.moveaxis(pays + gammas[g] * (moves @ later), 0, 1)
+        spaces = (encode(basis, world.reward_values, gammas, thetas, s.slope) for basis in bases)
+        return np.array([decode_and_read(space, s).actions for space in spaces]).T
 
     def constant(self) -> float:
-        """Loss of an episode acted with constant T, each state decoded in a study of its own, by recursion."""
+        """Loss of an episode acted with constant T, each state decoded by itself, step by step."""
         if self.case.settings.deadline != "constant" or self.world.n_actions == 1:
             return 0.0
-        s, world = replace(self.case.settings, noise=0.0), self.world
-        chosen = [study(world, replace(s, state=str(state))).decoded.actions for state in range(world.n_states)]
+        s, world, everywhere = replace(self.case.settings, noise=0.0), self.world, np.arange(self.world.n_states)
+        horizons = np.array([k * s.time_step + 0.5 + 0.5 * s.time_step for k in range(s.steps)])
+        whole = range(1, int(np.floor(horizons[-1])) + 1)
+        nearest = [int(np.argmin(np.abs(horizons - T))) for T in whole]
+        chosen = self.chosen_everywhere(s)[nearest]
+        moves, pays = self.processes
+        now = pays @ world.reward_values
 
-        def collected(state: int, left: int, constant: int | None) -> float:
-            if left == 0 or state == END:
-                return 0.0
-            action = chosen[state][(constant or left) - 1]
-            return sum(
-                row.probability * (row.reward + s.acting_gamma * collected(row.next_state, left - 1, constant))
-                for row in world.outcomes(state, int(action))
-            )
+        def later(actions: np.ndarray, values: np.ndarray) -> np.ndarray:
+            there = moves[actions, everywhere] @ values
+            return now[actions, everywhere] + s.acting_gamma * there
 
-        def best(state: int, left: int) -> float:
-            if left == 0 or state == END:
-                return 0.0
-            return max(
-                sum(
-                    row.probability * (row.reward + s.acting_gamma * best(row.next_state, left - 1))
-                    for row in world.outcomes(state, action)
-                )
-                for action in range(world.n_actions)
-            )
-
-        start, horizons = int(np.argmax(world.start)), range(1, s.steps + 1)
-        loss = max(collected(start, T, None) - collected(start, T, T) for T in horizons)
-        return loss / max(1e-12, *(abs(best(start, T)) for T in horizons))
+        start, losses, best_values = int(np.argmax(world.start)), [0.0], [1e-12]
+        to_go, best = np.zeros(world.n_states), np.zeros(world.n_states)
+        for T in whole:
+            to_go = later(chosen[T - 1], to_go)
+            best = (now + s.acting_gamma * (moves @ best)).max(axis=0)
+            constant = np.zeros(world.n_states)
+            for _ in range(T):
+                constant = later(chosen[T - 1], constant)
+            losses.append(float(to_go[start] - constant[start]))
+            best_values.append(abs(float(best[start])))
+        return max(losses) / max(best_values)
