@@ -65,7 +65,8 @@ def difference(a: Study, b: Study, action_a: str | int, action_b: str | int, wha
     """B - A for one action of each, on the grid of B.
 
     Where tau-spaces have other sensitivities or time steps, A's probability is moved to the bins of B: what lies in a
-    bin is spread over it evenly, and none is lost inside the range of B: beyond it, too, if B has open ends. Rows that only one has are left out.
+    bin is spread over it evenly, and none is lost inside the range of B, nor beyond it if B has open ends. Rows that
+    only one has are left out.
     Where gamma-spaces have other sensitivities, A is linear between its own (the same as moving probability); where
     they have other discounts, (1 - gamma) Q is linear in the logarithm of the time constant; never beyond A's ends.
 

@@ -120,15 +120,15 @@ def check_thetas(thetas: np.ndarray) -> None:
         raise InputError("'thetas' must be a list of at least 2 increasing numbers.")
 
 
-def check_shapes(values: np.ndarray, constant: np.ndarray, gammas: np.ndarray, thetas: np.ndarray) -> None:
-    """Of values ``(..., G, H)`` and the constant channel ``(..., G)``.
+def check_shapes(values: np.ndarray, constant: np.ndarray | None, gammas: np.ndarray, thetas: np.ndarray) -> None:
+    """Of values ``(..., G, H)`` and of the constant channel ``(..., G)``, if there is one.
 
     Raises:
         InputError: shapes that do not fit the grids or each other.
     """
     if values.ndim < 3 or not values.size or values.shape[-2:] != (gammas.size, thetas.size):
         raise _misshapen(values, gammas, thetas)
-    if constant.shape != values.shape[:-1]:
+    if constant is not None and constant.shape != values.shape[:-1]:
         raise InputError(
             f"'constant_channel' has shape {shown_shape(constant.shape)}; it must be {shown_shape(values.shape[:-1])}."
         )
