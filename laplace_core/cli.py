@@ -133,9 +133,9 @@ def _decode(options: argparse.Namespace) -> None:
     settings = parse_settings(options.world, params, given)
     if options.out is not None and not options.out.endswith(".npz"):
         raise InputError(f"--out {options.out[:60]!r} must end in .npz.")
-    if options.world.endswith(".safetensors"):
+    if options.world.lower().endswith(".safetensors"):
         found = study_of_file(options.world, settings)
-    elif options.world.endswith(".npz"):
+    elif options.world.lower().endswith(".npz"):
         found = study_of_gamma_space(read_gamma_space(options.world, settings.state), settings)
     else:
         found = study(load_world(options.world, params), settings)

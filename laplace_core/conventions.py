@@ -39,7 +39,8 @@ def check_convention(values: np.ndarray, constant: np.ndarray | None, gammas: np
     gammas, values = gammas[order], values[:, order]
     constant = None if constant is None else constant[:, order]
     sizes = 1.0 - gammas
-    there = (np.abs(values).max(axis=2) * sizes).max(axis=1) > _SEEN  # an action that is never possible holds nothing
+    held = np.abs(values).max(axis=2) if constant is None else np.maximum(np.abs(values).max(axis=2), constant)
+    there = (held * sizes).max(axis=1) > _SEEN  # an action that is never possible holds nothing
     if not there.any():
         return
     facts = _Facts(values[there], None if constant is None else constant[there], sizes)
@@ -163,7 +164,7 @@ class _Facts:
         errors = self.errors / self.sizes
         least = self.values.min(axis=1, keepdims=True)
         at = self.values.argmin(axis=1)
-        over = self.values - least - (self.constant - 1.0)[..., None]
+        over = self.values - least - np.maximum(self.constant - 1.0, 0.0)[..., None]
         spread = np.sqrt(2.0 * errors[:, None] ** 2 + errors[at][:, None, :] ** 2)
         return bool(np.any((over > (_FAR + 1.0) * spread) & (over > 2.0 * _SEEN)))
 

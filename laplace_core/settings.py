@@ -78,7 +78,7 @@ class Settings:
         """
         chosen = [(p.name, getattr(self, p.name)) for p in SCHEMA if getattr(self, p.name) is not None]
         words = [f"{name}={_literal(BY_NAME[name].parse(value))}" for name, value in chosen]
-        if world_expression is None and self.world.endswith(".npz"):
+        if world_expression is None and self.world.lower().endswith(".npz"):
             state = "" if self.state is None else f", {_literal(self.state)}"
             words.insert(0, f"world={_literal(self.world)}")
             return _script(

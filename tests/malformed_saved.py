@@ -13,11 +13,17 @@ from collections.abc import Iterator, Mapping
 import numpy as np
 
 GOOD = {
-    "gamma_space": np.linspace(2.0, 0.0, 24).reshape(2, 3, 4),
+    "gamma_space": np.array([1.0, 1.5, 5.0])[:, None] * np.array([[[1.0, 0.75, 0.5, 0.25]], [[0.9, 0.6, 0.3, 0.0]]]),
     "gammas": np.array([0.2, 0.5, 0.9]),
     "thetas": np.array([-1.0, 0.0, 1.0, 2.5]),
-    "constant_channel": np.linspace(1.0, 3.0, 6).reshape(2, 3),
+    "constant_channel": np.array([[1.2, 1.8, 6.0], [1.1, 1.6, 5.0]]),
 }
+def own_values(leading: tuple[int, ...] = (2,)) -> np.ndarray:
+    """Random tails that fall with theta and rise with gamma, ``(*leading, 3, 4)``, on the grids of ``GOOD``."""
+    chances = -np.sort(-np.random.default_rng(0).random((*leading, 1, 4)), axis=-1)
+    return np.array([1.0, 1.5, 5.0])[:, None] * chances
+
+
 DATA = GOOD["gamma_space"].tobytes()
 NO_ARRAYS = "not an .npz file of plain number arrays"
 

@@ -1,10 +1,9 @@
-"""Exact gamma-spaces of random worlds, with noise if wanted, and what they become under other conventions."""
+"""Exact gamma-spaces of random worlds, with noise if wanted."""
 
 from __future__ import annotations
 
 import numpy as np
 
-from laplace_core.encoding import activation
 from laplace_core.gamma_space import GammaSpace
 from laplace_core.worlds import END, Outcome, World
 
@@ -34,11 +33,6 @@ def random_thetas(rng: np.random.Generator, least: int = 2) -> np.ndarray:
     if rng.random() < 0.7:
         low, high = -2.5, 3.5
     return np.linspace(low, high + 0.5, int(rng.integers(least, 31)))
-
-
-def values_of(basis: np.ndarray, rewards: np.ndarray, thetas: np.ndarray, slope: float):
-    """Values ``(A, G, H)`` and constant channel ``(A, G)``."""
-    return basis @ activation(rewards, thetas, slope), basis.sum(axis=-1)
 
 
 def noisy(space: GammaSpace, size: float, rng: np.random.Generator) -> GammaSpace:

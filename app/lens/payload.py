@@ -70,8 +70,9 @@ def payload(
             lie between the sensitivities and count as their midpoints.
         ``thetas``, ``clipped_thetas``: sensitivities, and those that begin at the lowest reward that occurs.
         ``rewards``, ``timeline`` ``(A, N, V)``, ``optimum`` ``(A, K)``: the truth, where there is a world.
-        ``simulated_tails`` ``(N, B+1)``, at the edges of the bins, in 65,535ths, and ``simulated_lines`` ``(5, N)``: reward, survival, each with
-            its standard error, and the W1 distance that chance alone makes; of the first N whole steps.
+        ``simulated_tails`` ``(N, B+1)``, at the edges of the bins, in 65,535ths, and ``simulated_lines`` ``(5, N)``:
+            reward, survival, each with its standard error, and the W1 distance that chance alone makes; of the first N
+            whole steps.
         ``places``: as given.
     """
     s, space = study.settings, study.gamma_space

@@ -152,7 +152,7 @@ class LaplaceAgent(Agent):
         return self.target.at(inputs, tuple(gammas.tolist()))
 
     def gamma_space(self, observation: np.ndarray, gammas: np.ndarray | None = None) -> GammaSpace:
-        """What the agent has learned for one observation ``(O,)``, ready to be decoded: what it acts on, open ends too."""
+        """What the agent has learned for one observation ``(O,)``, to be decoded: what it acts on, open ends too."""
         values, constant = self.gamma_spaces(np.asarray(observation)[None], gammas)
         gammas = self.gammas if gammas is None else np.asarray(gammas)
         return GammaSpace(values[0], constant[0], gammas, self.thetas, open_ends=True)
