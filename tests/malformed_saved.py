@@ -18,6 +18,8 @@ GOOD = {
     "thetas": np.array([-1.0, 0.0, 1.0, 2.5]),
     "constant_channel": np.array([[1.2, 1.8, 6.0], [1.1, 1.6, 5.0]]),
 }
+
+
 def own_values(leading: tuple[int, ...] = (2,)) -> np.ndarray:
     """Random tails that fall with theta and rise with gamma, ``(*leading, 3, 4)``, on the grids of ``GOOD``."""
     chances = -np.sort(-np.random.default_rng(0).random((*leading, 1, 4)), axis=-1)

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from laplace_core.gamma_space import GammaSpace
+from laplace_core.gamma_space import GammaSpace, encode
+from laplace_core.learning import reward_indicator_basis, target_policies
 from laplace_core.worlds import END, Outcome, World
 
 
@@ -33,6 +34,16 @@ def random_thetas(rng: np.random.Generator, least: int = 2) -> np.ndarray:
     if rng.random() < 0.7:
         low, high = -2.5, 3.5
     return np.linspace(low, high + 0.5, int(rng.integers(least, 31)))
+
+
+def random_space(rng: np.random.Generator, least: tuple[int, int] = (2, 2), kind: str | None = None) -> GammaSpace:
+    """The exact gamma-space of a random world, under one policy or one for each discount."""
+    world, gammas, thetas = random_world(rng), random_discounts(rng, least[0]), random_thetas(rng, least[1])
+    kind = kind or str(rng.choice(["shared", "per_gamma"]))
+    policies = target_policies(world, gammas, kind, float(rng.choice([0.5, 0.9, 0.99])))
+    basis = reward_indicator_basis(world, int(rng.integers(world.n_states)), gammas, policies)
+    slope = float(rng.choice([1.0, 2.5, 10.0])) / float(np.diff(thetas).max())
+    return encode(basis, world.reward_values, gammas, thetas, slope)
 
 
 def noisy(space: GammaSpace, size: float, rng: np.random.Generator) -> GammaSpace:

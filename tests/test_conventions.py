@@ -9,23 +9,11 @@ import pytest
 
 from laplace_core.conventions import check_convention
 from laplace_core.errors import InputError
-from laplace_core.gamma_space import GammaSpace, encode
-from laplace_core.learning import reward_indicator_basis, target_policies
 from laplace_core.saved import read_gamma_space
 from tests.hostile import assert_one_sentence
-from tests.random_gamma_spaces import noisy, random_discounts, random_thetas, random_world
+from tests.random_gamma_spaces import noisy, random_space
 
 CDF, SCALED, AXES, LARGE, BELOW = "P(r < theta)", "times (1 - gamma)", "axes", "above 1 / (1 - gamma)", "lies below"
-
-
-def random_space(rng: np.random.Generator, least: tuple[int, int] = (2, 2), kind: str | None = None) -> GammaSpace:
-    """The exact gamma-space of a random world, under one policy or one for each discount."""
-    world, gammas, thetas = random_world(rng), random_discounts(rng, least[0]), random_thetas(rng, least[1])
-    kind = kind or str(rng.choice(["shared", "per_gamma"]))
-    policies = target_policies(world, gammas, kind, float(rng.choice([0.5, 0.9, 0.99])))
-    basis = reward_indicator_basis(world, int(rng.integers(world.n_states)), gammas, policies)
-    slope = float(rng.choice([1.0, 2.5, 10.0])) / float(np.diff(thetas).max())
-    return encode(basis, world.reward_values, gammas, thetas, slope)
 
 
 def refusal_of(values, constant, gammas, thetas) -> str:
