@@ -91,8 +91,8 @@ def _falls(look: Look) -> tuple[np.ndarray, np.ndarray]:
     """Falls of Z from one discount to the next, ``(G-1, n)``: those that may be random, and what is beyond them.
 
     In errors of (1 - gamma) Z. Discounts that change their policy make Z fall where they do, and rise or stay
-    everywhere else: where nothing is negative either, no fall is called random. Else errors make Z fall everywhere, each about
-    as far as all: twelve times their median is beyond what the largest of them reach.
+    everywhere else: where nothing is negative either, no fall is called random. Else errors make Z fall everywhere,
+    each about as far as all: twelve times their median is beyond what the largest of them reach.
     """
     Z = look.study.gamma_space.differences[look.action][np.argsort(look.gammas)]
     sizes = 1.0 - np.sort(look.gammas)
