@@ -10,6 +10,7 @@ import pytest
 
 from laplace_core import InputError, load_world
 from laplace_core import saved as saved_module
+from laplace_core.cli import main
 from laplace_core.pipeline import GammaSpace, study, study_of_gamma_space
 from laplace_core.saved import npz_bytes, read_gamma_space, save_study, states_of, study_arrays
 from laplace_core.settings import Settings
@@ -240,6 +241,14 @@ def test_the_catalogue_is_long_and_its_seed_is_valid(own):
 @pytest.mark.parametrize(("content", "named"), [c[1:] for c in CASES[::11]], ids=[c[0] for c in CASES[::11]])
 def test_decode_refuses_a_malformed_file_and_writes_nothing(tmp_path, capsys, own, content, named):
     assert_nothing_written(capsys, ["decode", str(own(content))], tmp_path, *named)
+
+
+def test_an_ending_in_capitals_is_as_good(tmp_path, capsys):
+    path = tmp_path / "MINE.NPZ"
+    path.write_bytes(with_arrays())
+    assert main(["decode", str(path), "--steps", "5", "--json"]) == 0
+    assert "chosen" in capsys.readouterr().out
+    assert "read_gamma_space" in Settings(world=str(path)).to_python()
 
 
 def test_files_that_cannot_be_read_are_refused(tmp_path, capsys):
