@@ -11,6 +11,7 @@ import os
 import statistics
 import time
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -76,16 +77,19 @@ def _simulated(count: int) -> Simulated:
     """Tails of 12 steps that continuations after action 1 may have come to."""
     rng = np.random.default_rng(0)
     lines = {name: np.zeros(12) for name in ("reward", "reward_error", "survival", "survival_error", "chance")}
-    return Simulated(1, SimpleNamespace(count=50, tails=-np.sort(-rng.random((12, count)), axis=1), **lines))
+    ends = -np.sort(-rng.random((12, count + 2)), axis=1)
+    ends[:, -1] = 0.0
+    return Simulated(1, SimpleNamespace(count=50, tails=ends[:, 1:-1], open_tails=ends, **lines))
 
 
 def network() -> dict[str, tuple[bytes, Settings]]:
     """A space as of a network: sensitivities spaced in asinh, discounts added between, a slope that may be softened."""
     settings = Settings(thetas=40, theta_min=-4.0, theta_max=14.0, theta_spacing="asinh", slope=4.0)
-    space = with_added(study(load_world("two_branch"), settings).gamma_space, 1)
+    space = with_added(replace(study(load_world("two_branch"), settings).gamma_space, open_ends=True), 1)
     added = study_of_gamma_space(space, structure(Settings(world="network", steps=20), None))
     places = 2.5 / np.diff(np.arcsinh(space.thetas)).max() * np.arcsinh(space.thetas)
-    return {"network": (payload(added, places=places, added=1)[0], added.settings)}
+    simulated = _simulated(len(space.thetas))
+    return {"network": (payload(added, simulated, places=places, added=1)[0], added.settings)}
 
 
 def random_cases(held: dict[str, tuple[bytes, Settings]], count: int, seed: int) -> list[dict[str, object]]:

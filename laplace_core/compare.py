@@ -24,7 +24,7 @@ class Difference:
 
     Attributes:
         rows: tau in steps of the world, or gamma, ``(K,)``.
-        columns: midpoints of tau-space, or sensitivities of gamma-space, in reward, ``(M,)``.
+        columns: what the bins of tau-space count as, or sensitivities of gamma-space, in reward, ``(M,)``.
         a, b: both on these rows and columns, ``(K, M)``; a tau-space as the probability per step of the world and bin.
         note: how A was brought to the grid of B, for people to read; empty where nothing had to be done.
     """
@@ -65,7 +65,8 @@ def difference(a: Study, b: Study, action_a: str | int, action_b: str | int, wha
     """B - A for one action of each, on the grid of B.
 
     Where tau-spaces have other sensitivities or time steps, A's probability is moved to the bins of B: what lies in a
-    bin is spread over it evenly, and none is lost inside the range of B. Rows that only one has are left out.
+    bin is spread over it evenly, and none is lost inside the range of B, nor beyond it if B has open ends. Rows that
+    only one has are left out.
     Where gamma-spaces have other sensitivities, A is linear between its own (the same as moving probability); where
     they have other discounts, (1 - gamma) Q is linear in the logarithm of the time constant; never beyond A's ends.
 
@@ -143,12 +144,15 @@ def _same(one: np.ndarray, other: np.ndarray) -> bool:
 def _tau_difference(a: Study, b: Study, action_a: int, action_b: int) -> Difference:
     step_a, step_b = a.settings.time_step, b.settings.time_step
     masses, notes = a.decoded.tau_space[action_a], []
-    thetas_a, thetas_b = a.gamma_space.thetas, b.gamma_space.thetas
-    if not _same(thetas_a, thetas_b):
-        _check_overlap("sensitivities", thetas_a, thetas_b)
+    edges_a, edges_b = a.gamma_space.bin_edges, b.gamma_space.bin_edges
+    if not _same(edges_a, edges_b):
+        _check_overlap("sensitivities", a.gamma_space.thetas, b.gamma_space.thetas)
+        if b.gamma_space.open_ends:  # whatever lies beyond the sensitivities of B lies in its open ends
+            edges_b = edges_b.copy()
+            edges_b[0], edges_b[-1] = min(edges_b[0], edges_a[0]), max(edges_b[-1], edges_a[-1])
         total = np.abs(masses).sum()
-        inside = rebinned(np.abs(masses), thetas_a, thetas_b).sum()
-        masses = rebinned(masses, thetas_a, thetas_b)
+        inside = rebinned(np.abs(masses), edges_a, edges_b).sum()
+        masses = rebinned(masses, edges_a, edges_b)
         notes.append("A's probability was moved to the sensitivities of B")
         if inside < 0.995 * total:
             notes.append(f"{1 - inside / total:.0%} of A lies beyond them and is not shown")

@@ -156,8 +156,8 @@ def area_around_zero(low: np.ndarray, thetas: np.ndarray, size: Callable[[np.nda
     return (ends / 2.0) @ np.diff(thetas)  # trapezoids
 
 
-def softening(places: np.ndarray, share: float) -> np.ndarray:
-    """S of a softer slope: what a difference Z[j] of gamma-space leaves at each midpoint, shape ``(H-1, H-1)``.
+def softening(places: np.ndarray, share: float, open_ends: bool = False) -> np.ndarray:
+    """S of a softer slope: what a difference Z[j] of gamma-space leaves in each bin, shape ``(B, B)``.
 
     The activation is the distribution function of a logistic law. A law of ``share`` of its slope is the given one
     blurred by a third, whose characteristic function is the ratio of theirs, sinh(pi w) / sinh(pi w / share) * 1/share;
@@ -167,8 +167,10 @@ def softening(places: np.ndarray, share: float) -> np.ndarray:
 
     (its density is sin(pi share) / (cosh(share x) + cos(pi share)) / (2 pi)). So softening is a linear map over theta:
     each difference goes through that function from its midpoint. At share 1 it is a step and S the identity. It is
-    exact but for the width of the gaps: off by at most .008 of a probability at a slope of 2.5 / spacing. What lies
-    outside the sensitivities stays outside.
+    exact but for the width of the gaps: off by at most .008 of a probability at a slope of 2.5 / spacing.
+
+    What is softened over an edge is lost where B = H-1, and lies in the outermost bin where the ends are open, B = H+1:
+    there rows sum to 1. What an open end holds is taken to lie within one gap of its sensitivity.
 
     Args:
         places: ``(H,)``, slope * theta, or whatever the activation is a sigmoid of; increasing.
@@ -179,9 +181,14 @@ def softening(places: np.ndarray, share: float) -> np.ndarray:
     """
     if not 0.0 < share <= 1.0:
         raise InputError(f"the share of the slope is {share:g}; it must be above 0 and at most 1.")
-    far = np.subtract.outer(theta_midpoints(places), np.asarray(places, dtype=float))
+    places = np.asarray(places, dtype=float)
+    padded = np.concatenate([[2.0 * places[0] - places[1]], places, [2.0 * places[-1] - places[-2]]])
+    far = np.subtract.outer(theta_midpoints(padded if open_ends else places), places)
     if share == 1.0:
         beyond = np.heaviside(far, 0.5)
     else:
         beyond = 0.5 + np.arctan(np.tan(np.pi * share / 2.0) * np.tanh(share * far / 2.0)) / (np.pi * share)
+    if open_ends:
+        whole, nothing = np.ones((len(far), 1)), np.zeros((len(far), 1))
+        beyond = np.concatenate([whole, beyond, nothing], axis=1)
     return -np.diff(beyond, axis=-1)

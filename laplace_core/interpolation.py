@@ -10,6 +10,8 @@ Nothing is learned in this way. What is added is a mean of what is there, and on
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
 from laplace_core.errors import InputError
@@ -61,7 +63,7 @@ def with_added(space: GammaSpace, count: int) -> GammaSpace:
         return space
     gammas = with_between(space.gammas, count)
     mix = mixing(space.gammas, gammas)
-    return GammaSpace(mix @ space.values, space.constant @ mix.T, gammas, space.thetas)
+    return replace(space, values=mix @ space.values, constant=space.constant @ mix.T, gammas=gammas)
 
 
 def left_out(values: np.ndarray, gammas: np.ndarray) -> np.ndarray:

@@ -13,7 +13,7 @@ from functools import lru_cache
 
 import numpy as np
 
-from laplace_core.encoding import bin_masses, discount_grid, sensitivity_grid, theta_midpoints
+from laplace_core.encoding import bin_masses, discount_grid, sensitivity_grid
 from laplace_core.errors import InputError
 from laplace_core.gamma_space import GammaSpace, encode, with_noise
 from laplace_core.horizon import choose_actions, expected_rewards, horizon_values, row_horizons, scale_of_values
@@ -84,6 +84,7 @@ class Truth(Decoded):
 class Study:
     """One state, looked at through one choice of settings.
 
+    ``midpoints`` are what each column of the tau-space counts as: the bin values of the gamma-space, ``(B,)``.
     ``learned`` is the learned reward-indicator basis, ``(A, G, V)``, that was decoded in place of the exact one;
     ``policy`` is the one that was given in place of the target policy of the settings.
     """
@@ -147,7 +148,7 @@ def study(
     gamma_space = with_noise(encode(basis, world.reward_values, gammas, thetas, s.slope), s.noise, s.noise_seed)
     truth = _truth(world, timeline, _optimum(world, state, s.acting_gamma, length), thetas, s)
     decoded = decode_and_read(gamma_space, s)
-    midpoints = theta_midpoints(thetas)
+    midpoints = gamma_space.bin_values
     return Study(s, world.actions, gamma_space, midpoints, decoded, world, state, truth, learned, policy)
 
 
@@ -158,7 +159,7 @@ def study_of_gamma_space(gamma_space: GammaSpace, settings: Settings) -> Study:
     _check_size(*gamma_space.values.shape, settings.steps)
     names = tuple(f"action {a}" for a in range(len(gamma_space.values)))
     decoded = decode_and_read(gamma_space, settings)
-    return Study(settings, names, gamma_space, theta_midpoints(gamma_space.thetas), decoded)
+    return Study(settings, names, gamma_space, gamma_space.bin_values, decoded)
 
 
 def grids(settings: Settings) -> tuple[np.ndarray, np.ndarray]:
@@ -178,7 +179,7 @@ def decode_and_read(gamma_space: GammaSpace, settings: Settings) -> Decoded:
     if s.normalise == "paper":
         rounding = rounding_of_rows(gamma_space.differences, gammas, s.steps, s.alpha, s.time_step)
     tau_space = normalise_rows(tau_space, survival, s.normalise, s.time_step, rounding)
-    rewards = expected_rewards(tau_space, theta_midpoints(gamma_space.thetas))
+    rewards = expected_rewards(tau_space, gamma_space.bin_values)
     values = horizon_values(rewards, s.acting_gamma, s.softness, s.time_step)
     return Decoded(tau_space, survival, rewards, values)
 
@@ -195,7 +196,7 @@ def rewards_of(gamma_space: GammaSpace, settings: Settings) -> np.ndarray:
 
 def linear_parts(gamma_space: GammaSpace) -> np.ndarray:
     """What :func:`rewards_of_parts` reads: the reward that the values imply and the constant channel, ``(A, G, 2)``."""
-    means = gamma_space.differences @ theta_midpoints(gamma_space.thetas)
+    means = gamma_space.differences @ gamma_space.bin_values
     return np.stack([means, gamma_space.constant], axis=-1)
 
 

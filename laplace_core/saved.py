@@ -7,7 +7,7 @@ import json
 import math
 import warnings
 import zipfile
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import asdict
 from pathlib import Path
@@ -16,12 +16,14 @@ from typing import BinaryIO
 import numpy as np
 
 from laplace_core.atomic import atomic_write
+from laplace_core.conventions import check_convention, order_of_axes
 from laplace_core.errors import InputError
-from laplace_core.pipeline import GammaSpace, Study
+from laplace_core.gamma_space import GammaSpace, check_gammas, check_shapes, check_thetas, shown_shape
+from laplace_core.pipeline import Study
 
 MAX_BYTES = 400_000_000
 """Most that a file's arrays may take together, as float64."""
-_WANTED = ("gamma_space", "gammas", "thetas", "constant_channel")
+_WANTED = ("gamma_space", "gammas", "thetas", "constant_channel", "open_ends")
 
 
 def study_arrays(study: Study) -> dict[str, np.ndarray]:
@@ -38,6 +40,8 @@ def study_arrays(study: Study) -> dict[str, np.ndarray]:
         "thetas": study.gamma_space.thetas,
         "theta_midpoints": study.midpoints,
     }
+    if study.gamma_space.open_ends:
+        arrays["open_ends"] = np.array(1.0)
     if truth is not None:
         arrays |= {
             "true_tau_space": truth.tau_space,
@@ -77,7 +81,9 @@ def read_gamma_space(
 
     ``gamma_space`` is ``(A, G, H)``, or ``(G, H)`` for one action, or ``(S, A, G, H)`` with ``state`` as an
     index. Without a ``constant_channel`` ``(A, G)`` the tail at the lowest sensitivity stands in for it: it
-    is the same thing as long as no reward lies below that sensitivity.
+    is the same thing as long as no reward lies below that sensitivity. ``open_ends`` 1 says that what lies beyond the
+    sensitivities counts, as :class:`GammaSpace` has it. Values that are clearly those of another convention are
+    refused (:mod:`laplace_core.conventions`).
 
     Args:
         source: a path, the content of a file, or an open binary file, as an upload brings it.
@@ -93,31 +99,39 @@ def read_gamma_space(
         if wanted not in arrays:
             raise _lacks(name, wanted)
     gammas, thetas, values = arrays["gammas"], arrays["thetas"], arrays["gamma_space"]
-    if gammas.ndim != 1 or gammas.size < 2 or not np.all((gammas > 0) & (gammas < 1)):
-        raise InputError("'gammas' must be a list of at least 2 numbers between 0 and 1, both excluded.")
-    if thetas.ndim != 1 or thetas.size < 2 or not np.all(np.diff(thetas) > 0):
-        raise InputError("'thetas' must be a list of at least 2 increasing numbers.")
-    if np.unique(gammas).size < gammas.size:
-        raise InputError("'gammas' holds the same discount twice.")
-    shape = values.shape
-    if values.ndim == 2:
-        values = values[None]
-    if values.ndim not in (3, 4) or not values.size or values.shape[-2:] != (gammas.size, thetas.size):
+    check_gammas(gammas)
+    if gammas.size < 2:
+        raise InputError("'gammas' must hold at least 2 discounts, or there is nothing to decode.")
+    check_thetas(thetas)
+    open_ends = _open_ends(arrays)
+    axes = order_of_axes(values.shape, gammas.size, thetas.size)
+    if values.shape[-2:] != (gammas.size, thetas.size) and axes is not None:
         raise InputError(
-            f"'gamma_space' has shape {_shown(shape)}; with {gammas.size} gammas and {thetas.size} "
-            f"thetas it must be (actions, {gammas.size}, {thetas.size})."
+            f"'gamma_space' has shape {shown_shape(values.shape)}, whose axes seem to be {axes}: give them as "
+            f"(actions, {gammas.size} gammas, {thetas.size} thetas); the shape must be (actions, gammas, thetas)."
         )
-    constant = arrays.get("constant_channel", values[..., 0])
-    if constant.ndim == 1:
+    values = values[None] if values.ndim == 2 else values
+    constant = arrays.get("constant_channel")
+    if constant is not None and constant.ndim == 1:
         constant = constant[None]
-    if constant.shape != values.shape[:-1]:
-        raise InputError(f"'constant_channel' has shape {_shown(constant.shape)}; it must be {values.shape[:-1]}.")
+    check_shapes(values, constant, gammas, thetas)
     if values.ndim == 4:
         index = _state_index(state, len(values))
-        values, constant = values[index], constant[index]
+        values, constant = values[index], None if constant is None else constant[index]
     elif state not in (None, "0"):
         raise InputError(f"state {state[:40]!r} does not exist: this gamma-space holds a single state, 0.")
-    return GammaSpace(values, constant, gammas, thetas)
+    if values.ndim == 3:
+        check_convention(values, constant, gammas, thetas)
+    return GammaSpace(values, values[..., 0] if constant is None else constant, gammas, thetas, open_ends)
+
+
+def _open_ends(arrays: Mapping[str, np.ndarray]) -> bool:
+    flag = arrays.get("open_ends", np.zeros(()))
+    if flag.size != 1 or flag.item() not in (0.0, 1.0):
+        raise InputError("'open_ends' must be 1 or 0: whether what lies beyond the thetas counts, at those thetas.")
+    if flag.item() and "constant_channel" not in arrays:
+        raise InputError("'open_ends' needs a 'constant_channel': without it nothing is known of what lies below.")
+    return bool(flag.item())
 
 
 def _state_index(state: str | None, count: int) -> int:
@@ -139,7 +153,7 @@ def states_of(source: str | Path | bytes | BinaryIO, name: str | None = None) ->
             raise _lacks(name, "gamma_space")
         shape = _checked_shape(archive, "gamma_space", MAX_BYTES)
     if len(shape) not in (2, 3, 4) or 0 in shape:
-        raise InputError(f"'gamma_space' has shape {_shown(shape)}; it must be (actions, gammas, thetas).")
+        raise InputError(f"'gamma_space' has shape {shown_shape(shape)}; it must be (actions, gammas, thetas).")
     return shape[0] if len(shape) == 4 else 1
 
 
@@ -193,7 +207,7 @@ def _checked_shape(archive: zipfile.ZipFile, name: str, room: int) -> tuple[int,
         raise InputError(f"{name!r} holds {str(dtype)[:40]}, not real numbers.")
     stored = archive.getinfo(member).file_size
     if dtype.itemsize * math.prod(shape) > stored:
-        raise InputError(f"{name!r} claims the shape {_shown(shape)} but is too short for it; save it again.")
+        raise InputError(f"{name!r} claims the shape {shown_shape(shape)} but is too short for it; save it again.")
     if 8 * math.prod(shape) > room:
         raise InputError(f"{name!r} brings the arrays above {MAX_BYTES // 10**6} MB; save fewer states or thetas.")
     return shape
@@ -207,8 +221,3 @@ def _read_member(archive: zipfile.ZipFile, name: str, room: int) -> np.ndarray:
     if not (array.min(initial=0.0) >= -1e12 and array.max(initial=0.0) <= 1e12):  # NaN fails both
         raise InputError(f"{name!r} holds a value that is not a number within +-1e12.")
     return array
-
-
-def _shown(shape: tuple[int, ...]) -> str:
-    text = str(shape)
-    return text if len(text) <= 60 else f"{text[:60]}...)"

@@ -21,9 +21,11 @@ def tau_space_csv(study: Study) -> str:
     """action, tau, theta_low, theta_high, probability[, true_probability]: a line for each bin of each row.
 
     A probability is per step of the world: with a ``time_step`` below 1, a row divided by it. A true one is that of
-    the step that lies on the row; between two steps there is none.
+    the step that lies on the row; between two steps there is none. Open ends reach to -inf and inf.
     """
     step, thetas = study.settings.time_step, study.gamma_space.thetas
+    if study.gamma_space.open_ends:
+        thetas = np.concatenate([[-np.inf], thetas, [np.inf]])
     bins = [f"{low},{high}" for low, high in zip(_texts(thetas[:-1]), _texts(thetas[1:]), strict=True)]
     columns = {"probability": study.decoded.tau_space / step}
     if study.truth is not None:
@@ -32,10 +34,16 @@ def tau_space_csv(study: Study) -> str:
 
 
 def gamma_space_csv(study: Study) -> str:
-    """action, gamma, theta, value: a line for each sensitivity at each discount."""
+    """action, gamma, theta, value: a line for each sensitivity at each discount.
+
+    With open ends there is one more, of the constant channel, as the sensitivity -inf that every reward lies above.
+    """
     space = study.gamma_space
-    columns = {"value": space.values}
-    return _long("action,gamma,theta", study, _texts(space.gammas), _texts(space.thetas), columns)
+    values, thetas = space.values, space.thetas
+    if space.open_ends:
+        values = np.concatenate([space.constant[..., None], values], axis=-1)
+        thetas = np.concatenate([[-np.inf], thetas])
+    return _long("action,gamma,theta", study, _texts(space.gammas), _texts(thetas), {"value": values})
 
 
 def values_csv(study: Study) -> str:

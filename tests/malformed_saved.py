@@ -13,11 +13,19 @@ from collections.abc import Iterator, Mapping
 import numpy as np
 
 GOOD = {
-    "gamma_space": np.linspace(2.0, 0.0, 24).reshape(2, 3, 4),
+    "gamma_space": np.array([1.0, 1.5, 5.0])[:, None] * np.array([[[1.0, 0.75, 0.5, 0.25]], [[0.9, 0.6, 0.3, 0.0]]]),
     "gammas": np.array([0.2, 0.5, 0.9]),
     "thetas": np.array([-1.0, 0.0, 1.0, 2.5]),
-    "constant_channel": np.linspace(1.0, 3.0, 6).reshape(2, 3),
+    "constant_channel": np.array([[1.2, 1.8, 6.0], [1.1, 1.6, 5.0]]),
 }
+
+
+def own_values(leading: tuple[int, ...] = (2,)) -> np.ndarray:
+    """Random tails that fall with theta and rise with gamma, ``(*leading, 3, 4)``, on the grids of ``GOOD``."""
+    chances = -np.sort(-np.random.default_rng(0).random((*leading, 1, 4)), axis=-1)
+    return np.array([1.0, 1.5, 5.0])[:, None] * chances
+
+
 DATA = GOOD["gamma_space"].tobytes()
 NO_ARRAYS = "not an .npz file of plain number arrays"
 
@@ -104,6 +112,32 @@ def _arrays() -> Iterator[tuple[str, bytes, tuple[str, ...]]]:
     for shape in ((2, 3), (2, 2, 3), (5, 3), (5, 3, 2)):
         bad = with_arrays(gamma_space=states, constant_channel=np.ones(shape))
         yield f"five states and a constant of shape {shape}", bad, ("'constant_channel'", "(5, 2, 3)")
+
+
+def _conventions() -> Iterator[tuple[str, bytes, tuple[str, ...]]]:
+    """An episode that goes on with .8 at every step and pays by one law, as other conventions would write it."""
+    gammas, thetas = np.array([0.1, 0.3, 0.5, 0.7, 0.8, 0.9, 0.95, 0.97]), np.arange(8.0)
+    steps, above = 1.0 / (1.0 - 0.8 * gammas), np.array([1.0, 1.0, 0.9, 0.7, 0.65, 0.3, 0.1, 0.0])
+    values = np.stack([np.outer(steps, above), np.outer(steps, above**2)])
+    constant, sizes = np.stack([steps, steps]), 1.0 - gammas
+
+    def saved(values, constant=None, thetas=thetas):
+        return with_arrays(gamma_space=values, gammas=gammas, thetas=thetas, constant_channel=constant)
+
+    for known in (None, constant):
+        told = "with" if known is not None else "without"
+        yield f"P(r < theta), {told} a constant", saved(constant[..., None] - values, known), ("P(r < theta)",)
+        yield f"last axis reversed, {told} a constant", saved(values[..., ::-1], known), ("reverse its last axis",)
+        yield f"axes exchanged, {told} a constant", saved(values.transpose(0, 2, 1), known), ("axes",)
+        own = None if known is None else known * sizes
+        yield f"times 1 - gamma, {told} a constant", saved(values * sizes[:, None], own), ("times (1 - gamma)",)
+    yield "rewards in place of probabilities", saved(20.0 * values), ("above 1 / (1 - gamma)",)
+    yield "rows against gammas", saved(values[:, ::-1]), ("run against 'gammas'",)
+    yield "constant channel too low", saved(values, constant * sizes), ("'constant_channel' lies below",)
+    yield "thetas descending", saved(values[..., ::-1], None, thetas[::-1]), ("reverse 'thetas'", "last axis")
+    for flag in (2.0, np.array([1.0, 0.0])):
+        yield f"open_ends {flag}", with_arrays(open_ends=np.array(flag)), ("'open_ends'", "1 or 0")
+    yield "open ends without a constant", with_arrays(open_ends=np.array(1), constant_channel=None), ("'open_ends'",)
 
 
 def _headers() -> Iterator[tuple[str, bytes, tuple[str, ...]]]:
@@ -204,7 +238,7 @@ def pickles(trap: str) -> Iterator[tuple[str, bytes]]:
 
 
 def cases() -> Iterator[tuple[str, bytes, tuple[str, ...]]]:
-    for catalogue in (_arrays, _headers, _zips):
+    for catalogue in (_arrays, _conventions, _headers, _zips):
         yield from catalogue()
 
 

@@ -194,13 +194,13 @@ def test_a_gamma_space_is_decoded_without_a_world():
 
 
 def test_every_state_of_a_gamma_space_can_be_looked_at():
-    several = np.stack([GOOD["gamma_space"], 2.0 * GOOD["gamma_space"]])
+    several = np.stack([GOOD["gamma_space"], 0.5 * GOOD["gamma_space"]])
     content = with_arrays(gamma_space=several, constant_channel=None)
     page = upload(opened("bring"), "mine.npz", content)
     first = tau_space(page)
     page.number_input(key="state_index").set_value(1)
     run(page)
-    np.testing.assert_allclose(tau_space(page), 2.0 * first, rtol=1e-5, atol=1e-6)
+    np.testing.assert_allclose(tau_space(page), 0.5 * first, rtol=1e-5, atol=1e-6)
     choose(page, action="action 1")
     expected = study_of_gamma_space(read_gamma_space(content, "1"), Settings(world="mine.npz"))
     assert_shows(page, expected, 1)

@@ -13,6 +13,7 @@ from laplace_core.artifacts.look import Look
 from laplace_core.artifacts.noise import noise_amplification, violations
 from laplace_core.inverse import decode
 from laplace_core.pipeline import basis_of, decode_and_read
+from tests.random_gamma_spaces import noisy, random_space
 
 NAME = "noise amplification"
 
@@ -136,6 +137,44 @@ def test_a_fall_with_gamma_is_a_violation_even_where_all_is_positive():
     found = study_of_gamma_space(GammaSpace(tails, tails[..., 0], gammas, thetas), Settings(world="mine.npz", steps=5))
     # The fall of 1 is shared as the variances 1 / (1 - gamma)^2 = 4 and 100 would have it.
     np.testing.assert_allclose(violations(Look(found, 0))[:, 0] ** 2, [4 / 104, 100 / 104])
+
+
+@pytest.mark.parametrize("alpha", [0.2, 0.05, 0.01, 0.001])
+def test_exact_values_of_policies_that_differ_are_not_called_noise(alpha):
+    """Discounts of two_decisions change their policy: exact values, saved and decoded without their world."""
+    named = set()
+    for world in ("two_decisions", "discounting_chain", "cliff_grid"):
+        space = look(world, policy="per_gamma").gamma_space
+        own = study_of_gamma_space(space, Settings(world="mine.npz", alpha=alpha, steps=8))
+        for action in range(len(own.action_names)):
+            for artefact in find_artefacts(own, action):
+                assert artefact.name != NAME, (world, action, artefact)
+                if artefact.name == "mixed policies":
+                    assert artefact.remedies == ()
+                    assert "different policies" in artefact.sentence
+                    named.add(world)
+    assert "two_decisions" in named or alpha > 0.02
+
+
+def test_random_worlds_are_told_apart():
+    """Per-discount policies are never called noise; noise that makes nothing negative may be called both things."""
+    wrong, mixed, noise, either = [], 0, 0, 0
+    for seed in range(120):
+        rng = np.random.default_rng([6, seed])
+        exact = random_space(rng, (8, 10), "per_gamma")
+        settings = Settings(world="mine.npz", alpha=1e-3, steps=12)
+        for action in range(len(exact.values)):
+            names = {a.name for a in find_artefacts(study_of_gamma_space(exact, settings), action, searching=False)}
+            mixed += "mixed policies" in names
+            wrong += [(seed, "exact", names)] if NAME in names else []
+        shared = noisy(random_space(rng, (8, 10), "shared"), 3e-3, rng)
+        names = {a.name for a in find_artefacts(study_of_gamma_space(shared, settings), 0, searching=False)}
+        noise += NAME in names
+        either += "mixed policies" in names
+    assert wrong == []
+    assert either <= 3
+    assert mixed >= 10
+    assert noise >= 100
 
 
 def test_noise_in_data_is_not_taken_for_clipped_edges():

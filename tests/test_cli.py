@@ -15,7 +15,7 @@ from laplace_core.settings import SCHEMA
 from laplace_core.worlds import TOY_TEXT, dump_world, load_world
 from tests.hostile import OLD, assert_nothing_written, assert_refused
 from tests.malformed_commands import CASES
-from tests.malformed_saved import with_arrays
+from tests.malformed_saved import own_values, with_arrays
 from tests.malformed_worlds import TEXT
 
 GOLDEN = (
@@ -206,7 +206,7 @@ def test_settings_reproduce_the_run(tmp_path, capsys, command):
 
 def test_settings_reproduce_a_run_on_files(tmp_path, capsys):
     own, world = tmp_path / "my own.npz", tmp_path / "my world.json"
-    own.write_bytes(with_arrays(gamma_space=np.random.default_rng(0).normal(size=(2, 2, 3, 4)), constant_channel=None))
+    own.write_bytes(with_arrays(gamma_space=own_values((2, 2)), constant_channel=None))
     world.write_text(TEXT.replace("long", " - 長い "), encoding="utf-8")
     assert_reproduced(tmp_path, capsys, ["decode", str(own), "--state", "1", "--steps", "5", "--alpha", ".1"])
     assert_reproduced(tmp_path, capsys, ["decode", str(world), "--state", " - 長い "])

@@ -37,10 +37,12 @@ def blocks_of(data: bytes):
 def test_differences_come_back_within_half_a_level(rollout):
     header, blocks = blocks_of(payload(rollout))
     low, high = np.frombuffer(zlib.decompress(blocks["differences"]), np.uint8).reshape(2, -1).astype(np.uint16)
-    changes = (low | (high << 8)).astype(np.uint16).view(np.int16).reshape(len(rollout), 2, 5, 8)
+    changes = (low | (high << 8)).astype(np.uint16).view(np.int16).reshape(len(rollout), 2, 5, 10)
     levels = np.cumsum(changes, axis=0, dtype=np.int16)
     scales = np.frombuffer(blocks["scales"])
-    exact = (rollout.spaces[..., :-1] - rollout.spaces[..., 1:]).astype(float)
+    # Tails from the constant channel down to nothing: the ends are open.
+    nothing = np.zeros_like(rollout.spaces[..., :1])
+    exact = -np.diff(np.concatenate([rollout.constants[..., None], rollout.spaces, nothing], axis=-1)).astype(float)
     off = np.abs(levels * scales[:, None] - exact).max(axis=(0, 1, 3))
     np.testing.assert_array_less(off, 0.5001 * scales)
     np.testing.assert_allclose(scales * LEVELS, np.abs(exact).max(axis=(0, 1, 3)), rtol=1e-6)
@@ -70,7 +72,7 @@ def test_a_thousand_steps_of_the_lander_are_less_than_ten_megabytes():
     sizes = 1 / (1 - np.linspace(0.37, 0.99, 15))[:, None]
     centre = 3 * np.sin(t + np.arange(4)[:, None, None])
     spaces = (sizes / (1 + np.exp((theta - centre) / 8))).astype(np.float32)
-    levels, _ = rounded(spaces)
+    levels, _ = rounded(spaces[..., :-1] - spaces[..., 1:])
     halves = np.diff(levels, axis=0, prepend=levels[:1] * 0).view(np.uint8).reshape(-1, 2).T
     assert len(zlib.compress(np.ascontiguousarray(halves).tobytes(), 6)) < 7e6  # pictures take some 3 MB
 

@@ -138,7 +138,8 @@ def test_a_laplace_agent_says_it_as_if_steps_were_independent():
     steps = steps_until_cut(space.gammas[agent.acting_head])
     tau_space = decode(space.differences, space.gammas, steps, 0.3)[1]
     discounts = space.gammas[agent.acting_head] ** np.arange(steps)
-    wanted = independent_steps_return(tau_space, theta_midpoints(space.thetas), discounts)
+    rewards = np.array([space.thetas[0], *theta_midpoints(space.thetas), space.thetas[-1]])  # the ends are open
+    wanted = independent_steps_return(tau_space, rewards, discounts)
     assert law.kind == INDEPENDENT
     assert steps == 528  # .99^528 = .00496
     np.testing.assert_allclose(law.locations, wanted[0])

@@ -10,11 +10,24 @@ import pytest
 
 from laplace_core import InputError, load_world
 from laplace_core import saved as saved_module
+from laplace_core.cli import main
 from laplace_core.pipeline import GammaSpace, study, study_of_gamma_space
 from laplace_core.saved import npz_bytes, read_gamma_space, save_study, states_of, study_arrays
 from laplace_core.settings import Settings
 from tests.hostile import assert_nothing_written, assert_one_sentence
-from tests.malformed_saved import CASES, DATA, GOOD, described, npy, npy_by_hand, npz, pickles, with_arrays, with_member
+from tests.malformed_saved import (
+    CASES,
+    DATA,
+    GOOD,
+    described,
+    npy,
+    npy_by_hand,
+    npz,
+    own_values,
+    pickles,
+    with_arrays,
+    with_member,
+)
 
 
 @pytest.fixture
@@ -127,8 +140,9 @@ def test_a_study_that_cannot_be_written_leaves_the_old_file_and_no_other(tmp_pat
 @pytest.mark.parametrize("with_constant", [True, False])
 @pytest.mark.parametrize("leading", [(), (1,), (2,), (5, 2), (1, 1)])
 def test_own_data_of_every_shape(own, leading, with_constant):
-    values = np.random.default_rng(0).normal(size=(*leading, 3, 4))
-    constant = np.random.default_rng(1).normal(size=(*leading, 3)) if with_constant else None
+    values, constant = own_values(leading), None
+    if with_constant:
+        constant = np.broadcast_to(np.array([1.0, 1.5, 5.0]), (*leading, 3))
     path = own(with_arrays(gamma_space=values, constant_channel=constant))
     expected_constant = values[..., 0] if constant is None else constant
     if len(leading) < 2:
@@ -144,7 +158,7 @@ def test_own_data_of_every_shape(own, leading, with_constant):
 
 @pytest.mark.parametrize("kind", ["<f4", ">f8", "<f2", "<i4", "|i1", ">u2", "<f16"])
 def test_own_data_of_every_real_number_type(own, kind):
-    values = np.arange(24).reshape(2, 3, 4)[:, :, ::-1]
+    values = np.array([[[1, 1, 0, 0], [1, 1, 1, 0], [6, 4, 2, 0]], [[1, 0, 0, 0], [1, 1, 0, 0], [5, 4, 1, 1]]])
     found = read_gamma_space(own(with_arrays(gamma_space=np.asfortranarray(values, dtype=kind))))
     np.testing.assert_array_equal(found.values, values)
     assert_sound(found)
@@ -178,7 +192,7 @@ def test_states_that_the_data_does_not_hold_are_refused(own, state):
 
 @pytest.mark.parametrize("leading", [(), (1,), (2,), (5, 2), (1, 1)])
 def test_uploads_need_no_file(own, leading):
-    values = np.random.default_rng(0).normal(size=(*leading, 3, 4))
+    values = own_values(leading)
     content = with_arrays(gamma_space=values, constant_channel=None)
     count = leading[0] if len(leading) == 2 else 1
     path = own(content)
@@ -227,6 +241,14 @@ def test_the_catalogue_is_long_and_its_seed_is_valid(own):
 @pytest.mark.parametrize(("content", "named"), [c[1:] for c in CASES[::11]], ids=[c[0] for c in CASES[::11]])
 def test_decode_refuses_a_malformed_file_and_writes_nothing(tmp_path, capsys, own, content, named):
     assert_nothing_written(capsys, ["decode", str(own(content))], tmp_path, *named)
+
+
+def test_an_ending_in_capitals_is_as_good(tmp_path, capsys):
+    path = tmp_path / "MINE.NPZ"
+    path.write_bytes(with_arrays())
+    assert main(["decode", str(path), "--steps", "5", "--json"]) == 0
+    assert "chosen" in capsys.readouterr().out
+    assert "read_gamma_space" in Settings(world=str(path)).to_python()
 
 
 def test_files_that_cannot_be_read_are_refused(tmp_path, capsys):

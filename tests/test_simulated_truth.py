@@ -132,9 +132,8 @@ def test_many_states_are_their_mean():
     each = []
     for observation, action in zip(states.observations, states.actions, strict=True):
         space = agent.gamma_space(observation)
-        each.append(
-            expected_rewards(decode(space.differences[action], agent.gammas, 20, 0.5), theta_midpoints(agent.thetas))
-        )
+        rewards = np.array([agent.thetas[0], *theta_midpoints(agent.thetas), agent.thetas[-1]])  # the ends are open
+        each.append(expected_rewards(decode(space.differences[action], agent.gammas, 20, 0.5), rewards))
     np.testing.assert_allclose(found.reward, np.mean(each, axis=0), rtol=1e-4, atol=1e-6)
     np.testing.assert_allclose(found.simulated.survival, states.alive.mean(axis=0))
     assert found.calibration.counts.sum() == states.alive.size * 5

@@ -11,7 +11,7 @@ from laplace_core import Settings, load_world, study, study_of_gamma_space
 from laplace_core.saved import read_gamma_space
 from laplace_core.settings import SCHEMA, parse_settings
 from laplace_core.worlds import dump_world, read_world, world_from_rows, world_rows
-from tests.malformed_saved import with_arrays
+from tests.malformed_saved import own_values, with_arrays
 from tests.malformed_worlds import TEXT
 
 
@@ -88,7 +88,7 @@ def test_the_script_repeats_a_study_of_an_edited_world(tmp_path, monkeypatch):
 @pytest.mark.parametrize("leading", [(2,), (3, 2)])
 def test_the_script_repeats_a_study_of_a_gamma_space(tmp_path, leading):
     path = tmp_path / "own.npz"
-    values = np.random.default_rng(0).normal(size=(*leading, 3, 4))
+    values = own_values(leading)
     path.write_bytes(with_arrays(gamma_space=values, constant_channel=None))
     chosen = Settings(world=str(path), state="2" if len(leading) == 2 else None, alpha=0.1, normalise="paper")
     expected = study_of_gamma_space(read_gamma_space(path, chosen.state), chosen)

@@ -1,6 +1,6 @@
 // The theta axis of the spaces: all columns are equally wide, as all rows are equally high, whatever they stand for. So
 // sensitivities that are close together around reward 0 and far apart at +-100 can all be seen.
-import { ticks } from './drawing.js';
+import { short, ticks } from './drawing.js';
 
 const APART = 34; // pixels between two labels
 
@@ -11,6 +11,18 @@ export function columnAt({ thetas, H }, theta) { // the column that holds theta
     if (thetas[middle] <= theta) low = middle; else high = middle - 1;
   }
   return low;
+}
+
+// The reward under the cursor in words: an open end has one edge only.
+export function rewardWords(seen, theta) {
+  const { thetas, H, open } = seen, h = columnAt(seen, theta);
+  return open && !h ? `below ${short(thetas[1])}` : open && h === H - 1 ? `above ${short(thetas[h])}` : short(theta);
+}
+
+// Where a reward is drawn: one beyond the sensitivities in the middle of its open end.
+export function placeOf({ thetas, H, open }, reward) {
+  if (open && reward < thetas[1]) return (thetas[0] + thetas[1]) / 2;
+  return open && reward > thetas[H - 1] ? (thetas[H - 1] + thetas[H]) / 2 : reward;
 }
 
 // Columns from the left, with fractions, and back; beyond the outermost the outermost goes on.
@@ -30,10 +42,12 @@ function even({ thetas, H }) {
 }
 
 // Labels of a range: evenly stepped where columns are, else 0 and powers of ten first, and others where they have room.
-export function thetaTicks(seen, [low, high], width) {
+export function thetaTicks(seen, [first, last], width) {
+  const { thetas, H, open } = seen, low = open ? Math.max(first, thetas[1]) : first, high = open ? Math.min(last, thetas[H - 1]) : last;
+  if (low >= high) return [];
   if (even(seen)) return ticks(low, high);
   const most = Math.ceil(Math.log10(Math.max(-low, high))), powers = Array.from({ length: 7 }, (_, i) => 10 ** (most - i));
-  const [left, right] = [low, high].map((theta) => acrossOf(seen, theta)), found = [];
+  const [left, right] = [first, last].map((theta) => acrossOf(seen, theta)), found = [];
   const place = (theta) => (width * (acrossOf(seen, theta) - left)) / (right - left);
   const wished = [0, ...[1, 5, 2].flatMap((n) => powers.flatMap((power) => [n * power, -n * power])), ...ticks(low, high)];
   for (const theta of wished) {

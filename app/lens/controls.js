@@ -34,7 +34,7 @@ export const SLIDERS = [
   ['alpha', 'α', '', 'Regularisation of the inverse. What of the singular values comes back: s²/(s²+α²).', logarithmic(1e-9, 10)],
   ['slope', 'slope', '/ reward', 'Steepness of the reward activation.',
     (model, base) => model.sloped && logarithmic(base.slope / 30, base.slope * 30, 60)],
-  ['slope_share', 'slope', '· trained', 'Softer than the trained activation, by a linear map over θ; gamma-space says how far it is off. As in a network of that slope, probability leaves over the edges of θ, and means move with it.',
+  ['slope_share', 'slope', '· trained', 'Softer than the trained activation, by a linear map over θ; gamma-space says how far it is off. What is softened over an edge of θ lies in the outermost column, and means move with it.',
     ({ arrays }) => arrays.places && linear(0.1, 0.05, 18)],
   ['horizon', 'horizon T', '', 'Deadline of the episode, in steps of the world.',
     ({ horizons, dt, K }) => linear(horizons[0], dt, K - 1)],

@@ -82,7 +82,7 @@ export function csvOf({ scene }) {
   const quoted = (words) => `"${String(words).replace(/"/g, '""')}"`, names = model.header.actions, a = state.action;
   const head = ['tau', 'reward', 'survival', ...(seen.truth ? ['true reward', 'true survival'] : []), 'horizon',
     ...names.map((name) => `value of ${name}`),
-    ...(simulated ? ['simulated reward', 'its error', 'simulated survival', 'its error', 'W1'] : []), ...(seen.truth ? ['best action'] : []), ...Array.from(seen.midpoints, (theta) => `P at ${+theta.toPrecision(8)}`)];
+    ...(simulated ? ['simulated reward', 'its error', 'simulated survival', 'its error', 'W1'] : []), ...(seen.truth ? ['best action'] : []), ...Array.from(seen.midpoints, (theta, h) => `P ${!seen.open || (h && h < seen.H - 1) ? 'at' : h ? 'above' : 'below'} ${+theta.toPrecision(8)}`)];
   const rows = Array.from({ length: model.K }, (_, k) => [k * model.dt, seen.rewards[a][k], seen.survival[a][k],
     ...(seen.truth ? [seen.truth.rewards[a][k], seen.truth.survival[a][k]] : []),
     model.horizons[k], ...seen.values.map((line) => line[k]), ...(simulated ? came(k * model.dt) : []), ...(seen.truth ? [quoted(names[seen.bestAt(k)])] : []),

@@ -99,12 +99,14 @@ export function timelineError(model, state, seen) {
 export function see(model, state, most = Infinity) {
   const { A, K, dt, cache, arrays } = model, grid = model.grids[state.paper_grid && model.grids.paper ? 'paper' : 'own'];
   const columns = grid.columns[state.mixed && grid.columns.per_gamma ? 'per_gamma' : 'shared'];
-  const thetas = state.clip && arrays.clipped_thetas && !columns.plain ? arrays.clipped_thetas : arrays.thetas;
-  const H = thetas.length - 1, midpoints = Float64Array.from({ length: H }, (_, h) => (thetas[h] + thetas[h + 1]) / 2);
-  const spaceKey = [state.slope, thetas === arrays.thetas];
+  const open = Boolean(arrays.bin_edges); // what lies beyond the sensitivities counts, in bins of its own
+  const sensitivities = state.clip && arrays.clipped_thetas && !columns.plain ? arrays.clipped_thetas : arrays.thetas;
+  const thetas = open ? arrays.bin_edges : sensitivities, H = thetas.length - 1; // edges of the bins, and how many bins
+  const midpoints = open ? arrays.bin_values : Float64Array.from({ length: H }, (_, h) => (thetas[h] + thetas[h + 1]) / 2);
+  const spaceKey = [state.slope, sensitivities === arrays.thetas];
   const M = model.truth ? remember(cache, 'masses', spaceKey, () => masses(arrays.rewards, thetas, state.slope)) : null;
   const soft = arrays.places && state.slope_share < 1
-    ? remember(cache, 'soft', state.slope_share, () => softened(arrays.places, state.slope_share)) : null;
+    ? remember(cache, 'soft', state.slope_share, () => softened(arrays.places, state.slope_share, open)) : null;
   const map = columns.plain ? soft?.map : M, width = columns.width; // columns -> midpoints; null: they are the midpoints
   const drawn = () => noiseOf(model, grid, state.noise_seed);
   const hum = state.noise > 0 ? remember(cache, 'noise', [grid.name, state.noise_seed], drawn) : null;
@@ -178,7 +180,7 @@ export function see(model, state, most = Infinity) {
   }
   const scale = Math.max(...rewards.map((line) => line.reduce((sum, value) => sum + Math.abs(value), 0)));
   const chosenAt = (row) => greedy(values.map((line) => line[row]), scale);
-  const seen = { grid, thetas, midpoints, H, n, inverse, readRow, leftRow, tau, survival, rewards, values, masses: M, columns,
+  const seen = { grid, thetas, midpoints, H, open, n, inverse, readRow, leftRow, tau, survival, rewards, values, masses: M, columns,
     map, hum, soft, scale,
     chosen: chosenAt(readRow), chosenAt, whole: !values[0].some(Number.isNaN), d };
   if (model.truth) {
@@ -206,14 +208,15 @@ export function normalise(rows, survival, how, width, dt, rounding) {
 }
 
 // Noise of gamma-space for a seed at level 1, in components: of the differences, and of the constant channel.
-function noiseOf({ A, H }, grid, seed) {
-  const { G, r, Ut, gammas } = grid, width = H - 1, differences = [], constant = new Float64Array(A * G);
+function noiseOf({ A, H, arrays }, grid, seed) {
+  const open = arrays.bin_edges ? 1 : 0; // then the constant channel stands before the tails, and 0 after them
+  const { G, r, Ut, gammas } = grid, width = H - 1 + 2 * open, differences = [], constant = new Float64Array(A * G);
   const values = normalNoise(seed, A * G * H), more = normalNoise(seed, A * G, A * G * H);
   for (let a = 0; a < A; a++) {
     const out = new Float64Array(G * width);
     for (let g = 0; g < G; g++) {
-      const scale = 1 / (1 - gammas[g]), from = (a * G + g) * H;
-      for (let h = 0; h < width; h++) out[g * width + h] = scale * (values[from + h] - values[from + h + 1]);
+      const scale = 1 / (1 - gammas[g]), from = (a * G + g) * H, tail = (h) => (h < 0 ? more[a * G + g] : h < H ? values[from + h] : 0);
+      for (let h = 0; h < width; h++) out[g * width + h] = scale * (tail(h - open) - tail(h - open + 1));
       constant[a * G + g] = scale * more[a * G + g];
     }
     differences.push(out);
@@ -222,7 +225,7 @@ function noiseOf({ A, H }, grid, seed) {
     constants: differences.map((_, a) => constants(grid, constant, a)) };
 }
 
-function differencesOf(columns, grid, map, H, a, hum, noise) { // of one action, (G, H-1)
+function differencesOf(columns, grid, map, H, a, hum, noise) { // of one action, (G, bins)
   const Z = map ? product(columns.values[a], map, grid.G, columns.width, H) : columns.values[a];
   return hum ? Z.map((value, i) => value + noise * hum.differences[a][i]) : Z;
 }

@@ -24,7 +24,8 @@ function open(header, arrays) {
       if (W) found.columns[kind] = channels(found, W, A, arrays.rewards.length);
     }
     if (!name && arrays.differences) {
-      found.columns.shared = { ...channels(found, arrays.differences, A, H - 1), plain: true };
+      const bins = arrays.bin_values?.length ?? H - 1;
+      found.columns.shared = { ...channels(found, arrays.differences, A, bins), plain: true };
       found.columns.shared.constants = Array.from({ length: A }, (_, a) => constants(found, arrays.constant, a));
     }
     return found;
@@ -39,7 +40,7 @@ function open(header, arrays) {
 }
 
 // The same model of another gamma-space at the trained discounts, of which nothing is simulated: differences
-// (A, G, H-1) and constant channel (A, G).
+// (A, G, bins) and constant channel (A, G).
 export const remade = ({ header, arrays }, differences, constant) => open(header, { ...arrays,
   differences: filled(header, arrays, differences), constant: filled(header, arrays, constant), simulated_tails: undefined });
 
@@ -49,7 +50,7 @@ function simulation({ action, count }, { simulated_tails: tails, simulated_lines
   return { action, count, length, width: tails.length / length, tails, reward, rewardError, survival, survivalError, chance };
 }
 
-// Columns of gamma-space (one a reward, or one a pair of sensitivities) in the components of the transform.
+// Columns of gamma-space (one a reward, or one a bin) in the components of the transform.
 function channels(grid, values, A, width) {
   const { G, r, Ut } = grid, each = Array.from({ length: A }, (_, a) => values.subarray(a * G * width, (a + 1) * G * width));
   const sums = (x) => Float64Array.from({ length: G }, (_, g) => {

@@ -26,7 +26,7 @@ export function filled({ actions, added }, { gammas }, values) {
 }
 
 // The most that interpolation misses of (1 - gamma) Q where a trained discount is left out, for each of them but the
-// outermost two; differences (G, H-1) of one action.
+// outermost two; differences (G, bins) of one action.
 export function leftOut({ header: { added }, arrays: { gammas } }, Z) {
   const every = added + 1, T = (gammas.length - 1) / every + 1, width = Z.length / gammas.length;
   return Float64Array.from({ length: Math.max(0, T - 2) }, (_, i) => {
@@ -41,19 +41,23 @@ export function leftOut({ header: { added }, arrays: { gammas } }, Z) {
   });
 }
 
-// A softer slope: `map`, what a difference leaves at each midpoint, (H-1, H-1), and `off`, the most that it misses of the
-// chance to lie above a threshold, for rewards across the middle gap.
-export function softened(places, share) {
-  const H = places.length - 1, map = new Float64Array(H * H), steep = Math.tan((Math.PI * share) / 2);
+// A softer slope: `map`, what a difference leaves in each bin, (bins, bins), and `off`, the most that it misses of the
+// chance to lie above a threshold, for rewards across the middle gap. In an open end lies all that is beyond its edge.
+export function softened(sensitivities, share, open) {
+  const last = sensitivities.length - 1, steep = Math.tan((Math.PI * share) / 2), outer = (i, j) => 2 * sensitivities[i] - sensitivities[j];
+  const places = open ? Float64Array.of(outer(0, 1), ...sensitivities, outer(last, last - 1)) : sensitivities;
+  const ends = open ? Float64Array.of(-Infinity, ...sensitivities, Infinity) : sensitivities; // where a bin ends
+  const H = places.length - 1, map = new Float64Array(H * H);
   const beyond = (x) => 0.5 + Math.atan(steep * Math.tanh((share * x) / 2)) / (Math.PI * share);
+  const passed = (x) => (Number.isFinite(x) ? beyond(x) : Number(x > 0));
   for (let j = 0; j < H; j++) {
     const middle = (places[j] + places[j + 1]) / 2;
-    for (let h = 0; h < H; h++) map[j * H + h] = beyond(middle - places[h]) - beyond(middle - places[h + 1]);
+    for (let h = 0; h < H; h++) map[j * H + h] = passed(middle - ends[h]) - passed(middle - ends[h + 1]);
   }
   const first = places[H >> 1], gap = places[(H >> 1) + 1] - first;
-  const rewards = Float64Array.from({ length: 9 }, (_, i) => first + (i / 8) * gap), exact = masses(rewards, places, share);
+  const rewards = Float64Array.from({ length: 9 }, (_, i) => first + (i / 8) * gap), exact = masses(rewards, ends, share);
   let off = 0, sum = 0;
-  product(masses(rewards, places, 1), map, 9, H, H).forEach((value, i) => {
+  product(masses(rewards, ends, 1), map, 9, H, H).forEach((value, i) => {
     sum = (i % H ? sum : 0) + value - exact[i];
     off = Math.max(off, Math.abs(sum));
   });

@@ -63,17 +63,22 @@ def payload(
 
     Arrays by name, with A actions, G discounts, V distinct rewards, K rows, r usable singular values:
         ``shared``, ``per_gamma``, ``paper_shared``, ``paper_per_gamma``: reward-indicator coefficients ``(A, G, V)``
-            on the study's grid and on the paper's; or, without them, ``differences`` ``(A, G, H-1)`` and
+            on the study's grid and on the paper's; or, without them, ``differences`` ``(A, G, B)`` and
             ``constant`` ``(A, G)``.
         ``gammas``, ``U`` ``(G, r)``, ``s`` ``(r,)``, ``V`` ``(K, r)`` and the same with ``paper_``: the transform.
+        ``bin_values`` ``(B,)``, ``bin_edges`` ``(B+1,)``: of a gamma-space with open ends; elsewhere the B = H-1 bins
+            lie between the sensitivities and count as their midpoints.
         ``thetas``, ``clipped_thetas``: sensitivities, and those that begin at the lowest reward that occurs.
         ``rewards``, ``timeline`` ``(A, N, V)``, ``optimum`` ``(A, K)``: the truth, where there is a world.
-        ``simulated_tails`` ``(N, H)``, in 65,535ths, and ``simulated_lines`` ``(5, N)``: reward, survival, each with
-            its standard error, and the W1 distance that chance alone makes; of the first N whole steps.
+        ``simulated_tails`` ``(N, B+1)``, at the edges of the bins, in 65,535ths, and ``simulated_lines`` ``(5, N)``:
+            reward, survival, each with its standard error, and the W1 distance that chance alone makes; of the first N
+            whole steps.
         ``places``: as given.
     """
     s, space = study.settings, study.gamma_space
     arrays = {"thetas": space.thetas, **_transform("", space.gammas, s.steps, s.time_step)}
+    if space.open_ends:
+        arrays |= {"bin_values": space.bin_values, "bin_edges": space.bin_edges}
     if study.world is None:
         arrays |= {"differences": space.differences, "constant": space.constant}
     else:
@@ -94,7 +99,8 @@ def payload(
     if simulated is not None:
         found, header["simulated"] = simulated.found, {"action": simulated.action, "count": simulated.found.count}
         lines = (found.reward, found.reward_error, found.survival, found.survival_error, found.chance)
-        arrays["simulated_tails"] = np.rint(LEVELS * np.clip(found.tails, 0.0, 1.0)).astype(np.uint16)
+        tails = found.open_tails if space.open_ends else found.tails
+        arrays["simulated_tails"] = np.rint(LEVELS * np.clip(tails, 0.0, 1.0)).astype(np.uint16)
         arrays["simulated_lines"] = np.array(lines, dtype=np.float32)
     return _packed(header, arrays), header
 

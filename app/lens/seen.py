@@ -9,7 +9,7 @@ import numpy as np
 
 from app.lens.payload import LEVELS, unpacked
 from laplace_core import GammaSpace
-from laplace_core.encoding import reward_distance, softening, theta_midpoints
+from laplace_core.encoding import reward_distance, softening
 from laplace_core.horizon import (
     deadline_weights,
     discount_kernel,
@@ -48,13 +48,14 @@ def seen(data: bytes, state: Mapping[str, object], tau: int = 0, rounding: float
             for row in range(K)
         ]
     ).T
-    rewards = expected_rewards(tau_space, theta_midpoints(space.thetas))
+    rewards = expected_rewards(tau_space, space.bin_values)
     found = {
         "gammas": space.gammas,
         "thetas": space.thetas,
-        "theta_midpoints": theta_midpoints(space.thetas),
+        "theta_midpoints": space.bin_values,
         "horizons": horizons,
         "gamma_space": space.values,
+        "constant_channel": space.constant,
         "differences": space.differences,
         "tau_space": tau_space,
         "survival": survival,
@@ -65,20 +66,24 @@ def seen(data: bytes, state: Mapping[str, object], tau: int = 0, rounding: float
         "discount_kernel": _kernel(space.gammas, state, horizons[read_row], rows, K, dt),
         "averaging_kernel": _averaging(space.gammas, state, tau, rows, K, dt),
     }
+    if space.open_ends:
+        found["open_ends"] = np.array(1)
     if header.get("simulated", {}).get("action") == state["action"]:
-        found["distance"] = _distance(arrays, tau_space[state["action"]], space.thetas, dt)
+        found["distance"] = _distance(arrays, tau_space[state["action"]], space, dt)
     if "optimum" in arrays:
         optimum = arrays["optimum"][:, [_row(horizons, left)]]
         found["regret"] = regret(optimum, np.array([found["chosen"]]))[0]
     return found
 
 
-def _distance(arrays: Mapping[str, np.ndarray], tau_space: np.ndarray, thetas: np.ndarray, dt: float) -> np.ndarray:
+def _distance(arrays: Mapping[str, np.ndarray], tau_space: np.ndarray, space: GammaSpace, dt: float) -> np.ndarray:
     """W1 distance of each simulated step to the row at its time, as far as there is one; else NaN."""
     tails = arrays["simulated_tails"] / LEVELS
     rows = np.rint(np.arange(len(tails)) / dt).astype(int)
     there = (np.abs(rows * dt - np.arange(len(tails))) < 1e-9) & (rows < len(tau_space))
-    found = np.full(len(tails), np.nan)
+    found, thetas = np.full(len(tails), np.nan), space.thetas
+    if space.open_ends:  # what lies beyond a sensitivity counts at it
+        thetas = np.concatenate([thetas[:1], thetas, thetas[-1:]])
     found[there] = reward_distance(tau_space[rows[there]] / dt, tails[there], thetas)
     return found
 
@@ -92,12 +97,15 @@ def _space(header: Mapping[str, object], arrays: Mapping[str, np.ndarray], state
     prefix = "paper_" if state["paper_grid"] and "paper_gammas" in arrays else ""
     gammas, thetas = arrays[f"{prefix}gammas"], arrays["thetas"]
     if "differences" in arrays:
-        differences = arrays["differences"]
+        differences, open_ends = arrays["differences"], "bin_values" in arrays
         if "places" in arrays:
-            differences = differences @ softening(arrays["places"], state["slope_share"])
+            differences = differences @ softening(arrays["places"], state["slope_share"], open_ends)
         tails = np.cumsum(differences[..., ::-1], axis=-1)[..., ::-1]
-        values = np.concatenate([tails, np.zeros((*tails.shape[:-1], 1))], axis=-1)
-        space = GammaSpace(values, arrays["constant"], gammas, thetas)
+        if open_ends:
+            space = GammaSpace(tails[..., 1:], arrays["constant"], gammas, thetas, open_ends)
+        else:
+            values = np.concatenate([tails, np.zeros((*tails.shape[:-1], 1))], axis=-1)
+            space = GammaSpace(values, arrays["constant"], gammas, thetas)
     else:
         mixed = state["mixed"] and f"{prefix}per_gamma" in arrays
         if state["clip"] and "clipped_thetas" in arrays:
@@ -136,7 +144,7 @@ def _weights(state: Mapping[str, object], row: int, steps: int, dt: float) -> np
 def _value(
     tau_space: np.ndarray, space: GammaSpace, state: Mapping[str, object], row: int, steps: int, dt: float
 ) -> np.ndarray:
-    rewards = expected_rewards(tau_space, theta_midpoints(space.thetas))
+    rewards = expected_rewards(tau_space, space.bin_values)
     return rewards @ _weights(state, row, steps, dt)[: rewards.shape[1]]
 
 

@@ -13,7 +13,7 @@ function stepAt({ simulated, dt }, row) {
   return Math.abs(step - row * dt) < 1e-9 && step < simulated.length ? step : -1;
 }
 
-// Probabilities of a row's cells, (H-1,), averaged with its neighbours, since continuations are few; null where none is left.
+// Probabilities of a row's cells, (bins,), averaged with its neighbours, since continuations are few; null where none is left.
 export function simulatedRow(model, a, row) {
   const { simulated, K } = model, step = simulated?.action === a ? stepAt(model, row) : -1;
   if (step < 0) return null;
@@ -27,8 +27,8 @@ export function simulatedRow(model, a, row) {
 }
 
 // W1 of each step's reward between the picture and the simulation, in reward, as laplace_core.encoding.reward_distance;
-// NaN where the picture has no row.
-export function distances({ simulated, dt }, { tau, thetas, H, n }) {
+// NaN where the picture has no row. What lies beyond the sensitivities counts at them: open ends have no width.
+export function distances({ simulated, dt }, { tau, thetas, H, n, open }) {
   const { tails, width, length } = simulated, out = new Float64Array(length).fill(NaN), low = new Float64Array(H + 1);
   if (width !== H + 1) return out;
   for (let step = 0; step < length; step++) {
@@ -37,7 +37,7 @@ export function distances({ simulated, dt }, { tau, thetas, H, n }) {
     for (let h = 0; h < H; h++) low[h + 1] = low[h] + tau[row * H + h] / dt - (tails[from + h] - tails[from + h + 1]) / TAIL;
     out[step] = 0;
     const area = (left, right, x, x2) => { out[step] += ((Math.abs(left) + Math.abs(right)) / 2) * (x2 - x); };
-    for (let h = 0; h < H; h++) { // an episode that is over pays 0: below it counts what is lower, above it what is higher
+    for (let h = Number(open); h < H - Number(open); h++) { // an episode that is over pays 0: below it counts what is lower, above it what is higher
       const x = thetas[h], x2 = thetas[h + 1], zero = Math.min(x2, Math.max(x, 0));
       const middle = low[h] + ((zero - x) / (x2 - x)) * (low[h + 1] - low[h]);
       area(low[h], middle, x, zero);

@@ -1,5 +1,5 @@
 // Gamma-space and tau-space as maps.
-import { acrossOf, columnAt, thetaOf, thetaTicks } from './columns.js';
+import { acrossOf, columnAt, placeOf, rewardWords, thetaOf, thetaTicks } from './columns.js';
 import { NEUTRAL, axes, colourBar, heatmap, rowTicks, short } from './drawing.js';
 import { inside, marked, titled, top } from './frame.js';
 import { gammaSpace } from './maths.js';
@@ -78,7 +78,7 @@ export const gammaPanel = {
     const scale = drawSpace(pen, w, h, scene, { values: Z, n: G, rows: G, limit, labels: gammas, title: 'gamma-space',
       yTitle: 'discount γ', margin, image: 'gamma', version,
       note: hover.theta !== undefined && hover.gamma !== undefined
-        ? `θ ${short(hover.theta)} · γ ${short(gammas[hover.gamma])} · ${short(Z[hover.gamma * seen.H + columnAt(seen, hover.theta)])}${isAdded(scene, hover.gamma) ? ' interpolated' : ''}`
+        ? `θ ${rewardWords(seen, hover.theta)} · γ ${short(gammas[hover.gamma])} · ${short(Z[hover.gamma * seen.H + columnAt(seen, hover.theta)])}${isAdded(scene, hover.gamma) ? ' interpolated' : ''}`
         : notes.filter(Boolean).join(' · ') || 'discounted steps' });
     pen.clip(scale.box.x - 5, scale.box.y, scale.box.w + 5, scale.box.h, () => gammas.forEach((_, g) => {
       if (!isAdded(scene, g)) return;
@@ -94,7 +94,7 @@ export const gammaPanel = {
   words: (scene) => {
     const { model, state, seen, images } = scene, found = missed(scene);
     return `Gamma-space of ${model.header.actions[state.action]}: ${seen.grid.G} discounts from ${short(seen.grid.gammas[0])} to ${short(seen.grid.gammas[seen.grid.G - 1])}, `
-    + `${seen.H} sensitivities from ${short(seen.thetas[0])} to ${short(seen.thetas[seen.H])}; the largest entry is ${short(top(images.Z ?? []))} discounted steps.`
+    + `${seen.open ? `${seen.H - 1} sensitivities from ${short(seen.thetas[1])} to ${short(seen.thetas[seen.H - 1])} and what lies beyond them` : `${seen.H} sensitivities from ${short(seen.thetas[0])} to ${short(seen.thetas[seen.H])}`}; the largest entry is ${short(top(images.Z ?? []))} discounted steps.`
       + (found ? ` The dotted discounts are interpolated: where a trained one is left out, a probability is off by up to ${short(top(found), 2)}.` : '')
       + (seen.soft ? ` At ${short(state.slope_share)} of the trained slope, a probability is off by up to ${short(seen.soft.off, 2)}.` : '');
   },
@@ -133,7 +133,7 @@ export const tauPanel = {
     const scale = drawSpace(pen, w, h, scene, { values, n: seen.n, rows: K, limit, labels, title: 'tau-space',
       yTitle: 'future step τ', margin: { right: 84 + aside }, image: 'tau', version: seen.tau,
       note: cell && hover.tau !== undefined
-        ? `θ ${short(hover.theta)} · τ ${short(hover.tau * dt)} · p ${short(seen.tau[hover.tau * seen.H + columnAt(seen, hover.theta)] / dt)}${Number.isFinite(far) ? ` · W1 ${short(far)}` : ''}`
+        ? `θ ${rewardWords(seen, hover.theta)} · τ ${short(hover.tau * dt)} · p ${short(seen.tau[hover.tau * seen.H + columnAt(seen, hover.theta)] / dt)}${Number.isFinite(far) ? ` · W1 ${short(far)}` : ''}`
         : simulated ? `outlined: ${simulated.count} continuations` : scene.followed ? 'white: what came' : 'probability' });
     const { box, X, Y } = scale;
     if (seen.truth ? seen.masses : simulated) {
@@ -146,7 +146,7 @@ export const tauPanel = {
     if (scene.followed && !simulated) {
       const found = scene.followed.rewards.slice(0, Math.ceil(K * dt)), size = found.length > 60 ? 1.6 : 2.6;
       pen.clip(box.x, box.y, box.w, box.h, () => found.forEach((reward, k) => {
-        const [x, y] = [X(reward), Y(k / dt)];
+        const [x, y] = [X(placeOf(seen, reward)), Y(k / dt)];
         pen.path([[x - size, y - size], [x + size, y - size], [x + size, y + size], [x - size, y + size]],
           { fill: '#ffffff', stroke: '#111111', width: 0.8, close: true });
       }));

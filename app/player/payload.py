@@ -15,6 +15,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
+from laplace_core.gamma_space import bin_differences
 from laplace_core.training.rollout import Rollout
 
 LEVELS = 32_767
@@ -27,7 +28,7 @@ def payload(rollout: Rollout, said: Mapping[str, np.ndarray] | None = None) -> b
         said: what a peer said at every step, from :func:`laplace_core.training.return_laws.said_along`.
 
     Blocks by name, with N steps, A actions, O numbers in an observation, G discounts and H sensitivities:
-        of an agent with a gamma-space ``differences`` ``(N, A, G, H-1)``: 16-bit changes, low bytes and then high ones;
+        of an agent with a gamma-space ``differences`` ``(N, A, G, H+1)``: 16-bit changes, low bytes and then high ones;
         ``scales`` ``(G,)``: what one level is worth; ``constant`` ``(N, A, G)``: single floats; both deflated.
         those of ``said``: single floats, deflated.
         ``observations`` ``(N + 1, O)``: single floats.
@@ -66,7 +67,7 @@ def payload(rollout: Rollout, said: Mapping[str, np.ndarray] | None = None) -> b
 
 def _spaces(rollout: Rollout) -> dict[str, tuple[str, bytes]]:
     """Blocks of the gamma-spaces."""
-    levels, scales = rounded(rollout.spaces)
+    levels, scales = rounded(bin_differences(rollout.spaces, rollout.constants, open_ends=True))
     changes = np.diff(levels, axis=0, prepend=np.zeros_like(levels[:1]))  # 16-bit, wrapping around as the sum will
     halves = np.ascontiguousarray(changes).view(np.uint8).reshape(-1, 2).T
     return {
@@ -76,9 +77,8 @@ def _spaces(rollout: Rollout) -> dict[str, tuple[str, bytes]]:
     }
 
 
-def rounded(spaces: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Differences of gamma-spaces ``(N, A, G, H)`` in 16-bit levels ``(N, A, G, H-1)``, and what a level is worth."""
-    differences = spaces[..., :-1] - spaces[..., 1:]
+def rounded(differences: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Differences of gamma-spaces ``(N, A, G, B)`` in 16-bit levels, and what a level is worth, ``(G,)``."""
     largest = np.abs(differences).max(axis=(0, 1, 3)).astype(float)
     scales = np.where(largest > 0, largest, 1.0) / LEVELS
     return np.rint(differences / scales[:, None]).astype("<i2"), scales

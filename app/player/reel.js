@@ -30,7 +30,7 @@ export async function openReel(bytes) {
   return reel;
 }
 
-// Gamma-space of a step: differences (A, G, H-1), and the constant channel (A, G).
+// Gamma-space of a step: differences (A, G, H+1), and the constant channel (A, G).
 export function spaceAt({ levels, constant, scales, steps, actions }, step) {
   const size = levels.length / steps, G = scales.length, width = size / actions / G, from = step * size;
   const differences = Float64Array.from({ length: size }, (_, i) => levels[from + i] * scales[((i / width) | 0) % G]);

@@ -135,12 +135,13 @@ class LaplaceAgent(Agent):
         """
         inputs = torch.from_numpy(np.asarray(observations, dtype=np.float32)).unsqueeze(1)
         if gammas is None:
-            outputs, sizes = self.target(inputs), 1.0 - self._gammas
+            outputs, sizes = self.target(inputs), 1.0 - self._gammas.double()
         else:
             outputs = self._at(inputs, np.asarray(gammas, dtype=float))
-            sizes = torch.tensor(1.0 - np.asarray(gammas), dtype=torch.float32)
-        tails = self.code.tails(self.code.scaled(outputs.transpose(1, 2))) / sizes[:, None]
-        tails = tails.double().numpy()
+            sizes = torch.tensor(1.0 - np.asarray(gammas, dtype=float))
+        # In doubles: a difference of two sums in single precision would have lost what a value at +-100 weighs.
+        tails = self.code.tails(self.code.scaled(outputs.transpose(1, 2).double())) / sizes[:, None]
+        tails = tails.numpy()
         return tails[..., 1:], tails[..., 0]
 
     def _at(self, inputs: Tensor, gammas: np.ndarray) -> Tensor:
@@ -151,6 +152,7 @@ class LaplaceAgent(Agent):
         return self.target.at(inputs, tuple(gammas.tolist()))
 
     def gamma_space(self, observation: np.ndarray, gammas: np.ndarray | None = None) -> GammaSpace:
-        """What the agent has learned for one observation ``(O,)``, ready to be decoded."""
+        """What the agent has learned for one observation ``(O,)``, to be decoded: what it acts on, open ends too."""
         values, constant = self.gamma_spaces(np.asarray(observation)[None], gammas)
-        return GammaSpace(values[0], constant[0], self.gammas if gammas is None else np.asarray(gammas), self.thetas)
+        gammas = self.gammas if gammas is None else np.asarray(gammas)
+        return GammaSpace(values[0], constant[0], gammas, self.thetas, open_ends=True)

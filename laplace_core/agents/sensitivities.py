@@ -11,7 +11,8 @@ import torch
 from torch import Tensor
 
 from laplace_core.agents.settings import LaplaceSettings
-from laplace_core.encoding import sensitivity_grid, theta_midpoints
+from laplace_core.encoding import sensitivity_grid
+from laplace_core.gamma_space import bin_values
 
 
 class Sensitivities:
@@ -32,8 +33,7 @@ class Sensitivities:
         self._places = torch.tensor(places, dtype=torch.float32)
         self.slope = s.slope_times_spacing / float(np.diff(places).max())
         self.places = self.slope * places
-        midpoints = theta_midpoints(self.thetas)
-        self.bin_values = np.concatenate([self.thetas[:1], midpoints, self.thetas[-1:]])
+        self.bin_values = bin_values(self.thetas, open_ends=True)
 
     def tails(self, rewards: Tensor) -> Tensor:
         """The constant channel, 1, and f_1(r), ..., f_H(r): shape ``rewards.shape + (H+1,)``, never increasing."""

@@ -11,6 +11,9 @@ LARGEST_ALPHA = 10.0
 _SENTENCE = (
     "Gamma-space carries random error, as anything learned does, and the inverse divides it by small singular values."
 )
+_APART = " Some falls are larger than the others allow: there discounts follow different policies, or know less."
+_ROUNDING, _FEW = 1e-6, 5
+"""Of (1 - gamma) Z; and discounts so few that falls between most of them say nothing."""
 _TOO_MUCH = " No alpha takes it away and leaves the picture; only learning on does."
 
 
@@ -51,10 +54,11 @@ def _keeps_a_picture(look: Look, exact: np.ndarray, alpha: float) -> bool:
 
 
 def _from_violations(look: Look) -> Artefact | None:
-    error = violations(look)
-    size = _expected_change(look, error)
+    falls, mixed = _falls(look)
+    error = violations(look, falls)
+    size, other = _expected_change(look, error), _expected_change(look, violations(look, mixed, negative=False))
     if size < VISIBLE:
-        return None
+        return _mixed(look, other)
     larger = _larger(look.settings.alpha) if look.searching else []
     calm = next(([a] for a in larger if _expected_change(look, error, a) < VISIBLE), [])
     return Artefact(
@@ -63,23 +67,63 @@ def _from_violations(look: Look) -> Artefact | None:
         f"noise moves at least {size:.2f} of a row's probability across a threshold",
         _SENTENCE
         + " Here it shows in differences that are negative or fall with gamma, which exact ones never do."
-        + ("" if calm else _TOO_MUCH),
+        + ("" if calm else _TOO_MUCH)
+        + (_APART if other >= VISIBLE else ""),
         tuple(Remedy(f"Raise alpha to {a:g}", {"alpha": a}) for a in calm),
     )
 
 
-def violations(look: Look) -> np.ndarray:
-    """The least error, in size, that explains what no exact Z does, ``(G, H-1)``, in the units of Z.
+def _mixed(look: Look, size: float) -> Artefact | None:
+    """What falls with gamma and does not look random. What it is cannot be known, so that both are said."""
+    if size < VISIBLE:
+        return None
+    return Artefact(
+        "mixed policies",
+        size,
+        f"what falls with gamma moves at least {size:.2f} of a row's probability across a threshold",
+        "Gamma-space falls with gamma at some discounts, as the values of no single process do: discounts follow "
+        "different policies, or some are not learned well enough. No alpha makes one timeline of such values.",
+        (),
+    )
+
+
+def _falls(look: Look) -> tuple[np.ndarray, np.ndarray]:
+    """Falls of Z from one discount to the next, ``(G-1, n)``: those that may be random, and what is beyond them.
+
+    In errors of (1 - gamma) Z. Discounts that change their policy make Z fall where they do, and rise or stay
+    everywhere else: where nothing is negative either, no fall is called random. Else errors make Z fall everywhere,
+    each about as far as all: twelve times their median is beyond what the largest of them reach.
+    """
+    Z = look.study.gamma_space.differences[look.action][np.argsort(look.gammas)]
+    sizes = 1.0 - np.sort(look.gammas)
+    falls = np.maximum(-np.diff(Z, axis=0), 0.0)
+    errors = falls / np.hypot(1.0 / sizes[1:], 1.0 / sizes[:-1])[:, None]
+    there = errors > _ROUNDING
+    elsewhere = there.any(axis=1).mean() <= 0.5 or len(sizes) <= _FEW
+    if not there.any():
+        return falls, np.zeros_like(falls)
+    if elsewhere and (Z * sizes[:, None]).min() > -_ROUNDING:
+        return np.zeros_like(falls), falls
+    most = 12.0 * np.median(errors[there])
+    return falls * most / np.maximum(errors, most), np.where(errors > most, falls, 0.0)
+
+
+def violations(look: Look, falls: np.ndarray | None = None, negative: bool = True) -> np.ndarray:
+    """The least error, in size, that explains what no exact Z does, ``(G, B)``, in the units of Z.
 
     Z = sum_tau gamma^tau P is never negative and never falls with gamma. A fall between two discounts is shared
     between them as an error whose size grows like 1 / (1 - gamma) would spread it.
+
+    Args:
+        falls: to be explained, ``(G-1, B)``, in the order of the discounts; by default all.
+        negative: whether what is below 0 is to be explained too.
     """
     Z = look.study.gamma_space.differences[look.action]
     order = np.argsort(look.gammas)
     scale = (1.0 / (1.0 - look.gammas[order])) ** 2
-    fall = np.minimum(np.diff(Z[order], axis=0), 0.0) ** 2
+    fall = np.maximum(-np.diff(Z[order], axis=0), 0.0) ** 2 if falls is None else falls**2
     share = (scale[1:] / (scale[1:] + scale[:-1]))[:, None]
-    variance = np.minimum(Z[order], 0.0) ** 2
+    variance = np.minimum(Z[order], 0.0) ** 2 if negative else np.zeros_like(Z)
     variance[1:] = np.maximum(variance[1:], share * fall)
     variance[:-1] = np.maximum(variance[:-1], (1.0 - share) * fall)
     least = np.empty_like(Z)

@@ -14,7 +14,6 @@ from dataclasses import dataclass
 import numpy as np
 
 from laplace_core.agents.agent import Agent
-from laplace_core.encoding import theta_midpoints
 from laplace_core.inverse import decode
 from laplace_core.learned.returns import independent_steps_return, wasserstein
 from laplace_core.training import environments
@@ -122,8 +121,8 @@ def return_laws(
         return [ReturnLaw(kind, gamma, locations[action], masses[action]) for action in actions]
     space, steps = agent.gamma_space(observation), steps_until_cut(gamma)
     tau_space = decode(space.differences[list(actions)], space.gammas, steps, alpha)
-    midpoints, discounts = theta_midpoints(space.thetas), gamma ** np.arange(steps)
-    return [ReturnLaw(INDEPENDENT, gamma, *independent_steps_return(one, midpoints, discounts)) for one in tau_space]
+    rewards, discounts = space.bin_values, gamma ** np.arange(steps)
+    return [ReturnLaw(INDEPENDENT, gamma, *independent_steps_return(one, rewards, discounts)) for one in tau_space]
 
 
 def said_along(agent: Agent, rollout: Rollout) -> dict[str, np.ndarray]:

@@ -92,7 +92,8 @@ class Rollout:
         """Gamma-space of the observation before a step, ready to be decoded."""
         if self.spaces is None:
             raise InputError("this agent has no gamma-space.")
-        return GammaSpace(self.spaces[step].astype(float), self.constants[step].astype(float), self.gammas, self.thetas)
+        values, constant = self.spaces[step].astype(float), self.constants[step].astype(float)
+        return GammaSpace(values, constant, self.gammas, self.thetas, open_ends=True)
 
     @property
     def bytes(self) -> int:

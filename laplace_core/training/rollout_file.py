@@ -20,7 +20,7 @@ def rollout_arrays(rollout: Rollout) -> dict[str, np.ndarray]:
     if rollout.spaces is not None:
         arrays |= {
             "gamma_space": rollout.spaces, "constant_channel": rollout.constants,
-            "gammas": rollout.gammas, "thetas": rollout.thetas,
+            "gammas": rollout.gammas, "thetas": rollout.thetas, "open_ends": np.array(1),
         }  # fmt: skip
     told = ("environment", "seed", "rule", "horizon", "gamma", "acting_gamma", "terminated")
     return arrays | {"settings": np.array(json.dumps({name: getattr(rollout, name) for name in told}))}

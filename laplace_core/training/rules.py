@@ -104,11 +104,8 @@ def decoded(agent: Agent, length: int | None, options: Options) -> Judge:
 
     def judge(observations: np.ndarray, time: int) -> np.ndarray:
         found = zip(*agent.gamma_spaces(observations), strict=True)
-        values = [
-            decode_and_read(GammaSpace(*one, gammas, agent.thetas), settings).horizon_values[:, length - time - 1]
-            for one in found
-        ]
-        return np.array(values)
+        spaces = [GammaSpace(*one, gammas, agent.thetas, open_ends=True) for one in found]
+        return np.array([decode_and_read(one, settings).horizon_values[:, length - time - 1] for one in spaces])
 
     return judge
 

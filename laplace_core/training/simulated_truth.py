@@ -12,8 +12,9 @@ import numpy as np
 import torch
 
 from laplace_core.agents.agent import Agent
-from laplace_core.encoding import area_around_zero, reward_distance, theta_midpoints
+from laplace_core.encoding import area_around_zero, reward_distance
 from laplace_core.errors import InputError
+from laplace_core.gamma_space import bin_differences, bin_values
 from laplace_core.horizon import expected_rewards
 from laplace_core.inverse import decode
 from laplace_core.pipeline import GammaSpace
@@ -39,16 +40,33 @@ class Empirical:
     survival_error: np.ndarray
     chance: np.ndarray
 
+    @property
+    def open_tails(self) -> np.ndarray:
+        """The tails at the edges of a tau-space with open ends, ``(K, H+2)``: alive before them, nothing after."""
+        return with_ends(self.tails, self.survival)
+
     def distance(self, tau_space: np.ndarray, thetas: np.ndarray) -> np.ndarray:
-        """W1 distance to a tau-space ``(K, H-1)``, ``(K,)``; see :func:`laplace_core.encoding.reward_distance`."""
-        return reward_distance(tau_space, self.tails, thetas)
+        """W1 distance to a tau-space ``(K, H-1)``, or with open ends ``(K, H+1)``: ``(K,)``.
+
+        See :func:`laplace_core.encoding.reward_distance`. What lies in an open end counts at its sensitivity, so that
+        there, too, a distance is never less than the difference of the expected rewards.
+        """
+        if tau_space.shape[-1] < thetas.size:
+            return reward_distance(tau_space, self.tails, thetas)
+        return reward_distance(tau_space, self.open_tails, np.concatenate([thetas[:1], thetas, thetas[-1:]]))
+
+
+def with_ends(tails: np.ndarray, alive: np.ndarray) -> np.ndarray:
+    """P(alive), the tails, and 0, ``(..., H+2)``, from tails ``(..., H)`` and ``(...)``."""
+    return np.concatenate([alive[..., None], tails, np.zeros((*alive.shape, 1))], axis=-1)
 
 
 def empirical(agent: Agent, found: Continuations) -> Empirical:
     """What an agent with a gamma-space should have decoded."""
-    passed = _passed(agent, found)
+    passed, thetas = _passed(agent, found), agent.thetas
+    places, ends = np.concatenate([thetas[:1], thetas, thetas[-1:]]), with_ends(passed, found.alive.astype(float))
     # The mean of the absolute value of a normal number is sqrt(2 / pi) times its standard deviation.
-    chance = np.sqrt(2.0 / np.pi) * area_around_zero(passed[..., :1] - passed, agent.thetas, standard_error)
+    chance = np.sqrt(2.0 / np.pi) * area_around_zero(ends[..., :1] - ends, places, standard_error)
     return Empirical(len(passed), passed.mean(axis=0), *found.expected, *found.survival, chance)
 
 
@@ -86,8 +104,7 @@ class Confronted:
 
 def confront(agent: Agent, space: GammaSpace, action: int, found: Continuations, alpha: float) -> Confronted:
     """One state's gamma-space and the continuations that begin with an action."""
-    mine = (each[action][None] for each in (space.differences, space.values, space.constant))
-    return _confronted(agent, found, *mine, alpha)
+    return _confronted(agent, found, space.values[[action]], space.constant[[action]], space.open_ends, alpha)
 
 
 def confront_states(agent: Agent, found: Outcomes, alpha: float) -> Confronted:
@@ -101,22 +118,20 @@ def confront_states(agent: Agent, found: Outcomes, alpha: float) -> Confronted:
     values, constant = agent.gamma_spaces(found.observations)
     row = np.arange(len(values))
     tails, constant = values[row, found.actions], constant[row, found.actions]
-    differences = tails[..., :-1] - tails[..., 1:]
-    return _confronted(agent, Continuations(found.rewards, found.alive), differences, tails, constant, alpha)
+    return _confronted(agent, Continuations(found.rewards, found.alive), tails, constant, True, alpha)
 
 
 def _confronted(
-    agent: Agent, found: Continuations, differences: np.ndarray, tails: np.ndarray, constant: np.ndarray, alpha: float
+    agent: Agent, found: Continuations, tails: np.ndarray, constant: np.ndarray, open_ends: bool, alpha: float
 ) -> Confronted:
-    """Gamma-space of one state or of as many as there are simulations: differences ``(S, G, H-1)``, tails
-    ``(S, G, H)``, constant ``(S, G)``."""
+    """Gamma-space of one state or of as many as there are simulations: tails ``(S, G, H)``, constant ``(S, G)``."""
     steps, gammas, thetas = found.rewards.shape[1], agent.gammas, agent.thetas
-    tau_space = decode(differences, gammas, steps, alpha).mean(axis=0)
+    tau_space = decode(bin_differences(tails, constant, open_ends), gammas, steps, alpha).mean(axis=0)
     alive = decode(constant[..., None], gammas, steps, alpha)[..., 0].mean(axis=0)
     simulated = empirical(agent, found)
     happened = _passed(agent, found)
     said = np.broadcast_to(decode(tails, gammas, steps, alpha), happened.shape)
     return Confronted(
-        simulated, expected_rewards(tau_space, theta_midpoints(thetas)), alive, simulated.distance(tau_space, thetas),
-        calibration(said, happened),
+        simulated, expected_rewards(tau_space, bin_values(thetas, open_ends)), alive,
+        simulated.distance(tau_space, thetas), calibration(said, happened),
     )  # fmt: skip
