@@ -60,7 +60,7 @@ def test_a_payload_holds_what_the_library_holds():
     np.testing.assert_allclose(arrays["shared"].sum(axis=-1), found.gamma_space.constant, rtol=1e-12)
     assert not np.allclose(arrays["shared"], arrays["per_gamma"])
     np.testing.assert_array_equal(arrays["optimum"], found.truth.optimum)
-    assert arrays["timeline"].dtype == np.float32
+    assert arrays["timeline"].dtype == np.float64
     assert all(array.dtype == np.float64 for name, array in arrays.items() if name != "timeline")
     assert arrays["clipped_thetas"][0] == 0.0
 

@@ -36,7 +36,12 @@ def offered(
         for each in found
     ]
     alpha = _alpha(found, look, measures, trials)
-    return with_others if alpha is None else [_with_alpha(each, alpha, look, measures) for each in with_others]
+    if alpha is None:
+        return with_others
+    return [
+        _with_alpha(offer, alpha, look, measures) if any("alpha" in r.changes for r in each.remedies) else offer
+        for each, offer in zip(found, with_others, strict=True)
+    ]
 
 
 def _is_offered(
