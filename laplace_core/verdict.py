@@ -66,8 +66,8 @@ class Verdict:
 
 
 WHY = {
-    "repeated reward": "Every row is rescaled to probability 1, also where little or nothing is left in it, so that a "
-    "residue of an earlier reward counts as a certain one.",
+    "repeated reward": "Rows with little or nothing in them are rescaled to probability 1, and a residue of an earlier "
+    "reward counts as a certain one.",
     "conditional rewards": "Rows given survival say what comes if the episode still runs; summed as they are, they "
     "count rewards after its end as if it always ran.",
     "early end": "One action ends the episode before the deadline, and what the inverse leaves in the rows after "
@@ -166,8 +166,8 @@ def _timeline_words(found: Verdict, name: str) -> str:
         return ""
     size = found.timeline_error
     if size <= 1.0:
-        return f" The timeline of {name} is {found.timeline}: {100 * size:.0f}% of it lies at another step or reward."
-    return f" The timeline of {name} is ruined: its rows are off by {size:.3g} times all that truly comes."
+        return f" Timeline of {name}: {found.timeline}, {100 * size:.0f}% misplaced."
+    return f" Timeline of {name}: ruined, off by {size:.3g} times all that truly comes."
 
 
 def _explained(trials: Trials, found: Verdict) -> tuple[Verdict, str]:

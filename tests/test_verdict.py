@@ -57,7 +57,7 @@ def test_the_timeline_is_graded_apart_from_the_choice():
     assert (verdict.choice, verdict.timeline) == ("right", "ruined")
     assert verdict.timeline_error == pytest.approx(0.49, abs=0.01)
     assert not verdict.faultless
-    assert "ruined: 49% of it lies at another step" in verdict.sentence
+    assert "Timeline of go: ruined, 49% misplaced." in verdict.sentence
     assert verdict.cause.name == "over-smoothing"
 
 

@@ -33,8 +33,8 @@ export function judged(model, state, seen) {
   const timeline = timelineError(model, state, seen), error = Math.max(...values.map((value, a) => Math.abs(value - seen.truth.hard[a][seen.leftRow])));
   const grade = timeline <= SOUND ? 'sound' : timeline <= RUINED ? 'smeared' : 'ruined';
   const rows = grade === 'sound' ? '' : timeline <= 1
-    ? ` The timeline of ${names[state.action]} is ${grade}: ${Math.round(100 * timeline)}% of it lies at another step or reward.`
-    : ` The timeline of ${names[state.action]} is ruined: its rows are off by ${short(timeline)} times all that truly comes.`;
+    ? ` Timeline of ${names[state.action]}: ${grade}, ${Math.round(100 * timeline)}% misplaced.`
+    : ` Timeline of ${names[state.action]}: ruined, off by ${short(timeline)} times all that truly comes.`;
   if (seen.regret > tieSize(Math.max(...optimum), Math.max(...optimum.map(Math.abs)))) {
     return { tone: 'bad', error, timeline, sentence: `${choice}; the best is ${names[seen.best]}, and ${short(seen.regret)} is lost.${rows}` };
   }
