@@ -1,9 +1,10 @@
 # make app: set up and open the workbench.  make test: set up and pass the tests.  make bench: ratios in one run.
+# make verify: what takes long.
 PYTHON ?= python3
 PORT ?= 8501
 BIN = .venv/bin
 
-.PHONY: app test bench lint clean
+.PHONY: app test verify bench lint clean
 
 app: .venv/.app
 	$(BIN)/streamlit run app/main.py --server.port $(PORT)
@@ -17,6 +18,12 @@ lint: .venv/.dev
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	$(BIN)/lint-imports
+
+# What takes long: random views against an independent judge, detectors against ground truth, the lens on 1,000 views.
+verify: .venv/.dev
+	$(BIN)/python -m laplace_core report verdicts --jobs 2 --check
+	$(BIN)/python -m laplace_core report detectors --check
+	LENS_VIEWS=1000 $(BIN)/python -m pytest tests/browser/test_lens.py -k verdict_of_the_lens
 
 bench: .venv/.dev
 	OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 $(BIN)/python -m bench

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import json
+import sys
 from pathlib import Path
 
 from laplace_core.training.command import settings_of
@@ -21,6 +22,7 @@ def add_report(verbs: argparse._SubParsersAction) -> None:
     )
     detectors.add_argument("--seed", type=int, default=0, metavar="N", help="seed of the cases (default: 0)")
     detectors.add_argument("--json", action="store_true", help="print JSON")
+    detectors.add_argument("--check", action="store_true", help="end with status 1 where a share is below .97")
     detectors.set_defaults(run=_detectors)
 
     verdicts = kinds.add_parser("verdicts", help="what verdicts say against an independent judge")
@@ -29,6 +31,9 @@ def add_report(verbs: argparse._SubParsersAction) -> None:
     verdicts.add_argument("--jobs", default="1", metavar="N", help="processes at a time (default: 1)")
     verdicts.add_argument("--only", metavar="NUMBER", help="show this one view in full instead")
     verdicts.add_argument("--json", action="store_true", help="print JSON")
+    verdicts.add_argument(
+        "--check", action="store_true", help="end with status 1 where a share is below what is demanded"
+    )
     verdicts.set_defaults(run=_verdicts)
 
     training = kinds.add_parser("training", help="score, steps and time of an algorithm over several seeds")
@@ -85,6 +90,16 @@ def _detectors(options: argparse.Namespace) -> None:
 
     numbers, text = detector.report(options.cases, options.seed)
     print(json.dumps(numbers, indent=1) if options.json else text)
+    if options.check:
+        kinds = {"all": numbers["artefacts"], **numbers["kinds"]}
+        _check([f"{one['name']} ({kind})" for kind, ones in kinds.items() for one in ones if detector.falls_short(one)])
+
+
+def _check(missed: list[str]) -> None:
+    """End with status 1 and one line where a report falls short of what is demanded."""
+    if missed:
+        print(f"laplace: not reached: {', '.join(missed)}.", file=sys.stderr)
+        raise SystemExit(1)
 
 
 def _verdicts(options: argparse.Namespace) -> None:
@@ -97,6 +112,8 @@ def _verdicts(options: argparse.Namespace) -> None:
     cases = checked_number("cases", options.cases, int, 1, verdicts.MOST_VIEWS)
     numbers, text = verdicts.report(cases, seed, checked_number("jobs", options.jobs, int, 1, verdicts.MOST_JOBS))
     print(json.dumps(numbers, indent=1) if options.json else text)
+    if options.check:
+        _check([row["words"] for row in numbers["rows"] if not row["met"]])
 
 
 def _training(options: argparse.Namespace) -> None:

@@ -146,6 +146,15 @@ TITLES: Mapping[str, str] = {
 }
 
 
+DEMANDED = 0.97
+"""Precision and recall that every artefact must reach."""
+
+
+def falls_short(counted: Mapping[str, object]) -> bool:
+    """Whether precision or recall of one artefact, from :meth:`Score.as_dict`, is below what is demanded."""
+    return any(counted[name] is not None and counted[name] < DEMANDED for name in ("precision", "recall"))
+
+
 def table(scores: list[Score], cases: int, seed: int, kind: str = "all") -> str:
     """The scores of one kind of cases, or of all, for reading."""
     lines = [
