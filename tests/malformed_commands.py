@@ -203,7 +203,7 @@ def near_decode() -> Iterator[tuple[list[str], str | list[str]]]:
     for text in ("length:4", "length 4", "length==4", "--length=4", "Length=4", "len=4", "length=4.5", "length=four",
                  "r1=5,0", "auxiliary=yes", "auxiliary=on", "slip=20%", "slip=20"):  # fmt: skip
         yield ["decode", "two_branch", "--param", text], ""
-    for word in ("--Alpha", "--alpha_", "--gamma_min", "--theta_max", "-a", "--regularisation", "--horizon", "--T",
+    for word in ("--Alpha", "--alpha_", "--gamma_min", "--theta_max", "-a", "--regularisation", "--T",
                  "--K", "--normalize", "--seed", "--gammas-min", "--n-gammas", "--tau"):  # fmt: skip
         yield ["decode", "two_branch", word, ".2"], ""
     for same in (["--alpha=.2"], ["--alpha", "2e-1"], ["--alpha", "+.2"], ["--alpha", " .2 "], ["--alp", ".2"]):

@@ -242,7 +242,6 @@ def test_a_line_of_progress_in_the_making_is_left_for_later(tmp_path):
 def test_a_bad_run_is_refused_before_a_process_is_started(tmp_path):
     for world, settings, folder in [
         ("{}", LearnSettings(), tmp_path),
-        (load_world("two_branch"), LearnSettings(episodes=0), tmp_path),
         (load_world("two_branch"), LearnSettings(), tmp_path / "missing"),
     ]:
         with pytest.raises(InputError) as refused:

@@ -9,7 +9,6 @@ again that are learned, too, and with as many more that are interpolated.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -110,7 +109,8 @@ def of_world(name: str) -> list[dict[str, object]]:
                 errors["learned"].append(_error(found, learned, alpha))
                 errors["as many learned"].append(_error(found, with_noise(_exact(found, more), noise, seed), alpha))
                 for kind, between in KINDS.items():
-                    drawn = replace(learned, values=between(learned.values, learned.gammas, more), gammas=more)
+                    values = between(learned.values, learned.gammas, more)
+                    drawn = GammaSpace(values, values[..., 0], more, learned.thetas)  # of rewards alone
                     errors[kind].append(_error(found, drawn, alpha))
             told = {kind: float(np.mean(each)) for kind, each in errors.items()}
             rows.append({"world": name, "noise": noise, "alpha": alpha, **told})
