@@ -129,6 +129,8 @@ def study(
     Raises:
         InputError: settings that do not fit the world or each other.
     """
+    if not isinstance(world, World) or not isinstance(settings, Settings):
+        raise InputError("a study takes a world, as load_world makes it of a name or a file, and Settings.")
     settings = resolve(settings, world)
     state, s = world.state_index(settings.state), settings
     gammas, thetas = grids(s)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from laplace_core.artifacts.look import Look, of_a_row
+from laplace_core.artifacts.look import Look
 from laplace_core.artifacts.model import VISIBLE, Artefact, Remedy
 from laplace_core.artifacts.noise import propagated, violations
 from laplace_core.encoding import sigmoid
@@ -35,7 +35,7 @@ def edge_clipping(look: Look) -> Artefact | None:
         least = max(2.0 * VISIBLE, 4.0 * float(propagated(look, noise).max()))
     else:
         return None
-    size = float(lost.max())
+    size = min(1.0, float(lost.max()))  # the inverse may overshoot, but no more than all of a row can be missing
     if size < least:
         return None
     remedies = ()
@@ -47,7 +47,7 @@ def edge_clipping(look: Look) -> Artefact | None:
     return Artefact(
         "edge clipping",
         size,
-        f"up to {of_a_row(size)} is missing",
+        f"up to {size:.2f} of a row's probability is missing",
         "A reward at the edge of the sensitivities, or beyond it, leaves part or all of its probability outside the "
         "picture.",
         remedies,
