@@ -147,7 +147,7 @@ def _decode(options: argparse.Namespace) -> None:
     if ending == "safetensors":
         found = study_of_file(options.world, settings)
     elif ending == "npz":
-        if options.deadline is not None:
+        if settings.deadline == "constant":
             raise InputError("--deadline changes nothing for a saved gamma-space: no episode is acted without a world.")
         found = study_of_gamma_space(read_gamma_space(options.world, settings.state), settings)
     else:
@@ -234,7 +234,7 @@ def _report(found: Study, shown: int = 8) -> str:
     width = max(map(len, found.action_names))
     parts = [found.decoded] if truth is None else [found.decoded, truth]
     largest = max(float(np.abs(part.expected_reward).max()) for part in parts)
-    largest = 0.0 if largest <= ROUNDING * np.abs(found.midpoints).max() else largest
+    largest = 0.0 if largest <= ROUNDING * decoded.scale else largest
     for a, name in enumerate(found.action_names):
         lines.append(f"  {name:{width}}  decoded  {_numbers(decoded.expected_reward[a, :rows], largest)}{more}")
         if truth is not None:

@@ -285,7 +285,9 @@ class Trials:
         """The grade of a view with other expected rewards, ``(A, K)``, in their place."""
         s = trial.study.settings
         values = horizon_values(rewards, s.acting_gamma, s.softness, s.time_step)[:, trial.row]
-        return grade_values(trial.study.truth, trial.study, trial.row, values, scale_of_values(rewards))
+        return grade_values(
+            trial.study.truth, trial.study, trial.row, values, scale_of_values(rewards, trial.study.midpoints)
+        )
 
     # ---- alpha
 

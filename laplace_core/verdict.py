@@ -110,12 +110,11 @@ def judge(
     values = decoded.horizon_values[:, row]
     chosen = int(greedy_action(values, scale=decoded.scale))
     at = f"At T = {study.horizons[row]:g}"
-    scale = scale_of_words(study)
-    numbers = _numbers(values, scale, chosen, names)
+    numbers = _numbers(values, decoded.scale, chosen, names)
     if study.truth is None:
         words = f"the decoded values choose {names[chosen]}{numbers}"
         if len(names) == 1:
-            words = f"the decoded value is {in_words(values, scale)[0]}"
+            words = f"the decoded value is {in_words(values, decoded.scale)[0]}"
         return Verdict("unknown", None, f"{at} {words}.", chosen)
     looked_at = chosen if action is None else action
     graded, misplaced = grade(study, row), timeline_error(study, looked_at)
@@ -156,7 +155,7 @@ def _first_words(study: Study, row: int, found: Verdict, choice: str) -> str:
     values, true, names = study.decoded.horizon_values[:, row], study.truth.horizon_values[:, row], study.action_names
     if found.choice == "wrong":
         return f"{choice}; the best is {names[found.best]}."
-    off, scale = int(np.argmax(np.abs(values - true))), scale_of_words(study)
+    off, scale = int(np.argmax(np.abs(values - true))), study.decoded.scale
     if len(names) == 1:
         decoded, truly = in_words((values[0], true[0]), scale)
         return f"At T = {study.horizons[row]:g} the decoded value is {decoded}; the true one is {truly}."
@@ -250,11 +249,6 @@ def _numbers(values: np.ndarray, scale: float, chosen: int, names: tuple[str, ..
         return f" (a tie at {in_words((values[chosen],), scale)[0]})"
     whose = f" for {names[rival]}" if len(values) > 2 else ""
     return f" ({' v '.join(in_words((values[chosen], values[rival]), scale, apart=True))}{whose})"
-
-
-def scale_of_words(study: Study) -> float:
-    """Size of the terms that decoded values are sums of, sensitivities included: what is far below it is rounding."""
-    return max(study.decoded.scale, float(np.abs(study.midpoints).max()))
 
 
 def in_words(values: Sequence[float], scale: float, apart: bool = False) -> tuple[str, ...]:

@@ -20,9 +20,6 @@ function inWords(values, scale, apart = false) {
   return shown(enough || 2);
 }
 
-// Size of the terms that decoded values are sums of, sensitivities included: what is far below it is rounding.
-const scaleOfWords = (seen) => Math.max(seen.scale, ...seen.midpoints.map(Math.abs));
-
 // The chosen value against the next best, with the digits that tell them apart.
 function numbers(values, scale, chosen, names) {
   if (values.length < 2) return '';
@@ -37,9 +34,9 @@ export function judged(model, state, seen) {
   const names = model.header.actions, row = seen.readRow, values = seen.values.map((line) => line[row]);
   const T = short(model.horizons[row]), left = short(model.horizons[seen.leftRow]);
   const where = state.used > 0 ? `With ${left} of ${short(state.horizon)} steps to go, read at T = ${T},` : `At T = ${T}`;
-  const choice = `${where} the decoded values choose ${names[seen.chosen]}${numbers(values, scaleOfWords(seen), seen.chosen, names)}`;
+  const choice = `${where} the decoded values choose ${names[seen.chosen]}${numbers(values, seen.scale, seen.chosen, names)}`;
   if (!seen.truth) {
-    return { tone: 'unknown', sentence: model.A > 1 ? `${choice}.` : `${where} the decoded value is ${inWords([values[0]], scaleOfWords(seen))[0]}.` };
+    return { tone: 'unknown', sentence: model.A > 1 ? `${choice}.` : `${where} the decoded value is ${inWords([values[0]], seen.scale)[0]}.` };
   }
   const optimum = seen.optimumAt(seen.leftRow), true_ = seen.truth.values.map((line) => line[seen.leftRow]);
   const timeline = timelineError(model, state, seen), error = Math.max(...values.map((value, a) => Math.abs(value - seen.truth.hard[a][seen.leftRow])));
@@ -54,10 +51,10 @@ export function judged(model, state, seen) {
   const offs = true_.map((value, a) => (scale > 0 ? Math.abs(value - values[a]) / scale : 0)), worst = offs.indexOf(Math.max(...offs));
   const tone = offs[worst] > VALUE_TOLERANCE ? 'warn' : grade === 'sound' ? 'ok' : grade;
   if (model.A === 1) {
-    const [decoded, truly] = inWords([values[0], true_[0]], scaleOfWords(seen));
+    const [decoded, truly] = inWords([values[0], true_[0]], seen.scale);
     return { tone, error, timeline, sentence: `${where} the decoded value is ${decoded}; the true one is ${truly}.${rows}` };
   }
-  const [decoded, truly] = inWords([values[worst], true_[worst]], scaleOfWords(seen), true);
+  const [decoded, truly] = inWords([values[worst], true_[worst]], seen.scale, true);
   const but = tone === 'warn' ? ` But ${names[worst]} is worth ${truly}, not ${decoded}.` : '';
   return { tone, error, timeline, sentence: `${choice}, and no action is better.${but}${rows}` };
 }
