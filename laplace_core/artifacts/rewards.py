@@ -8,9 +8,9 @@ from laplace_core.artifacts.look import Look
 from laplace_core.artifacts.model import VISIBLE, Artefact, Remedy
 from laplace_core.artifacts.noise import propagated, violations
 from laplace_core.encoding import sigmoid
-from laplace_core.settings import SLOPE_TIMES_SPACING, Settings
+from laplace_core.settings import SLOPE_TIMES_SPACING
+from laplace_core.trials import MOST_THETAS, wider
 
-MOST_THETAS = 2_000
 SEEN = 0.02
 """A reward that never gets this much of a row is not missed where it runs into another."""
 
@@ -43,7 +43,7 @@ def edge_clipping(look: Look) -> Artefact | None:
         rewards = study.world.reward_values
         over = max(0.2 * (rewards[-1] - rewards[0]), OVERHANG / s.slope)
         low, high = min(s.theta_min, float(rewards[0] - over)), max(s.theta_max, float(rewards[-1] + over))
-        remedies = (Remedy("Widen the sensitivities", _theta_range(s, low, high)),)
+        remedies = (Remedy("Widen the sensitivities", wider(s, low, high)),)
     return Artefact(
         "edge clipping",
         size,
@@ -52,12 +52,6 @@ def edge_clipping(look: Look) -> Artefact | None:
         "picture.",
         remedies,
     )
-
-
-def _theta_range(s: Settings, low: float, high: float) -> dict[str, object]:
-    """A wider range at the same spacing, as far as the number of sensitivities allows."""
-    thetas = min(MOST_THETAS, int(np.ceil((s.thetas - 1) * (high - low) / (s.theta_max - s.theta_min))) + 1)
-    return {"theta_min": float(f"{low:.6g}"), "theta_max": float(f"{high:.6g}"), "thetas": max(s.thetas, thetas)}
 
 
 def slope_blur(look: Look) -> Artefact | None:
