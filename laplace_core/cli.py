@@ -21,6 +21,7 @@ from laplace_core.learned.settings import LEARN_SCHEMA
 from laplace_core.pipeline import Study, study, study_of_gamma_space
 from laplace_core.saved import read_gamma_space, save_study
 from laplace_core.settings import SCHEMA, check_paper_grid, flag, parse_settings
+from laplace_core.ties import ROUNDING
 from laplace_core.training.command import add_evaluate, add_train
 from laplace_core.training.race_command import add_race
 from laplace_core.verdict import Verdict, judge
@@ -146,11 +147,16 @@ def _decode(options: argparse.Namespace) -> None:
     if ending == "safetensors":
         found = study_of_file(options.world, settings)
     elif ending == "npz":
+        if settings.deadline == "constant":
+            raise InputError("--deadline changes nothing for a saved gamma-space: no episode is acted without a world.")
         found = study_of_gamma_space(read_gamma_space(options.world, settings.state), settings)
     else:
         found = study(load_world(options.world, params), settings)
     longest = float(found.horizons[-1])
-    horizon = longest if options.horizon is None else checked_number("horizon", options.horizon, float, 1e-3, longest)
+    horizon = longest
+    if options.horizon is not None:  # at a time_step of 1 there is no T between two whole ones
+        kind, least = (int, 1) if found.settings.time_step == 1.0 else (float, float(found.horizons[0]))
+        horizon = checked_number("horizon", options.horizon, kind, least, longest)
     if options.out is not None:
         save_study(found, options.out)
     row = found.row_at(horizon)
@@ -222,18 +228,21 @@ def _report(found: Study, shown: int = 8) -> str:
     lines = [
         f"{s.world}, state {s.state or 0}: "
         f"{len(found.gamma_space.gammas)} discounts, {len(found.gamma_space.thetas)} sensitivities, alpha {s.alpha:g}, "
-        f"{s.steps} steps, normalise {s.normalise}",
+        f"{s.steps} {'step' if s.steps == 1 else 'steps'}, normalise {s.normalise}",
         f"expected reward at tau = {', '.join(f'{tau:g}' for tau in found.taus[:rows])}{more}",
     ]
     width = max(map(len, found.action_names))
+    parts = [found.decoded] if truth is None else [found.decoded, truth]
+    largest = max(float(np.abs(part.expected_reward).max()) for part in parts)
+    largest = 0.0 if largest <= ROUNDING * decoded.scale else largest
     for a, name in enumerate(found.action_names):
-        lines.append(f"  {name:{width}}  decoded  {_numbers(decoded.expected_reward[a, :rows])}{more}")
+        lines.append(f"  {name:{width}}  decoded  {_numbers(decoded.expected_reward[a, :rows], largest)}{more}")
         if truth is not None:
-            lines.append(f"  {'':{width}}  true     {_numbers(truth.expected_reward[a, :rows])}{more}")
+            lines.append(f"  {'':{width}}  true     {_numbers(truth.expected_reward[a, :rows], largest)}{more}")
     lines.append(f"value for the horizon T = {found.horizons[-1]:g} at gamma {s.acting_gamma:g}")
     for a, name in enumerate(found.action_names):
-        against = "" if truth is None else f"   true {truth.horizon_values[a, -1]:8.2f}"
-        lines.append(f"  {name:{width}}  decoded {decoded.horizon_values[a, -1]:8.2f}{against}")
+        against = "" if truth is None else f"   true  {_numbers(truth.horizon_values[a, -1:], largest)}"
+        lines.append(f"  {name:{width}}  decoded  {_numbers(decoded.horizon_values[a, -1:], largest)}{against}")
     lines.append(f"chosen by T   {action_runs(found, decoded.actions)}")
     if truth is not None:
         lines.append(f"best by T     {action_runs(found, truth.optimal_action)}")
@@ -241,5 +250,8 @@ def _report(found: Study, shown: int = 8) -> str:
     return "\n".join(lines)
 
 
-def _numbers(values: np.ndarray) -> str:
-    return " ".join(f"{value:7.2f}" for value in values)
+def _numbers(values: np.ndarray, largest: float) -> str:
+    """Two decimals, never a negative zero; two significant digits where the largest of all values is small."""
+    if 0.0 < largest < 0.05:
+        return " ".join(f"{value + 0.0:8.1e}" for value in values)
+    return " ".join(f"{round(float(value), 2) + 0.0:7.2f}" for value in values)

@@ -93,9 +93,13 @@ def choose_actions(values: np.ndarray, scale: float | None = None) -> np.ndarray
     return greedy_action(values, axis=0, scale=scale)
 
 
-def scale_of_values(rewards: np.ndarray) -> float:
-    """Size of the terms that horizon values are sums of, from expected rewards ``(A, K)``: max_a sum_k |E[r_k]|."""
-    return float(np.abs(rewards).sum(axis=-1).max())
+def scale_of_values(rewards: np.ndarray, midpoints: np.ndarray) -> float:
+    """Size of the terms that horizon values are sums of, in units of reward.
+
+    From expected rewards ``(A, K)``: max_a sum_k |E[r_k]|. Each of these is itself a sum over midpoints ``(B,)``, of
+    which the largest is left where all rewards cancel.
+    """
+    return max(float(np.abs(rewards).sum(axis=-1).max()), float(np.abs(midpoints).max()))
 
 
 def regret(optimum: np.ndarray, actions: np.ndarray) -> np.ndarray:

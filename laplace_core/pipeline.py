@@ -39,23 +39,20 @@ class Decoded:
 
     ``survival`` is the decoded constant channel before any rescaling; everything else comes after it. Rows
     are densities over time: with ``time_step`` < 1 the probability of a step is the sum of the 1 / ``time_step`` rows
-    around it, and about each of them divided by ``time_step``.
+    around it, and about each of them divided by ``time_step``. ``scale`` is the size of the terms that the horizon
+    values are sums of, in units of reward, for ties.
     """
 
     tau_space: np.ndarray
     survival: np.ndarray
     expected_reward: np.ndarray
     horizon_values: np.ndarray
+    scale: float
 
     @property
     def actions(self) -> np.ndarray:
         """Action chosen at each horizon, int ``(K,)``."""
         return choose_actions(self.horizon_values, self.scale)
-
-    @property
-    def scale(self) -> float:
-        """Size of the terms that the horizon values are sums of, for ties."""
-        return scale_of_values(self.expected_reward)
 
     @property
     def mass(self) -> np.ndarray:
@@ -129,6 +126,8 @@ def study(
     Raises:
         InputError: settings that do not fit the world or each other.
     """
+    if not isinstance(world, World) or not isinstance(settings, Settings):
+        raise InputError("a study takes a world, as load_world makes it of a name or a file, and Settings.")
     settings = resolve(settings, world)
     state, s = world.state_index(settings.state), settings
     gammas, thetas = grids(s)
@@ -181,7 +180,7 @@ def decode_and_read(gamma_space: GammaSpace, settings: Settings) -> Decoded:
     tau_space = normalise_rows(tau_space, survival, s.normalise, s.time_step, rounding)
     rewards = expected_rewards(tau_space, gamma_space.bin_values)
     values = horizon_values(rewards, s.acting_gamma, s.softness, s.time_step)
-    return Decoded(tau_space, survival, rewards, values)
+    return Decoded(tau_space, survival, rewards, values, scale_of_values(rewards, gamma_space.bin_values))
 
 
 def rewards_of(gamma_space: GammaSpace, settings: Settings) -> np.ndarray:
@@ -289,6 +288,7 @@ def _truth(world: World, timeline: np.ndarray, optimum: np.ndarray, thetas: np.n
         survival=timeline.sum(axis=-1) @ shares.T,
         expected_reward=rewards,
         horizon_values=horizon_values(rewards, s.acting_gamma, s.softness, s.time_step),
+        scale=scale_of_values(rewards, world.reward_values),
         optimum=optimum.T[:, nearest - 1],
     )
 

@@ -120,7 +120,8 @@ class Trials:
         width = len(space.thetas) if s.normalise == "paper" or self.smeared else 1
         seeds = 1 + (FRESH_SEEDS if self._noise_stays({}) else 0)
         solves = 10 * self.study.world.n_states * len(space.gammas)
-        return float(len(ALPHAS) * seeds * rows * width + 20 * (solves + rows * len(space.thetas)))
+        longer = sum(more_rows(s.steps)) * rows / s.steps
+        return float(len(ALPHAS) * seeds * rows * width + 20 * solves + (20 * rows + longer) * len(space.thetas))
 
     @property
     def affordable(self) -> bool:
@@ -145,7 +146,7 @@ class Trials:
             yield Remedy("Add auxiliary states", {"param:auxiliary": True}, cause)
         if s.policy == "per_gamma" and free:
             yield Remedy("Share one policy", {"policy": "shared"}, "mixed policies")
-        if s.noise and self.study.learned is None:
+        if s.noise:
             yield Remedy("Leave out the noise", {"noise": 0.0}, "noise amplification")
         if s.softness:
             yield Remedy("Set softness to 0", {"softness": 0.0}, "soft deadline")
@@ -165,10 +166,8 @@ class Trials:
             yield Remedy("Steepen the slope", changes, "slope blur")
         if s.theta_spacing != "uniform":
             yield Remedy("Space the sensitivities evenly", {"theta_spacing": "uniform"}, "uneven sensitivities")
-        for factor in (2, 4, 8, 16):
-            steps = min(MAX_STEPS, s.steps * factor)
-            if steps > s.steps:
-                yield Remedy(f"Decode {steps} rows", {"steps": steps}, "folding")
+        for steps in more_rows(s.steps):
+            yield Remedy(f"Decode {steps} rows", {"steps": steps}, "folding")
         if s.time_step < 1.0:
             steps = int(np.ceil(self.study.horizons[-1] - 1e-9))  # the same stretch of time
             yield Remedy("Decode one row a step", {"time_step": 1.0, "steps": steps}, "fine rows")
@@ -235,11 +234,11 @@ class Trials:
 
     @property
     def learned_wrong(self) -> bool:
-        """Whether the exact values of the world, in place of what was learned, repair the view."""
+        """Whether the exact values of the world, in place of what was learned, repair the view; any noise stays."""
         if self.study.learned is None:
             return False
-        found = study(self.study.world, replace(self.settings, noise=0.0), self.study.policy)
-        return self._repaired(grade(found, self.row), lambda: timeline_error(found, self.action))
+        found = study(self.study.world, self.settings, self.study.policy)
+        return self.repairs(Remedy("", {}), Trial(found, self.row, grade(found, self.row)))
 
     def _repaired(self, after: Grade, timeline: Callable[[], float]) -> bool:
         before = self.grade
@@ -286,7 +285,9 @@ class Trials:
         """The grade of a view with other expected rewards, ``(A, K)``, in their place."""
         s = trial.study.settings
         values = horizon_values(rewards, s.acting_gamma, s.softness, s.time_step)[:, trial.row]
-        return grade_values(trial.study.truth, trial.study, trial.row, values, scale_of_values(rewards))
+        return grade_values(
+            trial.study.truth, trial.study, trial.row, values, scale_of_values(rewards, trial.study.midpoints)
+        )
 
     # ---- alpha
 
@@ -394,6 +395,13 @@ class _Fresh:
         """The whole tau-space under the noise of a seed."""
         s = self._study.settings
         return decode_and_read(with_noise(self._clean, s.noise, seed), s if alpha is None else replace(s, alpha=alpha))
+
+
+def more_rows(steps: int) -> Iterator[int]:
+    """Twice as many rows, four times as many and so on, up to the most that a timeline may have."""
+    while steps < MAX_STEPS:
+        steps = min(MAX_STEPS, 2 * steps)
+        yield steps
 
 
 def wider(s: Settings, low: float, high: float) -> dict[str, object]:

@@ -20,7 +20,7 @@ from laplace_core.artifacts.look import Look
 from laplace_core.grades import VALUE_TOLERANCE, Timeline, grade, timeline_error, timeline_grade
 from laplace_core.horizon import regret
 from laplace_core.pipeline import Study
-from laplace_core.ties import greedy_action, tie_size
+from laplace_core.ties import ROUNDING, greedy_action, tie_size
 from laplace_core.trials import Remedy, Trials
 
 MOST_REMEDIES = 3
@@ -38,7 +38,8 @@ class Verdict:
         timeline_error: share of that timeline's probability at the wrong step or reward.
         error: largest error of V_T, in units of reward; value_error: as a share of the largest true value.
         chosen, best: indices of actions; regret: what the choice loses, in units of reward.
-        cause: what alone, taken away, repairs the view; where: the action whose value that changes most.
+        cause: what alone, taken away, repairs the view; where: the action whose value that brings nearest to the
+            truth, or whose timeline it makes sound.
         remedies: what was tried on this view and repairs it, the usual choice first, at most one of them an alpha.
         exhausted: whether every single setting was tried and none repairs the view.
         searched: whether a cause was looked for, if there is anything to explain.
@@ -111,7 +112,10 @@ def judge(
     at = f"At T = {study.horizons[row]:g}"
     numbers = _numbers(values, decoded.scale, chosen, names)
     if study.truth is None:
-        return Verdict("unknown", None, f"{at} the decoded values choose {names[chosen]}{numbers}.", chosen)
+        words = f"the decoded values choose {names[chosen]}{numbers}"
+        if len(names) == 1:
+            words = f"the decoded value is {in_words(values, decoded.scale)[0]}"
+        return Verdict("unknown", None, f"{at} {words}.", chosen)
     looked_at = chosen if action is None else action
     graded, misplaced = grade(study, row), timeline_error(study, looked_at)
     found = Verdict(
@@ -151,14 +155,15 @@ def _first_words(study: Study, row: int, found: Verdict, choice: str) -> str:
     values, true, names = study.decoded.horizon_values[:, row], study.truth.horizon_values[:, row], study.action_names
     if found.choice == "wrong":
         return f"{choice}; the best is {names[found.best]}."
-    off = int(np.argmax(np.abs(values - true)))
+    off, scale = int(np.argmax(np.abs(values - true))), study.decoded.scale
     if len(names) == 1:
-        value = f"the decoded value is {_two(values[0])}; the true one is {_two(true[0])}."
-        return f"At T = {study.horizons[row]:g} {value}"
+        decoded, truly = in_words((values[0], true[0]), scale)
+        return f"At T = {study.horizons[row]:g} the decoded value is {decoded}; the true one is {truly}."
     sentence = f"{choice}, and no action is better."
-    return sentence if found.choice == "right" else (
-        f"{sentence} But {names[off]} is worth {_two(true[off])}, not {_two(values[off])}."
-    )  # fmt: skip
+    if found.choice == "right":
+        return sentence
+    decoded, truly = in_words((values[off], true[off]), scale, apart=True)
+    return f"{sentence} But {names[off]} is worth {truly}, not {decoded}."
 
 
 def _timeline_words(found: Verdict, name: str) -> str:
@@ -186,11 +191,12 @@ def _explained(trials: Trials, found: Verdict) -> tuple[Verdict, str]:
         repairing = next(([change] for change in trials.grids if trials.repairs(change)), [])
     if repairing:
         cause = repairing[0]
-        where = _where(trials, cause)
+        names = trials.study.action_names
+        where = names[trials.action] if found.choice == "right" else _where(trials, cause)
         found = replace(found, cause=cause, where=where, remedies=tuple(repairing[:MOST_REMEDIES]))
-        return found, _blame(cause, where if len(trials.study.action_names) > 1 else None)
+        return found, _blame(cause, where if len(names) > 1 else None)
     if trials.doubtful:
-        words = " What repairs it under this noise does not under every other, so that no single setting is to blame."
+        words = " Some single setting repairs it under this noise, but none under most other noise: none is named."
         return found, words
     return replace(found, exhausted=True), _exhausted(trials, found)
 
@@ -240,15 +246,27 @@ def _numbers(values: np.ndarray, scale: float, chosen: int, names: tuple[str, ..
     others = np.where(np.arange(len(values)) == chosen, -np.inf, values)
     rival = int(np.argmax(others))
     if values[rival] >= values[chosen] - tie_size(values[chosen], scale):
-        return f" (a tie at {_two(values[chosen])})"
-    digits = next((n for n in (2, 3, 4) if round(values[chosen], n) != round(values[rival], n)), 2)
+        return f" (a tie at {in_words((values[chosen],), scale)[0]})"
     whose = f" for {names[rival]}" if len(values) > 2 else ""
-    return f" ({_two(values[chosen], digits)} v {_two(values[rival], digits)}{whose})"
+    return f" ({' v '.join(in_words((values[chosen], values[rival]), scale, apart=True))}{whose})"
 
 
-def _two(value: float, digits: int = 2) -> str:
-    """Two decimals, or more, and never a negative zero."""
-    return f"{round(float(value), digits) + 0.0:.{digits}f}"
+def in_words(values: Sequence[float], scale: float, apart: bool = False) -> tuple[str, ...]:
+    """Values with two decimals each, never a negative zero; with two significant digits where all are below .01.
+
+    Args:
+        scale: size of the terms that the values are sums of; what is far below it is rounding, and shown as 0.
+        apart: whether to show as many more digits as tell the values apart.
+    """
+    largest = max(abs(float(value)) for value in values)
+    kind = "g" if ROUNDING * scale < largest < 0.01 else "f"
+
+    def shown(digits: int) -> tuple[str, ...]:
+        numbers = (float(value) if kind == "g" else round(float(value), digits) for value in values)
+        return tuple(f"{number + 0.0:.{digits}{kind}}" for number in numbers)
+
+    enough = (n for n in (2, 3, 4, 6) if len(set(shown(n))) == len(values))
+    return shown(next(enough, 2) if apart else 2)
 
 
 def _wrong_elsewhere(study: Study, row: int) -> str:

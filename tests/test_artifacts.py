@@ -243,3 +243,10 @@ def test_what_is_folded_is_what_comes_after_the_last_row():
     share = 1.0 / (gammas.size + alpha**2)
     late, zeros = np.sum(gammas**2) * share, np.sum(gammas) * share  # tau = 1 pays another 0
     assert artefacts["folding"].size == pytest.approx((late + zeros) / 2.0, rel=2e-3)
+
+
+def test_no_more_than_all_of_a_row_is_missing():
+    # No reward lies within 100 to 200. The inverse overshoots, but more than everything cannot be gone.
+    clipped = look("two_branch", 1, theta_min=100.0, theta_max=200.0)[1]["edge clipping"]
+    assert clipped.size == 1.0
+    assert clipped.shown == "up to 1.00 of a row's probability is missing"

@@ -11,6 +11,7 @@ from laplace_core import GammaSpace, Settings, load_world, study, study_of_gamma
 from laplace_core.artifacts import VISIBLE, find_artefacts
 from laplace_core.artifacts.look import Look
 from laplace_core.artifacts.noise import noise_amplification, violations
+from laplace_core.gamma_space import with_noise
 from laplace_core.inverse import decode
 from laplace_core.pipeline import basis_of, decode_and_read
 from tests.random_gamma_spaces import noisy, random_space
@@ -83,7 +84,9 @@ def test_no_larger_alpha_is_offered_where_all_of_them_are_worse():
     found = look("two_branch", alpha=1.0, noise=0.01)
     assert noise_of(found).size > VISIBLE
     assert [remedy.changes for remedy in measured(found).remedies] == [{"noise": 0.0}]
-    assert "only learning on" in noise_of(found).sentence
+    # Noise that was added is left out; there is nothing to learn on.
+    assert "No alpha takes it away" in noise_of(found).sentence
+    assert "learning on" not in noise_of(found).sentence
 
 
 # --- a learned basis, a policy of one's own ---
@@ -179,3 +182,11 @@ def test_random_worlds_are_told_apart():
 
 def test_noise_in_data_is_not_taken_for_clipped_edges():
     assert "edge clipping" not in {artefact.name for artefact in find_artefacts(saved(1e-3), 0)}
+
+
+def test_noise_of_data_without_a_world_is_no_share_above_one():
+    found = look("two_branch", steps=50)
+    own = study_of_gamma_space(with_noise(found.gamma_space, 0.05, 0), Settings(alpha=1e-3, steps=50))
+    artefact = noise_amplification(Look(own, 1))
+    assert artefact.size > 1.0
+    assert f"{artefact.size:.3g} times a row's whole probability" in artefact.shown

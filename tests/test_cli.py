@@ -126,7 +126,7 @@ def test_worlds_as_json_hold_what_decode_takes(capsys):
 )
 def test_the_toy_of_the_paper(capsys, extra, short_rewards, short_value, long_value):
     lines = printed(capsys, f"{GOLDEN} {extra}").splitlines()
-    values = [line.split() for line in lines if " decoded " in line and not line.startswith("verdict")][2:]
+    values = [line.split() for line in lines if "  decoded " in line][2:]
     assert [(name, value) for name, _, value, *_ in values] == [("short", short_value), ("long", long_value)]
     assert [true for *_, true in values] == ["5.00", "9.80"]
     assert short_rewards is None or short_rewards in next(line for line in lines if "decoded" in line)
@@ -141,12 +141,6 @@ def test_the_toy_of_the_paper_as_json(capsys):
     assert found["optimal_action"] == [0, 0, 1]
 
 
-def test_actions_are_told_as_runs_over_the_horizon(capsys):
-    lines = printed(capsys, f"{GOLDEN} --normalise none").splitlines()
-    assert lines[-3].split(maxsplit=3) == ["chosen", "by", "T", "1-2 short, 3 long"]
-    assert lines[-2].split(maxsplit=3) == ["best", "by", "T", "1-2 short, 3 long"]
-
-
 def test_the_verdict_is_printed_and_explained_where_that_is_asked_for(capsys):
     quick = printed(capsys, f"{GOLDEN} --normalise paper").splitlines()[-1]
     assert quick.startswith("verdict       At T = 3 the decoded values choose short (14.85 v 9.74); the best is long.")
@@ -155,12 +149,20 @@ def test_the_verdict_is_printed_and_explained_where_that_is_asked_for(capsys):
     assert "Cause: repeated reward, in short." in next(line for line in told if line.startswith("verdict"))
     assert "remedy        Keep survival" in told
     assert any(line.startswith("artefact      repeated reward, in short:") for line in told)
-    verdict = strict_json(printed(capsys, f"{GOLDEN} --normalise paper --explain --horizon 2 --json"))["verdict"]
-    assert (verdict["horizon"], verdict["choice"], verdict["chosen"]) == (2.0, "lucky", "short")
+    verdict = strict_json(printed(capsys, f"{GOLDEN} --normalise paper --explain --json"))["verdict"]
+    assert (verdict["horizon"], verdict["choice"], verdict["chosen"]) == (3.0, "wrong", "short")
     assert verdict["remedies"][0] == {"label": "Keep survival", "changes": {"normalise": "none"}}
-    without = strict_json(printed(capsys, f"{GOLDEN} --json"))["verdict"]
-    assert (without["choice"], without["timeline"]) == ("right", "smeared")
-    assert "cause" not in without
+    # At T = 1 the same settings choose short rightly, on the right value.
+    first = strict_json(printed(capsys, f"{GOLDEN} --normalise paper --horizon 1 --json"))["verdict"]
+    assert (first["horizon"], first["choice"]) == (1.0, "right")
+    assert "cause" not in first
+
+
+def test_actions_are_told_as_runs_over_the_horizon(capsys):
+    lines = printed(capsys, f"{GOLDEN} --normalise none").splitlines()
+    assert lines[-3].split(maxsplit=3) == ["chosen", "by", "T", "1-2 short, 3 long"]
+    assert lines[-2].split(maxsplit=3) == ["best", "by", "T", "1-2 short, 3 long"]
+    assert lines[-1].startswith("verdict       At T = 3 the decoded values choose long")
 
 
 @pytest.mark.parametrize("extra", ["", "--normalise survival", "--normalise paper --policy per_gamma --softness .3"])

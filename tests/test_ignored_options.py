@@ -149,3 +149,15 @@ SEARCHED = [
 def test_a_search_over_what_is_no_setting_is_refused(capsys, tmp_path, words, named):
     assert_refused(capsys, ["search", "dqn", "two_branch", *words, "--runs", str(tmp_path / "runs")], named)
     assert not list(tmp_path.iterdir())
+
+
+def test_a_deadline_without_a_world_is_refused(tmp_path, capsys):
+    path = str(tmp_path / "own.npz")
+    assert main(["decode", "two_branch", "--out", path]) == 0
+    capsys.readouterr()
+    assert_refused(capsys, ["decode", path, "--deadline", "constant"], "--deadline", "world")
+
+
+@pytest.mark.parametrize("horizon", [".5", "2.6", "0"])
+def test_a_horizon_between_two_steps_is_refused(capsys, horizon):
+    assert_refused(capsys, ["decode", "two_branch", "--horizon", horizon], "horizon must be a whole number from 1 to 3")

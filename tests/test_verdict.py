@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 
-from laplace_core import PRESETS, Settings, load_world, study
+from laplace_core import PRESETS, InputError, Settings, load_world, study, study_of_gamma_space
 from laplace_core.artifacts import find_artefacts
 from laplace_core.pipeline import basis_of
 from laplace_core.trials import ALPHAS, Trials
@@ -271,3 +272,75 @@ def test_a_gamma_space_without_a_world_is_not_judged():
     found = replace(look("two_branch"), truth=None, world=None)
     verdict = judge(found, 2)
     assert (verdict.choice, verdict.timeline, verdict.remedies) == ("unknown", None, ())
+
+
+# --- digits ---
+
+
+def small(factor: float) -> World:
+    """``later`` pays 10 at step 1, ``now`` 5 at step 0, both times the factor."""
+    rows = [Outcome(0, 0, 1.0, 1, 0.0), Outcome(0, 1, 1.0, END, 5.0 * factor),
+            Outcome(1, 0, 1.0, END, 10.0 * factor), Outcome(1, 1, 1.0, END, 10.0 * factor)]  # fmt: skip
+    return World.from_outcomes("small", ["s", "t"], ["later", "now"], rows)
+
+
+def test_small_values_have_digits_that_say_something():
+    # .99 * 1e-8 = 9.9e-9 against 5e-9, and never '0.00 v 0.00'.
+    assert "later (9.9e-09 v 5e-09)" in at(look(small(1e-9)), 3).sentence
+    blamed = at(look(small(1e-9), normalise="paper", alpha=0.2), 3)
+    assert re.search(r"But now is worth 5e-09, not \d.*e-0[89]\.", blamed.sentence)
+
+
+def test_rounding_is_neither_shown_nor_preferred():
+    # Nothing is ever paid, so that every decoded value is rounding and the lowest index is chosen at every T.
+    rows = [Outcome(0, 0, 1.0, END, 0.0), Outcome(0, 1, 1.0, 0, 0.0)]
+    for normalise in ("none", "paper"):
+        found = look(World.from_outcomes("nothing", ["s"], ["go", "stay"], rows), normalise=normalise)
+        assert not found.decoded.actions.any()
+        assert "go (a tie at 0.00)" in at(found, 3).sentence
+
+
+# --- what is to blame, and where ---
+
+
+def test_a_timeline_s_cause_is_named_in_the_action_that_is_graded():
+    # Of the six, 'right' leaves the cliff's edge with the largest error of a value; the timeline is that of 'up'.
+    verdict = at(look("gym:CliffWalking-v1"), 60)
+    assert (verdict.choice, verdict.timeline) == ("right", "smeared")
+    assert verdict.cause.name == "over-smoothing"
+    assert verdict.where == "up"
+    assert at(look("two_branch"), 3, action=0).where in (None, "short")
+
+
+def test_folding_is_blamed_however_many_rows_it_takes():
+    # Endless: each step pays 0 or 1. One row has to hold 1 / (1 - .99) steps of .5 at gamma .99; sixteen rows still do.
+    rows = [Outcome(0, 0, 0.5, 0, 0.0), Outcome(0, 0, 0.5, 0, 1.0)]
+    found = look(World.from_outcomes("endless", ["s"], ["go"], rows), steps=1)
+    verdict = at(found, 1)
+    assert (verdict.cause.name, verdict.exhausted) == ("folding", False)
+    repaired = at(under(found, verdict.remedies[0]), 1, explain=False)
+    assert repaired.choice == "right"
+    assert verdict.remedies[0].changes["steps"] > 16
+
+
+def test_noise_that_was_added_to_learned_values_is_not_lack_of_learning():
+    # The learner holds the exact values; all that is wrong is the noise.
+    world = load_world("two_branch")
+    exact = basis_of(study(world, Settings()))
+    verdict = judge(study(world, Settings(noise=1.0), learned=exact), 2)
+    assert verdict.choice != "right"
+    assert verdict.cause.name == "noise amplification"
+    assert [dict(remedy.changes) for remedy in verdict.remedies] == [{"noise": 0.0}]
+
+
+def test_one_action_without_a_world_is_a_value_and_no_choice():
+    found = look("fig6_chain")
+    assert judge(study_of_gamma_space(found.gamma_space, Settings(steps=4)), 3).sentence == (
+        f"At T = 4 the decoded value is {0.0:.2f}."
+    )
+
+
+@pytest.mark.parametrize("wrong", [("two_branch", Settings()), (load_world("two_branch"), None)])
+def test_a_study_says_what_it_takes(wrong):
+    with pytest.raises(InputError, match="takes a world"):
+        study(*wrong)

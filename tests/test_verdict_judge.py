@@ -103,7 +103,7 @@ def test_the_single_settings_of_fig4():
     """Rewards 0, 5, 10 in -2 to 12: a fifth of 10 overhangs already. Spacing 14/149 wants a slope of 25.01, and
     9 / 5 = 1.8 is gentler than 25: neither sensitivities nor slope are changed. Two more numbers than it has of each
     end of the discounts, three other spacings, twice and four times the discounts, 59 alphas beside its own, which is
-    one of the 60, four lengths."""
+    one of the 60, and twice, four times and so on as many rows, up to 2,000."""
     tried = list(single_settings(fig4(normalise="paper")))
     assert tried[:2] == [{"normalise": "none"}, {"param:auxiliary": True}]
     assert tried[2:5] == [{"spacing": name} for name in ("log", "linear", "paper")]
@@ -111,7 +111,7 @@ def test_the_single_settings_of_fig4():
     assert tried[7:11] == [{"gamma_min": 0.1}, {"gamma_min": 0.3}, {"gamma_max": 0.995}, {"gamma_max": 0.999}]
     assert len(ALPHAS) == 60
     assert [change["alpha"] for change in tried[11:70]] == [alpha for alpha in ALPHAS if alpha != 0.2]
-    assert tried[70:] == [{"steps": n} for n in (6, 12, 24, 48)]
+    assert tried[70:] == [{"steps": n} for n in (6, 12, 24, 48, 96, 192, 384, 768, 1536, 2000)]
 
 
 def test_every_other_single_setting():
@@ -128,7 +128,7 @@ def test_every_other_single_setting():
     assert tried[4] == {"theta_min": pytest.approx(-1.6), "theta_max": pytest.approx(5.6), "thetas": 72}
     assert tried[5:8] == [{"spacing": name} for name in ("inverse-log", "log", "linear")]
     assert tried[8] == {"time_step": 1.0, "steps": 3}
-    assert tried[9:] == [{"steps": n} for n in (10, 20, 40, 80)]
+    assert tried[9:] == [{"steps": n} for n in (10, 20, 40, 80, 160, 320, 640, 1280, 2000)]
 
     long = view_of(world, 0, **settings | {"steps": 900}, theta_spacing="asinh")
     tried = list(single_settings(long))

@@ -178,7 +178,8 @@ export function see(model, state, most = Infinity) {
       parts.forEach((part, a) => { values[a][k] = valueAt(k, rewardsOf(part, grown)); });
     }
   }
-  const scale = Math.max(...rewards.map((line) => line.reduce((sum, value) => sum + Math.abs(value), 0)));
+  const terms = rewards.map((line) => line.reduce((sum, value) => sum + Math.abs(value), 0));
+  const scale = Math.max(...terms, ...midpoints.map(Math.abs)); // as scale_of_values in laplace_core.horizon
   const chosenAt = (row) => greedy(values.map((line) => line[row]), scale);
   const seen = { grid, thetas, midpoints, H, open, n, inverse, readRow, leftRow, tau, survival, rewards, values, masses: M, columns,
     map, hum, soft, scale,

@@ -62,7 +62,7 @@ def seen(data: bytes, state: Mapping[str, object], tau: int = 0, rounding: float
         "expected_reward": rewards,
         "horizon_values": values,
         "read_row": np.array(read_row),
-        "chosen": greedy_action(values[:, read_row], scale=scale_of_values(rewards)),
+        "chosen": greedy_action(values[:, read_row], scale=scale_of_values(rewards, space.bin_values)),
         "discount_kernel": _kernel(space.gammas, state, horizons[read_row], rows, K, dt),
         "averaging_kernel": _averaging(space.gammas, state, tau, rows, K, dt),
     }

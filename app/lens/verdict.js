@@ -1,23 +1,32 @@
 // The sentence over the pictures: what the values choose, whether that is right, and what is to blame. The library says
 // the same on release, and knows more causes (laplace_core.verdict); this is what holds while a hand moves.
 import { short } from './drawing.js';
-import { tieSize } from './algebra.js';
+import { ROUNDING, tieSize } from './algebra.js';
 import { SWITCHES, available, effect, see, timelineError } from './maths.js';
 
 const VALUE_TOLERANCE = 0.1, SOUND = 0.1, RUINED = 1 / 3; // as in laplace_core.grades
 export const WORDS = { bad: 'Wrong', warn: 'Right, for the wrong reason', ok: 'Right', unknown: 'No truth to compare with',
   smeared: 'Right choice, smeared timeline', ruined: 'Right choice, ruined timeline' };
 
-// Decimals, never a negative zero.
-const fixed = (value, digits = 2) => (Math.round(value * 10 ** digits) / 10 ** digits + 0).toFixed(digits);
+// Decimals, never a negative zero; significant digits where all values are below .01 and more than rounding of terms of
+// this size; more of either where they are to be told apart. As in laplace_core.verdict.
+const fixed = (value, digits) => (Math.round(value * 10 ** digits) / 10 ** digits + 0).toFixed(digits);
+const significant = (value, digits) => String(+value.toPrecision(digits) + 0);
+function inWords(values, scale, apart = false) {
+  const largest = Math.max(...values.map(Math.abs));
+  const word = ROUNDING * scale < largest && largest < 0.01 ? significant : fixed;
+  const shown = (digits) => values.map((value) => word(value, digits));
+  const enough = apart && [2, 3, 4, 6].find((digits) => new Set(shown(digits)).size === values.length);
+  return shown(enough || 2);
+}
 
 // The chosen value against the next best, with the digits that tell them apart.
 function numbers(values, scale, chosen, names) {
   if (values.length < 2) return '';
   const rival = values.reduce((best, value, a) => (a !== chosen && (best < 0 || value > values[best]) ? a : best), -1);
-  if (values[rival] >= values[chosen] - tieSize(values[chosen], scale)) return ` (a tie at ${fixed(values[chosen])})`;
-  const digits = [2, 3, 4].find((n) => fixed(values[chosen], n) !== fixed(values[rival], n)) ?? 2;
-  return ` (${fixed(values[chosen], digits)} v ${fixed(values[rival], digits)}${values.length > 2 ? ` for ${names[rival]}` : ''})`;
+  if (values[rival] >= values[chosen] - tieSize(values[chosen], scale)) return ` (a tie at ${inWords([values[chosen]], scale)[0]})`;
+  const [first, second] = inWords([values[chosen], values[rival]], scale, true);
+  return ` (${first} v ${second}${values.length > 2 ? ` for ${names[rival]}` : ''})`;
 }
 
 // { tone, sentence } of what is seen; where there is a truth, the largest error of a value and that of the timeline.
@@ -27,7 +36,7 @@ export function judged(model, state, seen) {
   const where = state.used > 0 ? `With ${left} of ${short(state.horizon)} steps to go, read at T = ${T},` : `At T = ${T}`;
   const choice = `${where} the decoded values choose ${names[seen.chosen]}${numbers(values, seen.scale, seen.chosen, names)}`;
   if (!seen.truth) {
-    return { tone: 'unknown', sentence: model.A > 1 ? `${choice}.` : `${where} the decoded value is ${fixed(values[0])}.` };
+    return { tone: 'unknown', sentence: model.A > 1 ? `${choice}.` : `${where} the decoded value is ${inWords([values[0]], seen.scale)[0]}.` };
   }
   const optimum = seen.optimumAt(seen.leftRow), true_ = seen.truth.values.map((line) => line[seen.leftRow]);
   const timeline = timelineError(model, state, seen), error = Math.max(...values.map((value, a) => Math.abs(value - seen.truth.hard[a][seen.leftRow])));
@@ -42,9 +51,11 @@ export function judged(model, state, seen) {
   const offs = true_.map((value, a) => (scale > 0 ? Math.abs(value - values[a]) / scale : 0)), worst = offs.indexOf(Math.max(...offs));
   const tone = offs[worst] > VALUE_TOLERANCE ? 'warn' : grade === 'sound' ? 'ok' : grade;
   if (model.A === 1) {
-    return { tone, error, timeline, sentence: `${where} the decoded value is ${fixed(values[0])}; the true one is ${fixed(true_[0])}.${rows}` };
+    const [decoded, truly] = inWords([values[0], true_[0]], seen.scale);
+    return { tone, error, timeline, sentence: `${where} the decoded value is ${decoded}; the true one is ${truly}.${rows}` };
   }
-  const but = tone === 'warn' ? ` But ${names[worst]} is worth ${fixed(true_[worst])}, not ${fixed(values[worst])}.` : '';
+  const [decoded, truly] = inWords([values[worst], true_[worst]], seen.scale, true);
+  const but = tone === 'warn' ? ` But ${names[worst]} is worth ${truly}, not ${decoded}.` : '';
   return { tone, error, timeline, sentence: `${choice}, and no action is better.${but}${rows}` };
 }
 

@@ -14,7 +14,7 @@ _SENTENCE = (
 _APART = " Some falls are larger than the others allow: there discounts follow different policies, or know less."
 _ROUNDING, _FEW = 1e-6, 5
 """Of (1 - gamma) Z; and discounts so few that falls between most of them say nothing."""
-_TOO_MUCH = " No alpha takes it away and leaves the picture; only learning on does."
+_TOO_MUCH = " No alpha takes it away and leaves the picture"
 
 
 def noise_amplification(look: Look) -> Artefact | None:
@@ -38,14 +38,19 @@ def _against_truth(look: Look) -> Artefact | None:
     better = [a for a in alphas if look.error(a) < look.error() and _keeps_a_picture(look, exact, a)]
     calm = [a for a in better if largest_change(look.decode(error, a)) < VISIBLE]
     chosen = [Remedy(f"Raise alpha to {a:g}", {"alpha": a}) for a in (calm or better)[:1]]
-    without = [Remedy("Leave out the noise", {"noise": 0.0})] if s.noise and study.learned is None else []
+    without = [Remedy("Leave out the noise", {"noise": 0.0})] if s.noise else []
     return Artefact(
         "noise amplification",
         size,
         f"noise moves up to {of_a_row(size)}",
-        _SENTENCE + ("" if calm else _TOO_MUCH),
+        _SENTENCE + ("" if calm else _too_much(look)),
         tuple(chosen + without if calm else without + chosen),
     )
+
+
+def _too_much(look: Look) -> str:
+    """What helps where no alpha does: noise that was added is left out, an error of learning is learned away."""
+    return f"{_TOO_MUCH}." if look.settings.noise else f"{_TOO_MUCH}; only learning on does."
 
 
 def _keeps_a_picture(look: Look, exact: np.ndarray, alpha: float) -> bool:
@@ -64,10 +69,10 @@ def _from_violations(look: Look) -> Artefact | None:
     return Artefact(
         "noise amplification",
         size,
-        f"noise moves at least {size:.2f} of a row's probability across a threshold",
+        f"noise moves at least {of_a_row(size)} across a threshold",
         _SENTENCE
         + " Here it shows in differences that are negative or fall with gamma, which exact ones never do."
-        + ("" if calm else _TOO_MUCH)
+        + ("" if calm else _too_much(look))
         + (_APART if other >= VISIBLE else ""),
         tuple(Remedy(f"Raise alpha to {a:g}", {"alpha": a}) for a in calm),
     )
@@ -80,7 +85,7 @@ def _mixed(look: Look, size: float) -> Artefact | None:
     return Artefact(
         "mixed policies",
         size,
-        f"what falls with gamma moves at least {size:.2f} of a row's probability across a threshold",
+        f"what falls with gamma moves at least {of_a_row(size)} across a threshold",
         "Gamma-space falls with gamma at some discounts, as the values of no single process do: discounts follow "
         "different policies, or some are not learned well enough. No alpha makes one timeline of such values.",
         (),

@@ -9,6 +9,7 @@ from laplace_core.artifacts.model import VISIBLE, Artefact, Remedy
 from laplace_core.horizon import horizon_values
 from laplace_core.inverse import MAX_STEPS, SURVIVAL_FLOOR
 from laplace_core.pipeline import MAX_VALUES
+from laplace_core.trials import more_rows
 from laplace_core.worlds import PRESETS
 
 
@@ -109,8 +110,8 @@ def folding(look: Look) -> Artefact | None:
     size = _folded(look, whole, s.steps)
     if size < VISIBLE:
         return None
-    trials = [min(MAX_STEPS, s.steps * 2**n) for n in range(1, 5)]
-    trials = [steps for steps in trials if steps * look.settings.thetas * len(look.study.action_names) <= MAX_VALUES]
+    most = MAX_VALUES / (s.thetas * len(look.study.action_names))
+    trials = [steps for steps in more_rows(s.steps) if steps <= most]
     steps = next((steps for steps in trials if _folded(look, whole, steps) < VISIBLE), max(trials, default=None))
     return Artefact(
         "folding",

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 
-from laplace_core.artifacts.look import Look, of_a_row
+from laplace_core.artifacts.look import Look
 from laplace_core.artifacts.model import VISIBLE, Artefact, Remedy
 from laplace_core.artifacts.noise import propagated, violations
 from laplace_core.encoding import sigmoid
-from laplace_core.settings import SLOPE_TIMES_SPACING, Settings
+from laplace_core.settings import SLOPE_TIMES_SPACING
+from laplace_core.trials import MOST_THETAS, wider
 
-MOST_THETAS = 2_000
 SEEN = 0.02
 """A reward that never gets this much of a row is not missed where it runs into another."""
 
@@ -35,7 +35,7 @@ def edge_clipping(look: Look) -> Artefact | None:
         least = max(2.0 * VISIBLE, 4.0 * float(propagated(look, noise).max()))
     else:
         return None
-    size = float(lost.max())
+    size = min(1.0, float(lost.max()))  # the inverse may overshoot, but no more than all of a row can be missing
     if size < least:
         return None
     remedies = ()
@@ -43,21 +43,15 @@ def edge_clipping(look: Look) -> Artefact | None:
         rewards = study.world.reward_values
         over = max(0.2 * (rewards[-1] - rewards[0]), OVERHANG / s.slope)
         low, high = min(s.theta_min, float(rewards[0] - over)), max(s.theta_max, float(rewards[-1] + over))
-        remedies = (Remedy("Widen the sensitivities", _theta_range(s, low, high)),)
+        remedies = (Remedy("Widen the sensitivities", wider(s, low, high)),)
     return Artefact(
         "edge clipping",
         size,
-        f"up to {of_a_row(size)} is missing",
+        f"up to {size:.2f} of a row's probability is missing",
         "A reward at the edge of the sensitivities, or beyond it, leaves part or all of its probability outside the "
         "picture.",
         remedies,
     )
-
-
-def _theta_range(s: Settings, low: float, high: float) -> dict[str, object]:
-    """A wider range at the same spacing, as far as the number of sensitivities allows."""
-    thetas = min(MOST_THETAS, int(np.ceil((s.thetas - 1) * (high - low) / (s.theta_max - s.theta_min))) + 1)
-    return {"theta_min": float(f"{low:.6g}"), "theta_max": float(f"{high:.6g}"), "thetas": max(s.thetas, thetas)}
 
 
 def slope_blur(look: Look) -> Artefact | None:

@@ -21,7 +21,7 @@ Decisions where the definition leaves a choice:
 - On a fresh seed a wrong choice is repaired if it is not wrong under the change and the error is smaller than that of
   the unchanged settings on the same seed. What else is to be repaired has to hold on the fresh seeds in full, the
   timeline too.
-- steps times 2, 4, 8, 16 stop at 2,000: what exceeds it is tried as 2,000.
+- steps times 2, 4, 8 and so on stop at 2,000: what exceeds it is tried as 2,000.
 - Widened sensitivities keep an end that already overhangs; their number grows in proportion to the range, rounded up.
 - The steep slope never lowers thetas.
 - time_step 1 keeps as many steps as reach the last horizon of the finer rows.
@@ -579,7 +579,7 @@ def single_settings(view: View) -> Iterator[dict[str, object]]:
     for alpha in ALPHAS:
         if alpha != s.alpha:
             yield {"alpha": alpha}
-    for steps in dict.fromkeys(min(MOST_STEPS, s.steps * factor) for factor in (2, 4, 8, 16)):
+    for steps in dict.fromkeys(min(MOST_STEPS, s.steps * 2**doublings) for doublings in range(1, 12)):
         most = world.n_actions * s.thetas * max(s.gammas, steps)
         if steps > s.steps and most <= MOST_NUMBERS:
             yield {"steps": steps}
