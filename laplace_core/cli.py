@@ -140,6 +140,8 @@ def _decode(options: argparse.Namespace) -> None:
     check_paper_grid(given)
     if options.noise is None and options.noise_seed is not None:
         raise InputError("--noise-seed changes nothing without --noise: give both, or neither.")
+    if settings.theta_scale and settings.theta_spacing in (None, "uniform"):
+        raise InputError("--theta-scale changes nothing beside --theta-spacing uniform: leave it out.")
     if options.out is not None and not options.out.lower().endswith(".npz"):
         raise InputError(f"--out {options.out[:60]!r} must end in .npz.")
     ending = options.world.lower().rpartition(".")[2]
