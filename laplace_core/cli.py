@@ -15,6 +15,7 @@ from laplace_core.agents.settings import SETTINGS
 from laplace_core.artifacts import Artefact, find_artefacts
 from laplace_core.errors import InputError
 from laplace_core.experiments.command import add_report
+from laplace_core.experiments.reproduce_command import add_reproduce
 from laplace_core.experiments.search_command import add_search
 from laplace_core.learned.command import add_learn, study_of_file
 from laplace_core.learned.settings import LEARN_SCHEMA
@@ -101,6 +102,7 @@ def _parser() -> argparse.ArgumentParser:
     add_race(verbs)
     add_report(verbs)
     add_search(verbs)
+    add_reproduce(verbs)
     return parser
 
 
