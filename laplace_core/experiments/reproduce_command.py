@@ -111,13 +111,10 @@ def _list(
         rows = each["trainings"]
         finished = sum(row["state"] == FINISHED for row in rows)
         began = sum(row["state"] == "part" for row in rows)
-        parts = f", {began} begun" if began else ""
-        result = f"; {each['result']}" if each["result"] else ""
-        print(
-            f"{each['name']:{width}}  {each['title']}\n{'':{width}}  {finished} of {len(rows)} trainings finished",
-            end="",
-        )
-        print(f"{parts}{result}")
+        words = [f"{finished} of {len(rows)} trainings finished"]
+        words += [f"{began} begun"] if began else []
+        words += [each["result"]] if each["result"] else []
+        print(f"{each['name']:{width}}  {each['title']}\n{'':{width}}  {', '.join(words)}")
 
 
 def _budget(
@@ -170,17 +167,18 @@ def _train(
         for done in reproduce.reproduce(experiments, trainings, out, lambda: stop.asked, begins):
             each, row = done.training, done.row
             failed += row is None
+            which = f"{each.cell.label}, seed {each.settings.seed}"
             about = {"run": each.name, "cell": each.cell.label, "seed": each.settings.seed}
             if as_json:
                 found = {"trouble": done.trouble} if row is None else {"best": row["best"], "seconds": row["seconds"]}
                 print(json.dumps(about | found), flush=True)
             elif row is None:
-                print(f"{each.cell.label}, seed {each.settings.seed}: {done.trouble}", file=sys.stderr, flush=True)
+                print(f"{which}: {done.trouble}", file=sys.stderr, flush=True)
             else:
                 best = row["best"]
                 tell(
-                    f"{each.cell.label}, seed {each.settings.seed}: {best['score']:.1f} +- {best['standard_error']:.1f} "
-                    f"over {best['episodes']} episodes; {row['seconds']:,.0f} s of training"
+                    f"{which}: {best['score']:.1f} +- {best['standard_error']:.1f} over {best['episodes']} episodes; "
+                    f"{row['seconds']:,.0f} s of training"
                 )
     if stop.asked:
         print("stopped; the same command goes on from there", file=sys.stderr, flush=True)

@@ -48,6 +48,8 @@ def reproduce(
     for experiment in experiments:  # what other experiments have trained already
         results.write(experiment, trainings[experiment.name], out)
     for training in once_each(trainings):
+        if stop():
+            return
         try:
             if training.state != FINISHED:
                 if training.busy:
@@ -57,9 +59,10 @@ def reproduce(
                 _train(training, stop)
                 if stop():
                     return
+            known = results.kept_row(training) is not None
             done = Done(training, results.row_of(training))
             for experiment in experiments:
-                if any(training.name == each.name for each in trainings[experiment.name]):
+                if not known and any(training.name == each.name for each in trainings[experiment.name]):
                     results.write(experiment, trainings[experiment.name], out)
         except InputError as error:
             done = Done(training, trouble=str(error))

@@ -16,7 +16,7 @@ import numpy as np
 from laplace_core.errors import InputError
 from laplace_core.experiments.paper.experiment import Experiment, train_command
 from laplace_core.experiments.paper.result_files import KEPT, as_json, cells_in, result_file
-from laplace_core.experiments.paper.runs import FINISHED, Training
+from laplace_core.experiments.paper.runs import Training
 from laplace_core.experiments.search import EPISODES, START_SEEDS
 from laplace_core.experiments.training import evaluated, seconds_behind
 from laplace_core.training.checkpoint import load_checkpoint
@@ -35,24 +35,31 @@ def row_of(training: Training) -> dict[str, object]:
     Raises:
         InputError: a checkpoint that cannot be read, as that of a training whose weights are not finite any more.
     """
-    path, asked = training.folder / KEPT, {"episodes": EPISODES, "start_seed": START_SEEDS + training.settings.seed}
-    with contextlib.suppress(OSError, ValueError, KeyError, TypeError):  # not there, or not to be used
-        kept = json.loads(path.read_text())
-        if kept["run"] == training.name and {name: kept["best"][name] for name in asked} == asked:
-            return kept
-    row = _measured(training, asked["episodes"], asked["start_seed"])
-    write_whole(path, as_json(row))
+    row = kept_row(training)
+    if row is None:
+        row = _measured(training, EPISODES, START_SEEDS + training.settings.seed)
+        write_whole(training.folder / KEPT, as_json(row))
     return row
 
 
+def kept_row(training: Training) -> dict[str, object] | None:
+    """The row in the folder of a run, if it has one of these start seeds."""
+    asked = {"episodes": EPISODES, "start_seed": START_SEEDS + training.settings.seed}
+    with contextlib.suppress(OSError, ValueError, KeyError, TypeError):  # not there, or not to be used
+        kept = json.loads((training.folder / KEPT).read_text())
+        if kept["run"] == training.name and {name: kept["best"][name] for name in asked} == asked:
+            return kept
+    return None
+
+
 def write(experiment: Experiment, trainings: Sequence[Training], folder: Path) -> Path:
-    """Bring the experiment's file up to date with the finished ones among its trainings; whole or not at all.
+    """Bring the experiment's file up to date with the rows in the folders of its runs; whole or not at all.
 
     Rows of runs that are elsewhere stay in the file as long as the experiment still plans them.
     """
     path = result_file(folder, experiment)
     rows = {row["run"]: row for cell in cells_in(path) for row in cell["trainings"]}
-    rows |= {training.name: row_of(training) for training in trainings if training.state == FINISHED}
+    rows |= {training.name: row for training in trainings if (row := kept_row(training)) is not None}
     cells = []
     for cell in experiment.cells:
         planned = [training for training in trainings if training.cell is cell]
