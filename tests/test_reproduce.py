@@ -131,6 +131,9 @@ def test_what_is_finished_is_not_trained_or_scored_again(small, tmp_path, capsys
     assert (tmp_path / "out" / "second.json").read_bytes() == first
     # The results come back from the runs alone, and the runs of other folders stay in the results.
     (tmp_path / "out" / "second.json").unlink()
+    assert main(words(tmp_path, "second", "--collect")) == 0
+    assert (tmp_path / "out" / "second.json").read_bytes() == first
+    (tmp_path / "out" / "second.json").unlink()
     times = {path: path.stat().st_mtime_ns for path in (tmp_path / "runs").rglob("*")}
     assert main(words(tmp_path, "second")) == 0
     assert (tmp_path / "out" / "second.json").read_bytes() == first
@@ -140,6 +143,19 @@ def test_what_is_finished_is_not_trained_or_scored_again(small, tmp_path, capsys
     assert main(["reproduce", "--budget", "--steps", str(STEPS), *elsewhere]) == 0
     told = capsys.readouterr().out
     assert "second: 2 trainings, 0 of them finished; 800 steps to go, about 0.0 h\n" in told
+
+
+def test_collecting_trains_nothing(small, tmp_path, capsys):
+    settings = shortened(settings_of("laplace", "two_branch", {**QUICK, "seed": 1}), STEPS)
+    assert main(command_of(settings, str(tmp_path / "runs" / run_name(settings)))) == 0
+    capsys.readouterr()
+    assert main(words(tmp_path, "all", "--collect")) == 0
+    assert "plain, seed 1: " in capsys.readouterr().out
+    assert [path.name for path in (tmp_path / "runs").iterdir()] == [run_name(settings)]
+    for name, cell in (("first", 0), ("second", 0)):
+        found = json.loads((tmp_path / "out" / f"{name}.json").read_text())
+        assert found["finished"] == 1
+        assert [row["seed"] for row in found["cells"][cell]["trainings"]] == [1]
 
 
 def without_times(row: dict) -> dict:
@@ -289,10 +305,7 @@ def test_the_recipe_of_the_paper_is_what_it_says():
 def test_a_real_experiment_runs_end_to_end_when_shortened(name, tmp_path, monkeypatch):
     monkeypatch.setattr(results, "EPISODES", 2)
     for cell in EXPERIMENTS[name].cells[:2]:
-        first = Experiment(
-            name, "", "", [Cell(cell.label, cell.algorithm, cell.environment, cell.settings, seeds=(0,))]
-        )
-        monkeypatch.setitem(reproduce_command.EXPERIMENTS, name, first)
+        monkeypatch.setitem(EXPERIMENTS, name, Experiment(name, "", "", [replace(cell, seeds=(0,))]))
         assert main(["reproduce", name, "--steps", "90", "--runs", str(tmp_path), "--out", str(tmp_path / "out")]) == 0
         (row,) = json.loads((tmp_path / "out" / f"{name}.json").read_text())["cells"][0]["trainings"]
         assert row["last"]["step"] >= 90

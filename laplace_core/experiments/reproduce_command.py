@@ -35,6 +35,7 @@ def add_reproduce(verbs: argparse._SubParsersAction) -> None:
     reproduce.add_argument("--list", action="store_true", help="list the experiments and how far they are, and stop")
     reproduce.add_argument("--budget", action="store_true", help="print what is left to be trained, and stop")
     reproduce.add_argument("--adopt", metavar="FOLDER", help="copy a run made elsewhere to where it is looked for")
+    reproduce.add_argument("--collect", action="store_true", help="train nothing: write the results of finished runs")
     reproduce.add_argument(
         "--steps", metavar="N", help="end every training after so many steps, to see that it runs; needs --out"
     )
@@ -43,12 +44,12 @@ def add_reproduce(verbs: argparse._SubParsersAction) -> None:
 
 
 def _reproduce(options: argparse.Namespace) -> None:
-    asked = [word for word in ("list", "budget", "adopt") if getattr(options, word)]
+    asked = [word for word in ("list", "budget", "adopt", "collect") if getattr(options, word)]
     if len(asked) > 1:
         raise InputError(f"--{asked[0]} and --{asked[1]} are asked for one at a time: leave one of them out.")
     experiments = _named(options.name, some=bool(asked))
     steps = None if options.steps is None else checked_number("steps", options.steps, int, 2, 10**9)
-    if steps is not None and options.out is None and not asked:
+    if steps is not None and options.out is None and asked in ([], ["collect"]):
         raise InputError("--steps makes results that are none of the paper's: name a folder for them with --out.")
     runs, out = Path(options.runs), Path(options.out or OUT)
     trainings = trainings_of(experiments, runs, steps)
@@ -61,7 +62,7 @@ def _reproduce(options: argparse.Namespace) -> None:
         told = {"run": adopted.name, "state": adopted.state, "folder": str(adopted.folder)}
         print(json.dumps(told, indent=1) if options.json else f"{options.adopt} is {adopted.folder} now")
     else:
-        _train(experiments, trainings, out, options.json)
+        _train(experiments, trainings, out, options.collect, options.json)
 
 
 def _named(name: str | None, some: bool) -> list[Experiment]:
@@ -151,7 +152,7 @@ def _cost(budget: Budget) -> str:
 
 
 def _train(
-    experiments: Sequence[Experiment], trainings: dict[str, list[Training]], out: Path, as_json: bool
+    experiments: Sequence[Experiment], trainings: dict[str, list[Training]], out: Path, collect: bool, as_json: bool
 ) -> None:  # fmt: skip
     from laplace_core.experiments.paper import reproduce  # loads torch
 
@@ -164,7 +165,7 @@ def _train(
 
     failed = 0
     with Stop() as stop:
-        for done in reproduce.reproduce(experiments, trainings, out, lambda: stop.asked, begins):
+        for done in reproduce.reproduce(experiments, trainings, out, lambda: stop.asked, begins, collect):
             each, row = done.training, done.row
             failed += row is None
             which = f"{each.cell.label}, seed {each.settings.seed}"

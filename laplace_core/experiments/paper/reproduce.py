@@ -34,6 +34,7 @@ def reproduce(
     out: Path,
     stop: Callable[[], object],
     begins: Callable[[Training], None],
+    collect: bool = False,
 ) -> Iterator[Done]:
     """Finish every training of the experiments; the file of each experiment always holds what is known.
 
@@ -44,6 +45,7 @@ def reproduce(
         out: the folder of the experiments' files.
         stop: asked between two steps; where it says so, the training at hand keeps where it is and all ends.
         begins: hears of every training before it is trained, or gone on with.
+        collect: train nothing, and score what is finished.
     """
     for experiment in experiments:  # what other experiments have trained already
         results.write(experiment, trainings[experiment.name], out)
@@ -52,6 +54,8 @@ def reproduce(
             return
         try:
             if training.state != FINISHED:
+                if collect:
+                    continue
                 if training.busy:
                     yield Done(training, trouble="another process trains it: it is left to that one.")
                     continue

@@ -93,6 +93,7 @@ def write(experiment: Experiment, trainings: Sequence[Training], folder: Path) -
 
 
 def _measured(training: Training, episodes: int, start_seed: int) -> dict[str, object]:
+    """What docs/paper/README.md describes, entry by entry."""
     settings, events = training.settings, training.events
     best = load_checkpoint(training.folder / "best.safetensors")
     scores, error = evaluated(best.agent, settings.environment, episodes, start_seed)
@@ -109,7 +110,7 @@ def _measured(training: Training, episodes: int, start_seed: int) -> dict[str, o
         "versions": versions(),
         "steps": settings.steps,
         "seconds": round(seconds_behind(events)[-1], 1),
-        "interrupted": sum(event["event"] == "Resumed" for event in events),
+        "inexact_resumes": sum(event["event"] == "Resumed" for event in events),
         "best": {
             "step": max((event["step"] for event in told if event["best"]), default=None),
             "episodes": episodes,
