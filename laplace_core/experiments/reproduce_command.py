@@ -147,8 +147,9 @@ def _cost(budget: Budget) -> str:
     left = len(budget.trainings) - budget.finished
     if budget.unknown == left:
         return f"{words}, at a speed that no finished run tells yet"
+    rough = f", for {budget.rough} of them by the speed of other settings" if budget.rough else ""
     unknown = f", without {budget.unknown} whose speed is not known" if budget.unknown else ""
-    return f"{words}, about {budget.hours:.1f} h{unknown}"
+    return f"{words}, about {budget.hours:.1f} h{rough}{unknown}"
 
 
 def _train(

@@ -95,7 +95,10 @@ def trainings_of(
 
 def once_each(trainings: dict[str, list[Training]]) -> list[Training]:
     """Every run once, in the order of the experiments."""
-    return list({training.name: training for several in trainings.values() for training in several}.values())
+    found: dict[str, Training] = {}
+    for training in (each for several in trainings.values() for each in several):
+        found.setdefault(training.name, training)
+    return list(found.values())
 
 
 class Speeds:
@@ -110,11 +113,17 @@ class Speeds:
 
     def of(self, settings: LoopSettings) -> float | None:
         """The mean of the same settings with other seeds, else of the same environment; None where there is neither."""
-        kind = _without_seed(settings)
-        same = [speed for each, speed in self._measured if _without_seed(each) == kind]
         near = [speed for each, speed in self._measured if each.environment == settings.environment]
-        speeds = same or near
+        speeds = self._same(settings) or near
         return sum(speeds) / len(speeds) if speeds else None
+
+    def rough(self, settings: LoopSettings) -> bool:
+        """Whether that is the speed of other settings."""
+        return self.of(settings) is not None and not self._same(settings)
+
+    def _same(self, settings: LoopSettings) -> list[float]:
+        kind = _without_seed(settings)
+        return [speed for each, speed in self._measured if _without_seed(each) == kind]
 
 
 def _without_seed(settings: LoopSettings) -> dict[str, object]:
@@ -129,7 +138,8 @@ class Budget:
         finished: how many of them are.
         steps: to go, of those that are not.
         hours: to go, as far as the speed is known.
-        unknown: trainings whose speed is not.
+        rough: trainings for which it is the speed of other settings in the same environment.
+        unknown: trainings whose speed is not known.
     """
 
     trainings: Sequence[Training]
@@ -153,6 +163,10 @@ class Budget:
         return sum(left / speed for left, speed in speeds if speed) / 3600.0
 
     @property
+    def rough(self) -> int:
+        return sum(self.speeds.rough(each.settings) for each, _ in self._left)
+
+    @property
     def unknown(self) -> int:
         return sum(self.speeds.of(each.settings) is None for each, _ in self._left)
 
@@ -162,6 +176,7 @@ class Budget:
             "finished": self.finished,
             "steps": self.steps,
             "hours": round(self.hours, 2),
+            "rough_speed": self.rough,
             "unknown_speed": self.unknown,
         }
 
