@@ -15,6 +15,7 @@ from laplace_core.agents.settings import SETTINGS
 from laplace_core.artifacts import Artefact, find_artefacts
 from laplace_core.errors import InputError
 from laplace_core.experiments.command import add_report
+from laplace_core.experiments.reproduce_command import add_reproduce
 from laplace_core.experiments.search_command import add_search
 from laplace_core.learned.command import add_learn, study_of_file
 from laplace_core.learned.settings import LEARN_SCHEMA
@@ -102,6 +103,7 @@ def _parser() -> argparse.ArgumentParser:
     add_race(verbs)
     add_report(verbs)
     add_search(verbs)
+    add_reproduce(verbs)
     return parser
 
 
@@ -141,6 +143,8 @@ def _decode(options: argparse.Namespace) -> None:
     check_paper_grid(given)
     if options.noise is None and options.noise_seed is not None:
         raise InputError("--noise-seed changes nothing without --noise: give both, or neither.")
+    if settings.theta_scale and settings.theta_spacing in (None, "uniform"):
+        raise InputError("--theta-scale changes nothing beside --theta-spacing uniform: leave it out.")
     if options.out is not None and not options.out.lower().endswith(".npz"):
         raise InputError(f"--out {options.out[:60]!r} must end in .npz.")
     ending = options.world.lower().rpartition(".")[2]

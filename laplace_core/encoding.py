@@ -19,6 +19,9 @@ PAPER_GAMMAS = (0.01, 0.108, 0.206, 0.304, 0.402, 0.5, 0.55, 0.6, 0.65, 0.7, 0.7
 
 GAMMA_SPACINGS = ("inverse-log", "log", "linear", "paper")
 THETA_SPACINGS = ("uniform", "gaussian", "asinh")
+THETA_SCALE_HELP = (
+    "Of gaussian spacing the standard deviation, of asinh where it turns logarithmic, in reward; 0 suits the range."
+)
 
 
 def discount_grid(count: int, spacing: str = "inverse-log", low: float = 0.01, high: float = 0.99) -> np.ndarray:
@@ -78,20 +81,28 @@ def sensitivity_grid(count: int, low: float, high: float, spacing: str = "unifor
     if spacing == "uniform":
         grid = np.linspace(low, high, count)
     elif spacing == "asinh":
-        scale = scale or max(abs(low), abs(high)) / 100.0
+        scale = theta_scale(low, high, spacing, scale)
         grid = scale * np.sinh(np.linspace(np.arcsinh(low / scale), np.arcsinh(high / scale), count))
     else:
         from scipy.special import ndtr, ndtri  # slow to import, and only needed here
 
-        middle, scale = (low + high) / 2.0, scale or (high - low) / 4.0
+        middle, scale = (low + high) / 2.0, theta_scale(low, high, spacing, scale)
         first, last = ndtr((np.array([low, high]) - middle) / scale)
         grid = middle + scale * ndtri(np.linspace(first, last, count))
     grid[[0, -1]] = low, high
     if not np.all(np.diff(grid) > 0):
         raise InputError(
-            f"{count} sensitivities do not fit between {low!r} and {high!r} at spacing {spacing!r}: widen the range."
+            f"{count} sensitivities do not fit between {low!r} and {high!r} at spacing {spacing!r}: widen the range"
+            f"{' or the theta scale' if scale else ''}."
         )
     return grid
+
+
+def theta_scale(low: float, high: float, spacing: str, scale: float | None = None) -> float:
+    """The scale of ``gaussian`` or ``asinh`` spacing, in units of reward; see :func:`sensitivity_grid`."""
+    if scale is not None:
+        return scale
+    return (high - low) / 4.0 if spacing == "gaussian" else max(abs(low), abs(high)) / 100.0
 
 
 def sigmoid(x: np.ndarray) -> np.ndarray:

@@ -165,7 +165,7 @@ def grids(settings: Settings) -> tuple[np.ndarray, np.ndarray]:
     """Discounts ``(G,)`` and sensitivities ``(H,)`` of resolved settings."""
     s = settings
     gammas = discount_grid(s.gammas, s.spacing, s.gamma_min, s.gamma_max)
-    return gammas, sensitivity_grid(s.thetas, s.theta_min, s.theta_max, s.theta_spacing)
+    return gammas, sensitivity_grid(s.thetas, s.theta_min, s.theta_max, s.theta_spacing, s.theta_scale or None)
 
 
 def decode_and_read(gamma_space: GammaSpace, settings: Settings) -> Decoded:

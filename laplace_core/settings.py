@@ -15,7 +15,7 @@ from functools import partial
 
 import numpy as np
 
-from laplace_core.encoding import GAMMA_SPACINGS, PAPER_GAMMAS, THETA_SPACINGS, sensitivity_grid
+from laplace_core.encoding import GAMMA_SPACINGS, PAPER_GAMMAS, THETA_SCALE_HELP, THETA_SPACINGS, sensitivity_grid
 from laplace_core.errors import InputError
 from laplace_core.inverse import MAX_STEPS, NORMALISATIONS
 from laplace_core.learning import TARGET_POLICIES
@@ -55,6 +55,7 @@ class Settings:
     theta_spacing: str | None = None
     theta_min: float | None = None
     theta_max: float | None = None
+    theta_scale: float | None = None
     slope: float | None = None
     alpha: float | None = None
     steps: int | None = None
@@ -130,6 +131,7 @@ SCHEMA: tuple[Parameter, ...] = (
     Parameter("theta_spacing", "uniform", 0, 0, "How the sensitivities are spaced.", str, THETA_SPACINGS),
     Parameter("theta_min", None, -1e10, 1e10, "Smallest sensitivity, in reward.", float),
     Parameter("theta_max", None, -1e10, 1e10, "Largest sensitivity, in reward.", float),
+    Parameter("theta_scale", None, 0, 1e10, THETA_SCALE_HELP, float),
     Parameter("slope", None, 1e-12, 1e12, "Steepness of the reward activation, in 1/reward.", float),
     Parameter("alpha", 0.01, 0, 1e6, "Regularisation of the inverse, in singular values of the transform."),
     Parameter("steps", None, 1, MAX_STEPS, "Rows of tau-space: the longest timeline it can hold.", int),
@@ -233,7 +235,10 @@ def resolve(settings: Settings, world: World) -> Settings:
     values["theta_min"] = _round(low - overhang, overhang) if values["theta_min"] is None else values["theta_min"]
     values["theta_max"] = _round(high + overhang, overhang) if values["theta_max"] is None else values["theta_max"]
     if values["slope"] is None:
-        grid = sensitivity_grid(values["thetas"], values["theta_min"], values["theta_max"], values["theta_spacing"])
+        grid = sensitivity_grid(
+            values["thetas"], values["theta_min"], values["theta_max"], values["theta_spacing"],
+            values["theta_scale"] or None,
+        )  # fmt: skip
         spacing = float(np.diff(grid).max())
         gentle, steep = BY_NAME["slope"].low, BY_NAME["slope"].high
         values["slope"] = float(f"{np.clip(SLOPE_TIMES_SPACING / spacing, gentle, steep):.2g}")
@@ -257,8 +262,8 @@ def _file_of(named: str, world: World) -> str:
     return f"{re.sub(r'[^A-Za-z0-9_-]+', '_', world.name)[:40].strip('_') or 'world'}.json"
 
 
-_GRIDS = ("gammas", "spacing", "gamma_min", "gamma_max", "thetas", "theta_spacing", "theta_min", "theta_max")
-ENCODING_NAMES = (*_GRIDS, "slope", "policy")
+_THETAS = ("thetas", "theta_spacing", "theta_min", "theta_max", "theta_scale")
+ENCODING_NAMES = ("gammas", "spacing", "gamma_min", "gamma_max", *_THETAS, "slope", "policy")
 """Settings that a gamma-space from a file brings along and that cannot be chosen for it."""
 
 

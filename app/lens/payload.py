@@ -117,7 +117,9 @@ def _of_world(study: Study) -> dict[str, np.ndarray]:
     lowest = world.reward_values[timeline.max(axis=(0, 1)) > 1e-9][0]
     if space.thetas[0] < lowest < space.thetas[-1]:
         with contextlib.suppress(InputError):  # too narrow a range for so many sensitivities
-            arrays["clipped_thetas"] = sensitivity_grid(s.thetas, float(lowest), s.theta_max, s.theta_spacing)
+            arrays["clipped_thetas"] = sensitivity_grid(
+                s.thetas, float(lowest), s.theta_max, s.theta_spacing, s.theta_scale or None
+            )
     if world.reward_values.size > MOST_REWARDS:
         return arrays | {"differences": space.differences, "constant": space.constant}
     if study.learned is not None:

@@ -8,7 +8,14 @@ from typing import ClassVar
 import numpy as np
 
 from laplace_core.agents.loop_settings import LOOP_SCHEMA, LoopSettings
-from laplace_core.encoding import GAMMA_SPACINGS, PAPER_GAMMAS, discount_grid, sensitivity_grid
+from laplace_core.encoding import (
+    GAMMA_SPACINGS,
+    PAPER_GAMMAS,
+    THETA_SCALE_HELP,
+    THETA_SPACINGS,
+    discount_grid,
+    sensitivity_grid,
+)
 from laplace_core.errors import InputError
 from laplace_core.parameters import Parameter
 
@@ -17,7 +24,6 @@ PARAMETRISATIONS = ("softmax", "accumulated", "clipped", "free")
 POLICIES = ("shared", "per_gamma")
 TERMINATIONS = ("plain", "auxiliary", "absorbing")
 EXPERIENCES = ("shared", "per_discount")
-AGENT_THETA_SPACINGS = ("uniform", "asinh")
 SLOPE_TIMES_SPACING = 2.35
 """Default slope in units of 1/spacing, as in :mod:`laplace_core.settings`."""
 
@@ -28,9 +34,10 @@ LAPLACE_SCHEMA = (
     Parameter("gamma_min", 0.3678794412, 1e-6, 0.9999, "Smallest discount."),
     Parameter("gamma_max", 0.99, 1e-6, 0.9999, "Largest discount."),
     Parameter("thetas", 13, 2, 1000, "Number of reward sensitivities."),
-    Parameter("theta_spacing", "uniform", 0, 0, "How the sensitivities are spaced.", str, AGENT_THETA_SPACINGS),
+    Parameter("theta_spacing", "uniform", 0, 0, "How the sensitivities are spaced.", str, THETA_SPACINGS),
     Parameter("theta_min", -1.0, -1e6, 1e6, "Smallest sensitivity, in reward."),
     Parameter("theta_max", 2.0, -1e6, 1e6, "Largest sensitivity, in reward."),
+    Parameter("theta_scale", 0.0, 0, 1e6, THETA_SCALE_HELP),
     Parameter("slope_times_spacing", SLOPE_TIMES_SPACING, 0.1, 100, "Steepness of the activation, in 1/spacing."),
     Parameter("network", "trunk", 0, 0, "How discounts share weights.", str, NETWORKS),
     Parameter("features", 64, 1, 512, "Features a discount in front of the shared last layer."),
@@ -58,6 +65,7 @@ class LaplaceSettings(LoopSettings):
     theta_spacing: str = "uniform"
     theta_min: float = -1.0
     theta_max: float = 2.0
+    theta_scale: float = 0.0
     slope_times_spacing: float = SLOPE_TIMES_SPACING
     network: str = "trunk"
     features: int = 64
@@ -77,7 +85,7 @@ class LaplaceSettings(LoopSettings):
     def check(self) -> None:
         super().check()
         self.discounts()
-        sensitivity_grid(self.thetas, self.theta_min, self.theta_max, self.theta_spacing)
+        sensitivity_grid(self.thetas, self.theta_min, self.theta_max, self.theta_spacing, self.theta_scale or None)
         if self.prioritised and self.experience == "per_discount":
             raise InputError("prioritised replay needs shared experience.")
         if self.theta_min >= 0 or self.theta_max <= 0:

@@ -1,7 +1,8 @@
 """Reward sensitivities of an agent: the activation, the bins between thresholds and the value of each bin.
 
-With ``asinh`` spacing the activation, too, is a sigmoid in asinh(r / scale): one slope then suits the dense middle and
-the sparse ends, where a slope in 1/reward would blur the one or round the other (evidence on reward quantisation).
+The activation is a sigmoid on the axis on which the thresholds are evenly spaced: the reward itself, asinh(r / scale)
+or, with ``gaussian`` spacing, the normal law's Phi((r - middle) / scale). One slope then suits the dense middle and the
+sparse ends, where a slope in 1/reward would blur the one or round the other.
 """
 
 from __future__ import annotations
@@ -11,7 +12,7 @@ import torch
 from torch import Tensor
 
 from laplace_core.agents.settings import LaplaceSettings
-from laplace_core.encoding import sensitivity_grid
+from laplace_core.encoding import sensitivity_grid, theta_scale
 from laplace_core.gamma_space import bin_values
 
 
@@ -27,18 +28,26 @@ class Sensitivities:
 
     def __init__(self, settings: LaplaceSettings):
         s = settings
-        self.thetas = sensitivity_grid(s.thetas, s.theta_min, s.theta_max, s.theta_spacing)
-        self._scale = max(abs(s.theta_min), abs(s.theta_max)) / 100.0 if s.theta_spacing == "asinh" else None
-        places = self.thetas if self._scale is None else np.arcsinh(self.thetas / self._scale)
+        self.thetas = sensitivity_grid(s.thetas, s.theta_min, s.theta_max, s.theta_spacing, s.theta_scale or None)
+        self._spacing, self._middle = s.theta_spacing, (s.theta_min + s.theta_max) / 2.0
+        self._scale = theta_scale(s.theta_min, s.theta_max, s.theta_spacing, s.theta_scale or None)
+        places = self._place(torch.from_numpy(self.thetas)).numpy()
         self._places = torch.tensor(places, dtype=torch.float32)
         self.slope = s.slope_times_spacing / float(np.diff(places).max())
         self.places = self.slope * places
         self.bin_values = bin_values(self.thetas, open_ends=True)
 
+    def _place(self, rewards: Tensor) -> Tensor:
+        """Where rewards lie on the axis of the activation, in their shape and precision."""
+        if self._spacing == "uniform":
+            return rewards
+        if self._spacing == "asinh":
+            return torch.asinh(rewards / self._scale)
+        return torch.special.ndtr((rewards - self._middle) / self._scale)
+
     def tails(self, rewards: Tensor) -> Tensor:
         """The constant channel, 1, and f_1(r), ..., f_H(r): shape ``rewards.shape + (H+1,)``, never increasing."""
-        place = rewards if self._scale is None else torch.asinh(rewards / self._scale)
-        values = torch.sigmoid(self.slope * (place.unsqueeze(-1) - self._places))
+        values = torch.sigmoid(self.slope * (self._place(rewards).unsqueeze(-1) - self._places))
         return torch.cat([torch.ones_like(values[..., :1]), values], dim=-1)
 
     def masses(self, rewards: Tensor) -> Tensor:

@@ -483,11 +483,11 @@ def sensitivities(s: Settings) -> np.ndarray:
     if s.theta_spacing == "uniform":
         grid = [low + (high - low) * x for x in places]
     elif s.theta_spacing == "asinh":  # evenly spaced in asinh(theta / unit)
-        unit = max(abs(low), abs(high)) / 100.0
+        unit = s.theta_scale or max(abs(low), abs(high)) / 100.0
         a, b = math.asinh(low / unit), math.asinh(high / unit)
         grid = [unit * math.sinh(a + (b - a) * x) for x in places]
     else:  # at evenly spaced quantiles of a normal law in the middle, cut at both ends
-        law = NormalDist((low + high) / 2.0, (high - low) / 4.0)
+        law = NormalDist((low + high) / 2.0, s.theta_scale or (high - low) / 4.0)
         a, b = law.cdf(low), law.cdf(high)
         grid = [law.inv_cdf(a + (b - a) * x) for x in places]
     grid[0], grid[-1] = low, high

@@ -169,6 +169,8 @@ def unheard(settings: LoopSettings) -> dict[str, str]:
         return found
     if settings.consistency == 0:
         found["consistency_exponent"] = "at consistency 0"
+    if settings.theta_spacing == "uniform":
+        found["theta_scale"] = "beside theta_spacing=uniform"
     if settings.experience == "per_discount":
         found["envs"] = "where every discount has an environment of its own (experience=per_discount)"
     if settings.spacing == "paper":

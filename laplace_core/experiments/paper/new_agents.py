@@ -1,0 +1,11 @@
+"""Laplace DQN on LunarLander trained anew, with the target averaging that the search found, on seeds of its own."""
+
+from laplace_core.experiments.paper.experiment import Cell, Experiment
+from laplace_core.experiments.paper.lander import ENVIRONMENT
+
+EXPERIMENT = Experiment(
+    name="new_agents",
+    title="Laplace DQN on LunarLander, trained anew",
+    question="Does no seed fall below 240 when the target network follows faster?",
+    cells=[Cell("averaging .005", "laplace", ENVIRONMENT, {"averaging": 0.005}, seeds=(5, 6, 7, 8, 9))],
+)

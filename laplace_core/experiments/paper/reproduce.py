@@ -1,0 +1,83 @@
+"""Train what experiments need, one training after another, and keep what each one found."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from laplace_core.errors import InputError
+from laplace_core.experiments.paper import results
+from laplace_core.experiments.paper.experiment import Experiment
+from laplace_core.experiments.paper.runs import FINISHED, MISSING, Training, once_each
+from laplace_core.training.loop import train
+from laplace_core.training.progress import ProgressFile
+
+
+@dataclass(frozen=True)
+class Done:
+    """What became of one training.
+
+    Attributes:
+        row: its result; None where there is none.
+        trouble: why not, in a sentence.
+    """
+
+    training: Training
+    row: dict[str, object] | None = None
+    trouble: str | None = None
+
+
+def reproduce(
+    experiments: Sequence[Experiment],
+    trainings: dict[str, list[Training]],
+    out: Path,
+    stop: Callable[[], object],
+    begins: Callable[[Training], None],
+    collect: bool = False,
+) -> Iterator[Done]:
+    """Finish every training of the experiments; the file of each experiment always holds what is known.
+
+    A training that another process is at is left to that one; one that fails does not keep the others from theirs.
+
+    Args:
+        trainings: by the name of the experiment.
+        out: the folder of the experiments' files.
+        stop: asked between two steps; where it says so, the training at hand keeps where it is and all ends.
+        begins: hears of every training before it is trained, or gone on with.
+        collect: train nothing, and score what is finished.
+    """
+    for experiment in experiments:  # what other experiments have trained already
+        results.write(experiment, trainings[experiment.name], out)
+    for training in once_each(trainings):
+        if stop():
+            return
+        try:
+            if training.state != FINISHED:
+                if collect:
+                    continue
+                if training.busy:
+                    yield Done(training, trouble="another process trains it: it is left to that one.")
+                    continue
+                begins(training)
+                _train(training, stop)
+                if stop():
+                    return
+            known = results.kept_row(training) is not None
+            done = Done(training, results.row_of(training))
+            for experiment in experiments:
+                if not known and any(training.name == each.name for each in trainings[experiment.name]):
+                    results.write(experiment, trainings[experiment.name], out)
+        except InputError as error:
+            done = Done(training, trouble=str(error))
+        yield done
+
+
+def _train(training: Training, stop: Callable[[], object]) -> None:
+    """To its end, or to where it was stopped."""
+    there = training.state != MISSING
+    progress, step = ProgressFile(training.folder, training.settings.steps), training.step
+    for event in train(None if there else training.settings, training.folder, there, lambda: bool(stop())):
+        step = event.step
+        progress.at(step)
+    progress.at(step, last=True)

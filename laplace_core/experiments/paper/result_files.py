@@ -1,0 +1,79 @@
+"""The files that results are kept in: one of every run, one of every experiment. No torch here."""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import math
+from collections.abc import Sequence
+from pathlib import Path
+
+from laplace_core.agents.settings import LoopSettings
+from laplace_core.errors import InputError
+from laplace_core.experiments.paper.experiment import Experiment
+from laplace_core.experiments.paper.runs import Training
+from laplace_core.training.tensor_file import parse_json
+
+KEPT = "result.json"
+"""In the folder of a run: its row, so that an experiment which needs the run as well evaluates nothing again."""
+_MOST_BYTES = 50_000_000
+
+
+def result_file(folder: Path, experiment: Experiment) -> Path:
+    return folder / f"{experiment.name}.json"
+
+
+def cells_in(path: Path) -> list[dict]:
+    """The cells of an experiment's file; none where there is no file.
+
+    Raises:
+        InputError: a file that is no result: it is not written over.
+    """
+    if not path.exists():
+        return []
+    try:
+        cells = parse_json(path.read_bytes()[:_MOST_BYTES], path.name)["cells"]
+        if all(isinstance(row["run"], str) for cell in cells for row in cell["trainings"]):
+            return cells
+    except (OSError, TypeError, KeyError):
+        pass
+    raise InputError(f"{path} is no result of an experiment: move it away, or name another --out folder.")
+
+
+def measured_speeds(
+    experiments: Sequence[Experiment], trainings: Sequence[Training], folder: Path
+) -> list[tuple[LoopSettings, float]]:
+    """Settings and steps a second of the trainings whose rows are in their run folders or in the experiments' files."""
+    rows = [row for each in experiments for cell in cells_in(result_file(folder, each)) for row in cell["trainings"]]
+    for training in trainings:
+        with contextlib.suppress(OSError, ValueError):  # not finished yet
+            rows.append(json.loads((training.folder / KEPT).read_text()))
+    planned, speeds = {training.name: training.settings for training in trainings}, {}
+    for row in rows:
+        with contextlib.suppress(KeyError, TypeError, ZeroDivisionError):
+            speeds[row["run"]] = row["steps"] / row["seconds"]
+    return [(planned[name], speed) for name, speed in speeds.items() if name in planned]
+
+
+def as_json(about: object) -> bytes:
+    """Readable, a list of numbers in one line; what is not finite becomes null."""
+    return (_text(_finite(about), "") + "\n").encode()
+
+
+def _finite(value: object) -> object:
+    if isinstance(value, dict):
+        return {name: _finite(each) for name, each in value.items()}
+    if isinstance(value, list | tuple):
+        return [_finite(each) for each in value]
+    return None if isinstance(value, float) and not math.isfinite(value) else value
+
+
+def _text(value: object, indent: str) -> str:
+    deeper = indent + " "
+    if isinstance(value, dict) and value:
+        lines = [f"{deeper}{json.dumps(name)}: {_text(each, deeper)}" for name, each in value.items()]
+        return "{\n" + ",\n".join(lines) + f"\n{indent}}}"
+    if isinstance(value, list) and any(isinstance(each, dict) for each in value):
+        lines = [f"{deeper}{_text(each, deeper)}" for each in value]
+        return "[\n" + ",\n".join(lines) + f"\n{indent}]"
+    return json.dumps(value, allow_nan=False)

@@ -1,0 +1,168 @@
+"""What is kept of a finished training, and the small file of every experiment that it goes into."""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import platform
+import sys
+from collections.abc import Sequence
+from datetime import UTC, datetime
+from importlib.metadata import PackageNotFoundError, version
+from pathlib import Path
+
+import numpy as np
+
+from laplace_core.errors import InputError
+from laplace_core.experiments.paper.experiment import Experiment, train_command
+from laplace_core.experiments.paper.result_files import KEPT, as_json, cells_in, result_file
+from laplace_core.experiments.paper.runs import Training
+from laplace_core.experiments.search import EPISODES, START_SEEDS
+from laplace_core.experiments.training import evaluated, seconds_behind
+from laplace_core.training.checkpoint import load_checkpoint
+from laplace_core.training.tensor_file import write_whole
+
+POINTS = 300
+"""Most points of a curve."""
+PACKAGES = ("torch", "numpy", "gymnasium", "laplace-core")
+_SMOOTHING = 0.02  # of all episodes, on either side
+_LEAST_SMOOTHING = 5
+
+
+def row_of(training: Training) -> dict[str, object]:
+    """The row of a finished training; evaluated once, then kept in its folder.
+
+    Raises:
+        InputError: a checkpoint that cannot be read, as that of a training whose weights are not finite any more.
+    """
+    row = kept_row(training)
+    if row is None:
+        row = _measured(training, EPISODES, START_SEEDS + training.settings.seed)
+        write_whole(training.folder / KEPT, as_json(row))
+    return row
+
+
+def kept_row(training: Training) -> dict[str, object] | None:
+    """The row in the folder of a run, if it has one of these start seeds."""
+    asked = {"episodes": EPISODES, "start_seed": START_SEEDS + training.settings.seed}
+    with contextlib.suppress(OSError, ValueError, KeyError, TypeError):  # not there, or not to be used
+        kept = json.loads((training.folder / KEPT).read_text())
+        if kept["run"] == training.name and {name: kept["best"][name] for name in asked} == asked:
+            return kept
+    return None
+
+
+def write(experiment: Experiment, trainings: Sequence[Training], folder: Path) -> Path:
+    """Bring the experiment's file up to date with the rows in the folders of its runs; whole or not at all.
+
+    Rows of runs that are elsewhere stay in the file as long as the experiment still plans them.
+    """
+    path = result_file(folder, experiment)
+    rows = {row["run"]: row for cell in cells_in(path) for row in cell["trainings"]}
+    rows |= {training.name: row for training in trainings if (row := kept_row(training)) is not None}
+    cells = []
+    for cell in experiment.cells:
+        planned = [training for training in trainings if training.cell is cell]
+        settings = {name: value for name, value in planned[0].settings.as_dict().items() if name != "seed"}
+        cells.append(
+            {
+                "label": cell.label,
+                "algorithm": cell.algorithm,
+                "environment": cell.environment,
+                "changed": dict(cell.settings),
+                "settings": settings,
+                "seeds": [training.settings.seed for training in planned],
+                "trainings": [rows[training.name] for training in planned if training.name in rows],
+            }
+        )
+    about = {
+        "experiment": experiment.name,
+        "title": experiment.title,
+        "question": experiment.question,
+        "command": f"python -m laplace_core reproduce {experiment.name}",
+        "finished": sum(len(cell["trainings"]) for cell in cells),
+        "planned": len(trainings),
+        "cells": cells,
+    }
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise InputError(f"the folder {folder} cannot be made: {(error.strerror or 'unknown').lower()}.") from None
+    write_whole(path, as_json(about))
+    return path
+
+
+def _measured(training: Training, episodes: int, start_seed: int) -> dict[str, object]:
+    """What docs/paper/README.md describes, entry by entry."""
+    settings, events = training.settings, training.events
+    best = load_checkpoint(training.folder / "best.safetensors")
+    scores, error = evaluated(best.agent, settings.environment, episodes, start_seed)
+    told = [event for event in events if event["event"] == "Evaluation"]
+    ended = [event for event in events if event["event"] == "Episode"]
+    acting = [event for event in ended if event["head"] == best.agent.acting_head]
+    made = datetime.fromtimestamp((training.folder / "last.safetensors").stat().st_mtime, UTC)
+    columns = {"steps": "step", "scores": "score", "errors": "standard_error"}
+    return {
+        "run": training.name,
+        "seed": settings.seed,
+        "command": train_command(settings),
+        "date": made.date().isoformat(),
+        "versions": versions(),
+        "steps": settings.steps,
+        "seconds": round(seconds_behind(events)[-1], 1),
+        "inexact_resumes": sum(event["event"] == "Resumed" for event in events),
+        "best": {
+            "step": max((event["step"] for event in told if event["best"]), default=None),
+            "episodes": episodes,
+            "start_seed": start_seed,
+            "score": round(scores.mean, 3),
+            "standard_error": round(scores.standard_error, 3),
+            "returns": np.round(scores.returns, 2).tolist(),
+            "value_error": None if error is None else round(error, 3),
+        },
+        "last": {to: round(told[-1][of], 3) for to, of in (("step", "step"), *_LAST)},
+        "evaluations": {to: [round(event[of], 3) for event in told] for to, of in columns.items()},
+        "episodes": len(ended),
+        **curves([event["episode_return"] for event in acting], [event["step"] for event in acting]),
+    }
+
+
+_LAST = (("score", "score"), ("standard_error", "standard_error"), ("episodes", "episodes"))
+
+
+def curves(returns: Sequence[float], steps: Sequence[int]) -> dict[str, object]:
+    """Returns of the episodes in which the acting discount behaved, smoothed, at even places of either axis.
+
+    Args:
+        returns, steps: ``(E,)``, the step at which each episode ended.
+
+    Returns:
+        ``by_episode`` and ``by_step``, each with at most ``POINTS`` places and returns, and ``smoothing``: over how
+        many episodes each return is a mean.
+    """
+    count = len(returns)
+    reach = max(_LEAST_SMOOTHING, round(_SMOOTHING * count))
+    if not count:
+        nothing = {"returns": []}
+        return {"by_episode": {"episodes": [], **nothing}, "by_step": {"steps": [], **nothing}, "smoothing": 0}
+    summed = np.concatenate([[0.0], np.cumsum(np.asarray(returns, dtype=float))])
+    low, high = np.maximum(np.arange(count) - reach, 0), np.minimum(np.arange(count) + reach + 1, count)
+    smooth = (summed[high] - summed[low]) / (high - low)
+    points = min(count, POINTS)
+    picked = np.round(np.linspace(0, count - 1, points)).astype(int)
+    places = np.linspace(steps[0], steps[-1], points)
+    along = np.interp(places, steps, smooth)
+    return {
+        "by_episode": {"episodes": (picked + 1).tolist(), "returns": np.round(smooth[picked], 2).tolist()},
+        "by_step": {"steps": np.round(places).astype(int).tolist(), "returns": np.round(along, 2).tolist()},
+        "smoothing": 2 * reach + 1,
+    }
+
+
+def versions() -> dict[str, str]:
+    """Of Python and of what decides the numbers."""
+    found = {"python": platform.python_version(), "machine": f"{sys.platform} {platform.machine()}"}
+    for name in PACKAGES:
+        with contextlib.suppress(PackageNotFoundError):
+            found[name] = version(name)
+    return found
