@@ -94,7 +94,7 @@ def sensitivity_grid(count: int, low: float, high: float, spacing: str = "unifor
     return grid
 
 
-def sigmoid(x: np.ndarray) -> np.ndarray:
+def sigmoid(x: np.ndarray | float) -> np.ndarray:
     """1 / (1 + exp(-x)) without overflow, to full precision in both tails, in the shape of ``x``."""
     small = np.exp(-np.abs(x))
     return np.where(np.asarray(x) >= 0, 1.0, small) / (1.0 + small)

@@ -15,7 +15,7 @@ FLOOR = 1e-3
 """Least mass of an atom before training, when nearly all of it lies at return 0."""
 
 
-class C51Agent(Peer):
+class C51Agent(Peer[C51Settings]):
     """C51.
 
     Attributes:

@@ -19,7 +19,7 @@ LEAST_TAIL = 0.01
 """Least mass that an outermost location is given: rarer events are moved inwards, so that none lies without bounds."""
 
 
-class ExpectileAgent(Peer):
+class ExpectileAgent(Peer[ExpectileSettings]):
     """Expectile DQN.
 
     Attributes:

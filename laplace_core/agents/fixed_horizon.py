@@ -25,7 +25,7 @@ The two times around T share a weight of 1. Short times are told apart at once, 
 """
 
 
-class FixedHorizonAgent(Agent):
+class FixedHorizonAgent(Agent[FixedHorizonSettings]):
     """Fixed-horizon DQN: head h acts for h + 1 steps to go, and the last one where the end is farther or unknown.
 
     Attributes:

@@ -20,7 +20,7 @@ from laplace_core.errors import InputError
 from laplace_core.pipeline import GammaSpace
 
 
-class LaplaceAgent(Agent):
+class LaplaceAgent(Agent[LaplaceSettings]):
     """Laplace DQN.
 
     Attributes:

@@ -15,7 +15,7 @@ MOST_PAIRS = 2_000
 """Quantiles times targets up to which it is faster to go through all pairs."""
 
 
-class QrdqnAgent(Peer):
+class QrdqnAgent(Peer[QrdqnSettings]):
     """QR-DQN.
 
     Attributes:

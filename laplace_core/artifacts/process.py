@@ -66,7 +66,7 @@ def conditional_rewards(look: Look) -> Artefact | None:
     weighted, plain = (horizon_values(rows, s.acting_gamma, s.softness, s.time_step) for rows in (weighted, plain))
     change = float(np.abs(plain - weighted).max())
     true = look.true_values(s.softness) if look.has_truth else weighted
-    least = 1e-2 * np.abs(study.world.reward_values).max() if look.has_truth else 0.0
+    least = 1e-2 * np.abs(look.of_world.world.reward_values).max() if look.has_truth else 0.0
     size = float(change / max(np.abs(true).max(), least, 1e-12))
     if size < VISIBLE:
         return None

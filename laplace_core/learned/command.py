@@ -79,19 +79,21 @@ def _learn(learning: Learning, out: str | None, reporters: Sequence[Callable], p
         if parent is not None and os.getppid() != parent:
             raise SystemExit(1)
         began = time.monotonic()
-        _report_and_save(learning, out, reporters)
+        _report_and_save(learning, None if out is None else learning.snapshot(), out, reporters)
         reported = time.monotonic()
         pause = max(REPORT_EVERY, 10.0 * (reported - began))  # never more than a tenth of the time for writing
-    return _report_and_save(learning, out, reporters)
+    learned = learning.snapshot()
+    _report_and_save(learning, learned, out, reporters)
+    return learned
 
 
-def _report_and_save(learning: Learning, out: str | None, reporters: Sequence[Callable]) -> Learned | None:
-    learned = learning.snapshot() if out is not None or learning.finished else None
-    if out is not None:
+def _report_and_save(
+    learning: Learning, learned: Learned | None, out: str | None, reporters: Sequence[Callable]
+) -> None:
+    if learned is not None and out is not None:
         save_learned(learned, out)
     for reporter in reporters:  # after the file, so that whoever reads of an end finds it
         reporter(learning.progress)
-    return learned
 
 
 @contextmanager

@@ -20,7 +20,7 @@ from laplace_core.learned.model import CURVE_NAMES, Learned, PeerTables
 from laplace_core.learned.reading import bounds_of
 from laplace_core.learned.settings import (
     BY_NAME,
-    LearnSettings,
+    ResolvedLearning,
     parse_learn_settings,
     resolve_learning,
     table_shapes,
@@ -197,7 +197,7 @@ def _world(entry: object) -> World:
     raise InputError("'world' must have 'source' and 'params', or the 'text' of a world file.")
 
 
-def _settings(entry: object, world: World) -> LearnSettings:
+def _settings(entry: object, world: World) -> ResolvedLearning:
     if not isinstance(entry, dict) or set(entry) != set(BY_NAME):
         raise InputError(f"'settings' must have exactly these entries: {', '.join(BY_NAME)}.")
     for name, value in entry.items():
@@ -206,12 +206,13 @@ def _settings(entry: object, world: World) -> LearnSettings:
         if not fits:
             raise InputError(f"the setting {name!r} must be of the type {kind.__name__}.")
     settings = parse_learn_settings(entry)
-    if resolve_learning(settings, world) != settings:
+    resolved = resolve_learning(settings, world)
+    if resolved.chosen() != settings:
         raise InputError("'settings' contradict each other: the discounts are not those of their spacing.")
-    return settings
+    return resolved
 
 
-def _curves(entry: object, settings: LearnSettings) -> tuple[Mapping[str, np.ndarray], ...]:
+def _curves(entry: object, settings: ResolvedLearning) -> tuple[Mapping[str, np.ndarray], ...]:
     if not isinstance(entry, list) or len(entry) != settings.seeds:
         raise InputError(f"'curves' must be a list of {settings.seeds}, one a seed.")
     curves = []
@@ -256,7 +257,7 @@ def _tensors(content: bytes, header: dict, shapes: dict[str, tuple[int, ...]]) -
 
 
 def _check_ranges(
-    tensors: Mapping[str, np.ndarray], world: World, settings: LearnSettings, low: float, high: float
+    tensors: Mapping[str, np.ndarray], world: World, settings: ResolvedLearning, low: float, high: float
 ) -> None:
     """Refuse what no learner can hold: every update is an average, and so stays within the bounds of what it learns."""
     for name, array in tensors.items():

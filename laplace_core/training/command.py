@@ -10,7 +10,7 @@ import sys
 import threading
 import time
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -79,7 +79,8 @@ def run_train(options: argparse.Namespace) -> None:
     progress = _Json() if options.json else _Line(folder, settings.steps)
     file, step = ProgressFile(folder, settings.steps), 0
     with Stop() as stop:
-        for event in train(None if options.resume else settings, folder, bool(options.resume), lambda: stop.asked):
+        new = None if options.resume else settings
+        for event in train(new, folder, bool(options.resume), lambda: bool(stop.asked)):
             progress.show(event)
             step = event.step
             file.at(step)
@@ -101,7 +102,7 @@ class Stop:
 
     def __init__(self):
         self.asked = 0
-        self._before: dict[int, object] = {}
+        self._before: dict[int, Any] = {}
 
     def __enter__(self) -> Stop:
         if threading.current_thread() is threading.main_thread():  # no other may listen
@@ -134,7 +135,7 @@ def command_of(settings: LoopSettings, folder: str) -> list[str]:
     return [*words, "--run", folder]
 
 
-def settings_of(algorithm: str | None, environment: str | None, given: dict[str, object]):
+def settings_of(algorithm: str | None, environment: str | None, given: dict[str, Any]):
     """Settings for an algorithm and environment: its file's, with those given in their place.
 
     Raises:
@@ -180,18 +181,20 @@ def unheard(settings: LoopSettings) -> dict[str, str]:
     return found
 
 
-def _of_world(kind: type[LoopSettings], environment: str) -> dict[str, object]:
+def _of_world(kind: type[LoopSettings], environment: str) -> dict[str, Any]:
     """For a tabular world without a file of its own: what reaches beyond its rewards, or beyond its best returns."""
     if environment in GYMNASIUM_ENVIRONMENTS:
         return {}
-    names, found = {parameter.name for parameter in kind.SCHEMA}, {"epsilon_final": 0.2}
+    names = {parameter.name for parameter in kind.SCHEMA}
+    found: dict[str, Any] = {"epsilon_final": 0.2}
     world = load_world(environment)
     if "thetas" in names:
         suited = resolve(Settings(world=environment), world)
         low, high = min(suited.theta_min, -0.5), max(suited.theta_max, 0.5)
         found |= {"theta_min": low, "theta_max": high, "thetas": 41, "consistency": 0.0}
     if "v_min" in names:
-        gamma = kind().gamma
+        usual: Any = kind()  # of a peer: one with a discount of its own
+        gamma = usual.gamma
         (policy,) = policies_of(world, np.array([gamma]), "shared", gamma)
         found["v_min"], found["v_max"] = return_bounds(world, policy, gamma)
     return found
@@ -215,7 +218,9 @@ class _Line:
         self.folder, self.total = folder, total
         self.started = self.shown = time.monotonic()
         self.first: int | None = None
-        self.step, self.score, self.returns = 0, None, []
+        self.step = 0
+        self.score: float | None = None
+        self.returns: list[float] = []
 
     def show(self, event) -> None:
         self.step = event.step
@@ -309,7 +314,7 @@ def run_evaluate(options: argparse.Namespace) -> None:
     """Evaluate one checkpoint."""
     episodes = checked_number("episodes", options.episodes, int, 1, 100_000)
     seed = checked_number("seed", options.seed, int, 0, 10**6)
-    told_rule = {
+    told_rule: dict[str, Any] = {
         name: checked_number(name, getattr(options, name), float, low, high)
         for name, low, high in (("softness", 0.0, 10.0), ("alpha", 1e-9, 1e6), ("stretch", 1e-2, 100.0))
         if getattr(options, name) is not None

@@ -41,7 +41,7 @@ def picture_of(env: gymnasium.Env) -> bytes | None:
         return None
     os.environ.setdefault("SDL_VIDEODRIVER", "dummy")  # no window is ever opened
     try:
-        return encoded(env.render())
+        return encoded(np.asarray(env.render()))
     except gymnasium.error.DependencyNotInstalled:
         raise InputError("pictures need pygame, which is not installed: ask for none.") from None
 

@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterator
 from functools import partial
 from pathlib import Path
 from time import perf_counter
+from typing import Any
 
 import numpy as np
 import torch
@@ -224,7 +225,7 @@ class _Run:
         }
         self.folder.save(arrays_of(self.agent, self.replay), about)
 
-    def _restore(self, arrays: dict[str, np.ndarray], about: dict[str, object]) -> Iterator[Event]:
+    def _restore(self, arrays: dict[str, np.ndarray], about: dict[str, Any]) -> Iterator[Event]:
         restore_agent(self.agent, self.replay, arrays, self.folder.resume_point.name)
         self.step, self.episodes, self.best = about["step"], about["episodes"], about["best"]
         self.losses = about["losses"]

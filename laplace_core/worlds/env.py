@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import ClassVar
+from typing import Any
 
 import gymnasium
 import numpy as np
@@ -19,7 +19,10 @@ class TabularEnv(gymnasium.Env):
     There is no time limit: wrap in ``gymnasium.wrappers.TimeLimit`` where the world may run for ever.
     """
 
-    metadata: ClassVar[dict] = {"render_modes": ["ansi"], "render_fps": 4}
+    metadata: dict[str, Any] = {  # noqa: RUF012 - gymnasium declares it so
+        "render_modes": ["ansi"],
+        "render_fps": 4,
+    }
 
     def __init__(self, world: World, render_mode: str | None = None):
         if render_mode not in (None, "ansi"):

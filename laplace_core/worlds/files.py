@@ -240,28 +240,30 @@ def _parse_transitions(entries: list, states: list[str], actions: list[str]) -> 
         action = entry["action"]
         if not isinstance(action, str) or (action != "*" and action not in action_index):
             raise InputError(f"{where} names the action {_show(action)}, which is not in 'actions'.")
-        place, key = (fillers, s) if action == "*" else (covered, (s, action_index[action]))
-        if key in place:
+        if s in fillers if action == "*" else (s, action_index[action]) in covered:
             raise InputError(f"{where} covers state {states[s]!r}, action {action!r} a second time.")
-        place[key] = rows
+        if action == "*":
+            fillers[s] = rows
+        else:
+            covered[s, action_index[action]] = rows
         size += len(rows)
         if size > MAX_OUTCOMES:  # stop before a small file of products fills the memory
             raise InputError(f"{where} brings the world above {MAX_OUTCOMES:,} outcomes.")
     size = 0
     for s, state in enumerate(states):
         for a, action in enumerate(actions):
-            rows = covered.get((s, a), fillers.get(s))
-            if rows is None:
+            found = covered.get((s, a), fillers.get(s))
+            if found is None:
                 raise InputError(f"no transition covers state {state!r}, action {action!r}; add it or use '*'.")
-            size += len(rows)
+            size += len(found)
             if size > MAX_OUTCOMES:
                 raise InputError(f"the world has more than {MAX_OUTCOMES:,} outcomes.")
-            yield from (Outcome(s, a, *row) for row in rows)
+            yield from (Outcome(s, a, *row) for row in found)
 
 
 def _independent(entry: dict, state_index: dict[str, int], where: str) -> list[tuple[float, int, float]]:
     successors = _distribution(entry["next"], f"{where}, 'next'")
-    rewards = {}
+    rewards: dict[float, float] = {}
     for text, p in _distribution(entry["reward"], f"{where}, 'reward'").items():
         if not NUMBER.fullmatch(text):
             raise InputError(f"{where} has the reward {text[:40]!r}; it must be a number in quotes.")

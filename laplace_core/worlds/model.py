@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, fields
 from functools import cached_property, partial
 from types import MappingProxyType
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from scipy import sparse
@@ -122,7 +122,7 @@ class World:
         # What is cached is left behind, and a mapping proxy cannot be pickled.
         return {entry.name: getattr(self, entry.name) for entry in fields(self)} | {"suggested": dict(self.suggested)}
 
-    def __setstate__(self, state: dict[str, object]) -> None:
+    def __setstate__(self, state: dict[str, Any]) -> None:
         self.__dict__.update(state | {"suggested": MappingProxyType(state["suggested"])})
         for value in state.values():
             if isinstance(value, np.ndarray):

@@ -194,7 +194,7 @@ def cliff_grid(width=6, height=4, slip=0.0, goal=10.0, cliff=-10.0, step=-0.2) -
     return World.from_outcomes("cliff_grid", states, actions, rows, suggested=suggested, positions=positions)
 
 
-_PARAMETERS = {
+_PARAMETERS: dict[Callable[..., World], tuple[str, tuple[Parameter, ...]]] = {
     two_branch: ("Two branches (Fig. 4)", _BRANCH_PARAMETERS),
     two_decisions: (
         "Two decisions in a row",
@@ -247,6 +247,6 @@ _PARAMETERS = {
 }
 
 PRESETS: dict[str, Preset] = {
-    build.__name__: Preset(build.__name__, title, inspect.getdoc(build).split("\n")[0], parameters, build)
+    build.__name__: Preset(build.__name__, title, (inspect.getdoc(build) or "").split("\n")[0], parameters, build)
     for build, (title, parameters) in _PARAMETERS.items()
 }
