@@ -12,11 +12,12 @@ import numpy as np
 
 from laplace_core.encoding import bin_masses, theta_midpoints
 from laplace_core.errors import InputError
+from laplace_core.gamma_space import encode
 from laplace_core.horizon import horizon_values, row_horizons
 from laplace_core.inverse import decode
 from laplace_core.learning import finite_horizon_optimum, proxy_gamma_space, reward_indicator_basis, value_of_rule
 from laplace_core.learning.policies import selection
-from laplace_core.pipeline import decode_and_read, encode, grids, policies_of
+from laplace_core.pipeline import decode_and_read, grids, policies_of
 from laplace_core.settings import ResolvedForWorld
 from laplace_core.ties import greedy_action
 from laplace_core.worlds import World

@@ -53,7 +53,9 @@ def discount_grid(count: int, spacing: str = "inverse-log", low: float = 0.01, h
     return grid
 
 
-def sensitivity_grid(count: int, low: float, high: float, spacing: str = "uniform", scale: float | None = None):
+def sensitivity_grid(
+    count: int, low: float, high: float, spacing: str = "uniform", scale: float | None = None
+) -> np.ndarray:
     """Reward thresholds in increasing order, shape ``(count,)``, from ``low`` to ``high``.
 
     ``uniform``; ``gaussian`` puts them at the quantiles of a normal law around the middle of the
@@ -139,7 +141,9 @@ def reward_distance(tau_space: np.ndarray, tails: np.ndarray, thetas: np.ndarray
     return area_around_zero(np.concatenate([np.zeros_like(more[..., :1]), more], axis=-1), thetas)
 
 
-def area_around_zero(low: np.ndarray, thetas: np.ndarray, size: Callable[[np.ndarray], np.ndarray] = np.abs):
+def area_around_zero(
+    low: np.ndarray, thetas: np.ndarray, size: Callable[[np.ndarray], np.ndarray] = np.abs
+) -> np.ndarray:
     """Area under the size of cumulated masses over theta: from below at negative thetas, from above at positive ones.
 
     Args:

@@ -80,9 +80,9 @@ class Agent(ABC, Generic[Chosen]):
             torch.manual_seed(settings.seed)
             self.network = self._build()
         self.target = copy.deepcopy(self.network).requires_grad_(False)
-        self._parameters = list(self.network.parameters())
+        self._parameters: list[Any] = list(self.network.parameters())
         self.optimiser = Adam(self._parameters)
-        self._averages = list(self.target.parameters())
+        self._averages: list[Any] = list(self.target.parameters())
 
     @abstractmethod
     def _build(self) -> nn.Module:

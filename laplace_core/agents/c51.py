@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import ClassVar
+from typing import Any, ClassVar
 
 import torch
 from torch import Tensor
@@ -25,7 +25,7 @@ class C51Agent(Peer[C51Settings]):
     settings_class: ClassVar[type[C51Settings]] = C51Settings
     in_returns: ClassVar[bool] = False
 
-    def __init__(self, settings: C51Settings, *sizes):
+    def __init__(self, settings: C51Settings, *sizes: Any) -> None:
         self.atoms = torch.linspace(settings.v_min, settings.v_max, settings.atoms)
         super().__init__(settings, *sizes)
 

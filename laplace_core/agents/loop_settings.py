@@ -84,7 +84,7 @@ class LoopSettings:
     ALGORITHM: ClassVar[str]
     SCHEMA: ClassVar[tuple[Parameter, ...]] = LOOP_SCHEMA
 
-    def __post_init__(self):
+    def __post_init__(self) -> None:
         # Whatever they come from, values meet the ranges of the schema and have its types.
         given = {field.name: getattr(self, field.name) for field in fields(self)}
         for name, value in parse_named(self.ALGORITHM, self.SCHEMA, given).items():

@@ -14,6 +14,8 @@ use :class:`Single`, which always answers for all actions.
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import torch
 from torch import Tensor, nn
@@ -160,7 +162,7 @@ class Single(nn.Module):
         self.scale = scale
         width = hidden * (2 if self.dueling else 1)
         self.trunk = nn.Sequential(nn.Linear(observation, hidden), nn.ReLU(), nn.Linear(hidden, width), nn.ReLU())
-        self._hidden_layers = self.trunk[0], self.trunk[2]
+        self._hidden_layers: tuple[Any, ...] = self.trunk[0], self.trunk[2]
         self.head = nn.Linear(hidden, actions * initial.numel())
         self.state = nn.Linear(hidden, initial.numel()) if self.dueling else None
         for layer in (self.head,) if self.state is None else (self.head, self.state):

@@ -43,7 +43,7 @@ class Peer(Agent[Chosen]):
     settings_class: ClassVar[type[Any]]
     in_returns: ClassVar[bool] = True
 
-    def __init__(self, settings: Chosen, *sizes):
+    def __init__(self, settings: Chosen, *sizes: Any) -> None:
         self.acting_discount = settings.gamma
         super().__init__(settings, *sizes)
 
@@ -94,7 +94,7 @@ class Peer(Agent[Chosen]):
         rewards, discounts = discounted(batch, self.settings.gamma)
         return rewards + discounts * later, masses
 
-    def losses(self, batch: Batch, locations: Tensor, masses: Tensor) -> Tensor:
+    def losses(self, batch: Batch, locations: Tensor, masses: Tensor) -> Tensor:  # type: ignore[override]  # takes what its own prepare() returns
         outputs = self.network(batch.observations)[:, 0]  # (B, A, C)
         outputs = outputs.gather(1, batch.actions.unsqueeze(2).expand(-1, -1, outputs.shape[2]))[:, 0]
         # Over the scale: half way between that of the returns and that of the last layer.
@@ -112,8 +112,10 @@ class Peer(Agent[Chosen]):
         """
         outputs = self.target(batched(np.asarray(observations)))[:, 0]  # (B, A, C)
         parts = self.distribution(outputs.flatten(0, 1))
-        return tuple(part.double().numpy().reshape(*outputs.shape[:2], -1) for part in parts)
+        locations, masses = (part.double().numpy().reshape(*outputs.shape[:2], -1) for part in parts)
+        return locations, masses
 
     def return_distribution(self, observation: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """The same for one observation ``(O,)``: ``(A, M)`` each."""
-        return tuple(part[0] for part in self.return_distributions(np.asarray(observation)[None]))
+        locations, masses = self.return_distributions(np.asarray(observation)[None])
+        return locations[0], masses[0]

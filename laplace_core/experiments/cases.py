@@ -10,7 +10,7 @@ smears and one that rings, and the two ways to rescale.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -161,7 +161,7 @@ def _noisy(rng: np.random.Generator, world: World, s: ResolvedForWorld) -> dict[
     return {"noise": float(min(1.0, moved / one)), "noise_seed": int(rng.integers(2**31))}
 
 
-SWITCHES = {
+SWITCHES: dict[str, Callable[[np.random.Generator, World, ResolvedForWorld], dict[str, Any]]] = {
     "rescaling": lambda rng, world, s: {"normalise": "paper"},
     "per gamma": lambda rng, world, s: {"policy": "per_gamma"},
     "few rows": _few_rows,

@@ -245,7 +245,7 @@ class Judge:
     def _dense(self, world: World) -> _Dense:
         return self._once(("dense", id(world)), lambda: _Dense(world))
 
-    def _once(self, key: tuple[object, ...], compute):
+    def _once(self, key: tuple[object, ...], compute: Callable[[], Any]) -> Any:
         if key not in self._memory:
             self._memory[key] = compute()
         return self._memory[key]

@@ -105,7 +105,7 @@ def search(
 
 
 @contextlib.contextmanager
-def _started(planned: Sequence[LoopSettings], folder: Path, jobs: int) -> Iterator[list[Callable[[], tuple]]]:
+def _started(planned: Sequence[LoopSettings], folder: Path, jobs: int) -> Iterator[list[Callable[[], tuple[Any, ...]]]]:
     """For each training a call that answers with what :func:`_score` does, as soon as it is known."""
     if jobs == 1:
         yield [partial(_score, settings, folder) for settings in planned]

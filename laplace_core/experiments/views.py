@@ -162,7 +162,7 @@ def _preset(rng: np.random.Generator) -> tuple[World, int]:
         name = str(rng.choice(list(PRESETS)))
     params = {parameter.name: _value(rng, name, parameter) for parameter in PRESETS[name].parameters}
     world = load_world(name, params)
-    length = {
+    length: dict[str, Callable[[], Any]] = {
         "fig6_chain": lambda: 4,
         "double_chain": lambda: max(params["early"], params["late"]) + 1,
         "discounting_chain": lambda: int(rng.choice([12, 35, 105])),

@@ -11,6 +11,7 @@ import struct
 from collections.abc import Mapping
 from dataclasses import asdict
 from pathlib import Path
+from typing import Any, NoReturn
 
 import numpy as np
 
@@ -152,10 +153,10 @@ def _header(content: bytes, name: str) -> dict[str, object]:
 
 
 def _json(text: bytes | str, what: str) -> object:
-    def refuse(constant: str):
+    def refuse(constant: str) -> NoReturn:
         raise InputError(f"{what} contains {constant}; every number must be finite.")
 
-    def unique(pairs: list[tuple[str, object]]) -> dict:
+    def unique(pairs: list[tuple[str, object]]) -> dict[str, object]:
         found = dict(pairs)
         if len(found) < len(pairs):
             raise InputError(f"{what} has an entry that stands twice.")
@@ -232,7 +233,7 @@ def _curves(entry: object, settings: ResolvedLearning) -> tuple[Mapping[str, np.
     return tuple(curves)
 
 
-def _tensors(content: bytes, header: dict, shapes: dict[str, tuple[int, ...]]) -> dict[str, np.ndarray]:
+def _tensors(content: bytes, header: dict[str, Any], shapes: dict[str, tuple[int, ...]]) -> dict[str, np.ndarray]:
     """The tensors named in ``shapes`` and no others, each of its type and shape, back to back in the file."""
     from safetensors import SafetensorError
     from safetensors.numpy import load

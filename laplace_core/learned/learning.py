@@ -8,11 +8,12 @@ from functools import cached_property
 
 import numpy as np
 
+from laplace_core.gamma_space import encode
 from laplace_core.learned.model import CURVE_NAMES, Learned, PeerTables
 from laplace_core.learned.reading import bounds_of, study_settings
 from laplace_core.learned.settings import LearnSettings, ResolvedLearning, resolve_learning
 from laplace_core.learning import Categorical, Expectile, LaplaceTD, PlainQ, Progress, Quantile, Schedule, learn
-from laplace_core.pipeline import WorldStudy, encode, study
+from laplace_core.pipeline import WorldStudy, study
 from laplace_core.worlds import World
 
 NOTES = 200

@@ -12,6 +12,7 @@ from laplace_core.learned.model import Learned
 from laplace_core.learned.returns import independent_steps_return, return_bounds, wasserstein
 from laplace_core.learned.settings import DECIDED_NAMES, ResolvedLearning
 from laplace_core.learning import impute, return_distribution
+from laplace_core.learning.peers import ReturnDistribution
 from laplace_core.pipeline import WorldStudy, policies_of, study
 from laplace_core.settings import Settings
 from laplace_core.worlds import World
@@ -155,7 +156,7 @@ def _point(value: float) -> tuple[np.ndarray, np.ndarray]:
 
 
 @lru_cache(maxsize=16)
-def _true_return(world: World, state: int, action: int, acting_gamma: float, gamma: float):
+def _true_return(world: World, state: int, action: int, acting_gamma: float, gamma: float) -> ReturnDistribution:
     return return_distribution(world, state, action, _best_policy(world, acting_gamma), gamma)
 
 

@@ -17,7 +17,7 @@ from __future__ import annotations
 from bisect import bisect_right
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -56,7 +56,7 @@ class Decay:
     half: float = 10.0
     floor: float = 0.0
 
-    def __post_init__(self):
+    def __post_init__(self) -> None:
         if not (0.0 <= self.floor <= self.first <= 1.0 and self.half > 0.0):
             raise InputError(f"a decay needs 0 <= floor <= first <= 1 and half > 0, not {self}.")
 
@@ -82,7 +82,7 @@ class Schedule:
     starts: str = "world"
     every: int = 1
 
-    def __post_init__(self):
+    def __post_init__(self) -> None:
         if min(self.episodes, self.max_steps, self.every) < 1 or self.seed < 0:
             raise InputError("episodes, max_steps and every must be at least 1, and the seed not negative.")
         if self.starts not in ("world", "everywhere"):
@@ -277,7 +277,7 @@ def first_best(values: Sequence[float]) -> int:
     return next(a for a, value in enumerate(values) if value >= enough)
 
 
-def learn(world: World, learners: Sequence, schedule: Schedule) -> Iterator[Progress]:
+def learn(world: World, learners: Sequence[Any], schedule: Schedule) -> Iterator[Progress]:
     """Feed the same sampled transitions to all learners (``values``, ``act``, ``update``); the first one acts.
 
     A generator: between two events learning stands still, may be read, and may be left for good.

@@ -42,7 +42,7 @@ REPORT_EVERY = 0.5
 _RECENT = 50  # episodes in the mean return of the progress line
 
 
-def add_train(verbs) -> None:
+def add_train(verbs: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     """The parser of the verb ``train``."""
     train = verbs.add_parser(
         "train",
@@ -100,7 +100,7 @@ class Stop:
         asked: the number of the signal; 0 before there was one.
     """
 
-    def __init__(self):
+    def __init__(self) -> None:
         self.asked = 0
         self._before: dict[int, Any] = {}
 
@@ -109,12 +109,12 @@ class Stop:
             self._before = {number: signal.signal(number, self._ask) for number in (signal.SIGTERM, signal.SIGINT)}
         return self
 
-    def __exit__(self, *_) -> None:
+    def __exit__(self, *_: object) -> None:
         for number, handler in self._before.items():
             signal.signal(number, handler)
         self._before = {}
 
-    def _ask(self, number: int, _) -> None:
+    def _ask(self, number: int, _: object) -> None:
         self.asked = number
         self.__exit__()
 
@@ -135,7 +135,7 @@ def command_of(settings: LoopSettings, folder: str) -> list[str]:
     return [*words, "--run", folder]
 
 
-def settings_of(algorithm: str | None, environment: str | None, given: dict[str, Any]):
+def settings_of(algorithm: str | None, environment: str | None, given: dict[str, Any]) -> LoopSettings:
     """Settings for an algorithm and environment: its file's, with those given in their place.
 
     Raises:
@@ -203,7 +203,7 @@ def _of_world(kind: type[LoopSettings], environment: str) -> dict[str, Any]:
 class _Json:
     """One JSON line an event that says something."""
 
-    def show(self, event) -> None:
+    def show(self, event: Any) -> None:
         if not isinstance(event, Step):
             print(json.dumps({"event": type(event).__name__.lower(), **vars(event)}), flush=True)
 
@@ -222,7 +222,7 @@ class _Line:
         self.score: float | None = None
         self.returns: list[float] = []
 
-    def show(self, event) -> None:
+    def show(self, event: Any) -> None:
         self.step = event.step
         self.first = event.step if self.first is None else self.first
         if isinstance(event, Episode):
@@ -282,7 +282,7 @@ def return_notes(agent: Agent, scores: Scores) -> list[str]:
     ]
 
 
-def add_evaluate(verbs) -> None:
+def add_evaluate(verbs: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     """The parser of the verb ``evaluate``."""
     evaluate = verbs.add_parser(
         "evaluate",

@@ -8,6 +8,7 @@ from __future__ import annotations
 import io
 import os
 from collections.abc import Sequence
+from typing import Any
 
 import gymnasium
 import numpy as np
@@ -84,7 +85,7 @@ def side_by_side(left: bytes, right: bytes, captions: tuple[str, str]) -> bytes:
     return file.getvalue()
 
 
-def _pillow():
+def _pillow() -> Any:
     try:
         from PIL import Image
     except ImportError:

@@ -116,7 +116,7 @@ class _Run:
         faded = min(1.0, self.step / max(1.0, s.exploration * s.steps))
         return s.epsilon_first + faded * (s.epsilon_final - s.epsilon_first)
 
-    def _act(self):
+    def _act(self) -> Any:
         """One step of all environments, stored; returns what came of it."""
         s, envs, random = self.settings, self.envs, self.random
         self._choose_heads()
@@ -145,7 +145,7 @@ class _Run:
             explores = self.random.random(fresh.size) < share
             self.heads[fresh] = np.where(explores, others, self.agent.acting_head)
 
-    def _episodes(self, stepped) -> Iterator[Event]:
+    def _episodes(self, stepped: Any) -> Iterator[Event]:
         for i in np.flatnonzero(stepped.real & (stepped.terminated | stepped.truncated)):
             self.episodes += 1
             total, count = self.losses

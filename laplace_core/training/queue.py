@@ -72,7 +72,7 @@ class Queue:
 
     def __init__(self, folder: str | Path, most: int = MOST_TRAINING):
         self.folder, self._most = Path(folder), most
-        self._children: dict[str, subprocess.Popen] = {}
+        self._children: dict[str, subprocess.Popen[bytes]] = {}
         self._new = True
         self._turn = threading.RLock()
         self._thread: threading.Thread | None = None

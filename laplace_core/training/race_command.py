@@ -13,7 +13,7 @@ if TYPE_CHECKING:  # these bring torch along
     from laplace_core.training.race import Race, Races
 
 
-def add_race(verbs) -> None:
+def add_race(verbs: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     """The parser of the verb ``race``."""
     race = verbs.add_parser(
         "race",

@@ -47,7 +47,17 @@ class Replay:
     def __len__(self) -> int:
         return int(self.sizes.sum())
 
-    def add(self, real, observations, actions, rewards, next_observations, terminated, truncated, elapsed) -> None:
+    def add(
+        self,
+        real: np.ndarray,
+        observations: np.ndarray,
+        actions: np.ndarray,
+        rewards: np.ndarray,
+        next_observations: np.ndarray,
+        terminated: np.ndarray,
+        truncated: np.ndarray,
+        elapsed: np.ndarray,
+    ) -> None:
         """Store one step of every environment, arrays ``(N, ...)``, but for those where ``real`` is False."""
         rings = np.flatnonzero(real)
         places = rings, self.heads[rings]

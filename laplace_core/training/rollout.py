@@ -20,7 +20,7 @@ import torch
 from laplace_core.agents.agent import Agent
 from laplace_core.agents.capabilities import HasGammaSpace
 from laplace_core.errors import InputError
-from laplace_core.pipeline import GammaSpace
+from laplace_core.gamma_space import GammaSpace
 from laplace_core.ties import greedy_action
 from laplace_core.training import environments
 from laplace_core.training.frames import picture_of

@@ -15,8 +15,9 @@ import numpy as np
 from laplace_core.agents.agent import Agent
 from laplace_core.agents.capabilities import HasGammaSpace
 from laplace_core.errors import InputError
+from laplace_core.gamma_space import GammaSpace
 from laplace_core.horizon import readout_weights, target_discounts
-from laplace_core.pipeline import GammaSpace, decode_and_read
+from laplace_core.pipeline import decode_and_read
 from laplace_core.settings import Settings, resolve_for_gamma_space
 from laplace_core.ties import greedy_action
 

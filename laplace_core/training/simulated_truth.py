@@ -15,10 +15,9 @@ from laplace_core.agents.agent import Agent
 from laplace_core.agents.capabilities import HasGammaSpace
 from laplace_core.encoding import area_around_zero, reward_distance
 from laplace_core.errors import InputError
-from laplace_core.gamma_space import bin_differences, bin_values
+from laplace_core.gamma_space import GammaSpace, bin_differences, bin_values
 from laplace_core.horizon import expected_rewards
 from laplace_core.inverse import decode
-from laplace_core.pipeline import GammaSpace
 from laplace_core.training.continuations import Calibration, Continuations, Outcomes, calibration, standard_error
 
 

@@ -36,7 +36,7 @@ class TabularEnv(gymnasium.Env):
         pairs = np.arange(world.n_states * world.n_actions + 1)
         self._bounds = np.searchsorted(world.state * world.n_actions + world.action, pairs)
 
-    def reset(self, *, seed: int | None = None, options: dict | None = None):
+    def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[int, dict[str, Any]]:
         """Draw a first state; ``options={"state": name_or_index}`` starts from a given one."""
         super().reset(seed=seed)
         given = (options or {}).get("state")
@@ -46,7 +46,7 @@ class TabularEnv(gymnasium.Env):
         )
         return self._state, {}
 
-    def step(self, action: int):
+    def step(self, action: int) -> tuple[int, float, bool, bool, dict[str, Any]]:
         if self._state is None:
             raise gymnasium.error.ResetNeeded("call reset() before step(): no episode is running")
         if not self.action_space.contains(action):

@@ -10,6 +10,7 @@ from collections import Counter
 from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
+from typing import Any, NoReturn
 
 import numpy as np
 
@@ -126,10 +127,10 @@ def dump_world(world: World) -> str:
 
 
 def _load_json(text: str) -> object:
-    def refuse_constant(constant: str):
+    def refuse_constant(constant: str) -> NoReturn:
         raise InputError(f"the world file contains {constant}; every number must be finite.")
 
-    def refuse_duplicates(pairs: list[tuple[str, object]]) -> dict:
+    def refuse_duplicates(pairs: list[tuple[str, object]]) -> dict[str, object]:
         found = dict(pairs)
         if len(found) < len(pairs):
             twice = Counter(name for name, _ in pairs).most_common(1)[0][0]
@@ -214,7 +215,7 @@ def _parse_positions(table: object, states: list[str]) -> np.ndarray:
     return positions
 
 
-def _parse_transitions(entries: list, states: list[str], actions: list[str]) -> Iterator[Outcome]:
+def _parse_transitions(entries: list[object], states: list[str], actions: list[str]) -> Iterator[Outcome]:
     """Outcomes of every (state, action); ``*`` fills the actions that no entry of that state names.
 
     A generator, so that the world checks the names of states and actions before the first entry is read.
@@ -261,7 +262,7 @@ def _parse_transitions(entries: list, states: list[str], actions: list[str]) -> 
             yield from (Outcome(s, a, *row) for row in found)
 
 
-def _independent(entry: dict, state_index: dict[str, int], where: str) -> list[tuple[float, int, float]]:
+def _independent(entry: dict[str, Any], state_index: dict[str, int], where: str) -> list[tuple[float, int, float]]:
     successors = _distribution(entry["next"], f"{where}, 'next'")
     rewards: dict[float, float] = {}
     for text, p in _distribution(entry["reward"], f"{where}, 'reward'").items():
@@ -275,7 +276,7 @@ def _independent(entry: dict, state_index: dict[str, int], where: str) -> list[t
     return [(p * q, successor, reward) for successor, p in reached for reward, q in rewards.items() if p * q > 0]
 
 
-def _joint(entry: dict, state_index: dict[str, int], where: str) -> list[tuple[float, int, float]]:
+def _joint(entry: dict[str, Any], state_index: dict[str, int], where: str) -> list[tuple[float, int, float]]:
     if not isinstance(entry["outcomes"], list) or not entry["outcomes"]:
         raise InputError(f"{where}, 'outcomes' must be a list of objects with p, next and reward.")
     rows = []

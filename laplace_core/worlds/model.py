@@ -96,7 +96,7 @@ class World:
             name, states, actions, start, state, action, next_state, probability, reward, suggested or {}, positions
         )
 
-    def __post_init__(self):
+    def __post_init__(self) -> None:
         put = partial(object.__setattr__, self)
         put("states", tuple(self.states))
         put("actions", tuple(self.actions))
@@ -261,7 +261,16 @@ def _column(world: World, name: str, kind: type) -> np.ndarray:
     return given.astype(kind)
 
 
-def _check_outcomes(name, states, actions, state, action, next_state, probability, reward) -> None:
+def _check_outcomes(
+    name: str,
+    states: tuple[str, ...],
+    actions: tuple[str, ...],
+    state: np.ndarray,
+    action: np.ndarray,
+    next_state: np.ndarray,
+    probability: np.ndarray,
+    reward: np.ndarray,
+) -> None:
     sizes = {column.size for column in (state, action, next_state, probability, reward)}
     if len(sizes) > 1:
         raise InputError(f"world {name!r} has columns of {min(sizes)} to {max(sizes)} outcomes; all must be as long.")

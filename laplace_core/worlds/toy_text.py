@@ -109,7 +109,7 @@ def _options(name: str, params: dict[str, Any]) -> dict[str, Any]:
     return options
 
 
-def _fickle(env, rows: list[Outcome], chance: float) -> Iterator[Outcome]:
+def _fickle(env: Any, rows: list[Outcome], chance: float) -> Iterator[Outcome]:
     """The outcomes with a passenger who may change the destination once, on the first move with him aboard.
 
     gymnasium draws at the start whether he will, and tells nobody until he does: that is the same process as drawing
@@ -139,7 +139,7 @@ _ACTIONS = {
 }
 
 
-def _state_name(env, name: str, state: int) -> str:
+def _state_name(env: Any, name: str, state: int) -> str:
     if name.startswith("Taxi"):
         row, column, passenger, goal = env.decode(state)
         where = ("R", "G", "Y", "B", "taxi")[passenger]
@@ -149,7 +149,7 @@ def _state_name(env, name: str, state: int) -> str:
     return f"({row}, {column})"
 
 
-def _positions(env, name: str, n_states: int) -> np.ndarray | None:
+def _positions(env: Any, name: str, n_states: int) -> np.ndarray | None:
     if name.startswith("Taxi"):
         return None
     columns = 12 if name.startswith("Cliff") else env.ncol
