@@ -4,18 +4,20 @@ from __future__ import annotations
 
 from dataclasses import replace
 from functools import lru_cache
+from typing import Any
 
 import numpy as np
 
 from app import figures
 from app.lens.payload import Simulated, payload, structure
 from app.sources import Learner, Observed, View
-from laplace_core import GammaSpace, InputError, Settings, Study, World, study, study_of_gamma_space
+from laplace_core import GammaSpace, InputError, Study, World, study, study_of_gamma_space
 from laplace_core.artifacts import Artefact, find_artefacts
 from laplace_core.compare import Difference, difference, summary, value_difference
 from laplace_core.control import episode_regret_of
 from laplace_core.learned import Bands, Learned, bands, return_distributions
 from laplace_core.learning import greedy_policy
+from laplace_core.settings import Resolved
 from laplace_core.trials import Trials
 from laplace_core.verdict import Verdict, judge
 
@@ -23,7 +25,7 @@ Subject = World | Learner | GammaSpace | Observed
 
 
 @lru_cache(maxsize=32)
-def _study(subject: Subject, settings: Settings) -> Study:
+def _study(subject: Subject, settings: Resolved) -> Study:
     if isinstance(subject, GammaSpace):
         return study_of_gamma_space(subject, settings)
     if isinstance(subject, Observed):
@@ -106,7 +108,7 @@ def artefacts_elsewhere(view: View) -> str:
 
 
 @lru_cache(maxsize=32)
-def _episode_regrets(subject: Subject, settings: Settings) -> np.ndarray | None:
+def _episode_regrets(subject: Subject, settings: Resolved) -> np.ndarray | None:
     found = _study(subject, settings)
     learned = subject.tables if isinstance(subject, Learner) else None
     try:
@@ -123,9 +125,11 @@ def episode_regrets(view: View) -> np.ndarray | None:
 
 
 # What the graph of a world does not depend on; it is drawn once for all values of these.
-_UNSEEN = {"alpha": 1.0, "steps": 1, "time_step": 1.0, "normalise": "none", "softness": 0.0, "deadline": "constant",
-           "noise": 0.0, "noise_seed": 0, "thetas": 2, "gammas": 2, "theta_min": 0.0, "theta_max": 1.0, "slope": 1.0,
-           "policy": "shared"}  # fmt: skip
+_UNSEEN: dict[str, Any] = {
+    "alpha": 1.0, "steps": 1, "time_step": 1.0, "normalise": "none", "softness": 0.0, "deadline": "constant",
+    "noise": 0.0, "noise_seed": 0, "thetas": 2, "gammas": 2, "theta_min": 0.0, "theta_max": 1.0, "slope": 1.0,
+    "policy": "shared",
+}  # fmt: skip
 
 
 def world_figure(view: View) -> str:
@@ -134,7 +138,7 @@ def world_figure(view: View) -> str:
 
 
 @lru_cache(maxsize=64)
-def _world_figure(subject: World | Learner, settings: Settings, action: int) -> str:
+def _world_figure(subject: World | Learner, settings: Resolved, action: int) -> str:
     learned = isinstance(subject, Learner)
     world = subject.world if learned else subject
     policy = subject.policy if learned else greedy_policy(world, settings.acting_gamma)
@@ -142,7 +146,7 @@ def _world_figure(subject: World | Learner, settings: Settings, action: int) -> 
 
 
 @lru_cache(maxsize=8)
-def _bands(learned: Learned, settings: Settings) -> Bands:
+def _bands(learned: Learned, settings: Resolved) -> Bands:
     return bands(learned, settings)
 
 
@@ -154,7 +158,7 @@ def learning_figure(name: str, view: View) -> str:
 
 
 @lru_cache(maxsize=32)
-def _learning_figure(name: str, subject: Learner, settings: Settings, action: int, row: int) -> str:
+def _learning_figure(name: str, subject: Learner, settings: Resolved, action: int, row: int) -> str:
     learned, index = subject.learned, subject.index or 0
     drawn = {
         "curve": lambda: figures.learning_curve(learned),
@@ -189,7 +193,7 @@ def lens_payload(view: View, simulated: Simulated | None = None) -> bytes:
 
 
 @lru_cache(maxsize=16)
-def _lens_payload(subject: Subject, settings: Settings, simulated: Simulated | None) -> bytes:
+def _lens_payload(subject: Subject, settings: Resolved, simulated: Simulated | None) -> bytes:
     network = {"places": subject.places, "added": subject.added} if isinstance(subject, Observed) else {}
     return payload(_study(subject, settings), simulated, **network)[0]
 

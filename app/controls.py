@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import streamlit as st
 
 from app import sources, state
-from laplace_core import PRESETS, Settings, World
+from laplace_core import PRESETS, World
 from laplace_core.parameters import Parameter
-from laplace_core.settings import BY_NAME
+from laplace_core.settings import BY_NAME, Resolved
 from laplace_core.worlds import parameters_of
 
 _TITLES = {
@@ -55,7 +56,7 @@ def world_title(name: str) -> str:
     return PRESETS[name].title if name in PRESETS else name.replace("gym:", "gymnasium ")
 
 
-def state_group(world: World, settings: Settings) -> None:
+def state_group(world: World, settings: Resolved) -> None:
     """The state looked at; the action is chosen in the lens."""
     if world.n_states <= _MOST_NAMES:
         key = state.show("state", settings.state)
@@ -82,7 +83,7 @@ def _keep_state(world: World) -> None:
     state.choose("state", world.states[int(st.session_state["state_index"])])
 
 
-def grid_group(settings: Settings, decided: bool = False) -> None:
+def grid_group(settings: Resolved, decided: bool = False) -> None:
     """Discounts, sensitivities, target policy, length: what is learned.
 
     ``decided`` leaves out what an agent that learned before has decided.
@@ -117,7 +118,7 @@ def _choice(name: str, value: str) -> None:
     )  # fmt: skip
 
 
-def _pair(first: str, second: str, settings: Settings) -> None:
+def _pair(first: str, second: str, settings: Resolved) -> None:
     left, right = st.columns(2)
     with left:
         _field(first, getattr(settings, first))
@@ -131,7 +132,7 @@ def _field(name: str, value: object) -> None:
 
 def number(key: str, parameter: Parameter, value: object, label: str) -> None:
     state.show(key, value)
-    kept = {"key": key, "on_change": state.keep, "args": (key,), "help": parameter.help}
+    kept: dict[str, Any] = {"key": key, "on_change": state.keep, "args": (key,), "help": parameter.help}
     if parameter.type is bool:
         st.checkbox(label, **kept)
     elif parameter.choices:

@@ -10,11 +10,12 @@ import streamlit as st
 from app.lens import checked, lens, payload, presets_for, state_of, structure
 from app.query import parse_query
 from app.sources import view_of
-from laplace_core import Settings, World, study
+from laplace_core import World, study
+from laplace_core.settings import Resolved
 
 
 @st.cache_resource(max_entries=4)
-def packed(_world: World, settings: Settings) -> bytes:
+def packed(_world: World, settings: Resolved) -> bytes:
     return payload(study(_world, settings))[0]
 
 

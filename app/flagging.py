@@ -5,6 +5,7 @@ from __future__ import annotations
 import threading
 from collections import OrderedDict
 from dataclasses import replace
+from typing import Any
 from weakref import WeakKeyDictionary
 
 import numpy as np
@@ -12,12 +13,12 @@ import numpy as np
 from app.background import Told, Work
 from app.rollouts import Rolling
 from app.sources import View
-from laplace_core import Settings
+from laplace_core.settings import Resolved
 from laplace_core.training.flags import Flags, flag_steps
 
 MOST_KEPT = 8
 """Searches for one rollout, of some kilobytes each; they go when it goes."""
-_kept: WeakKeyDictionary[Rolling, OrderedDict[tuple[Settings, int], Work[Flags]]] = WeakKeyDictionary()
+_kept: WeakKeyDictionary[Rolling, OrderedDict[tuple[Resolved, int], Work[Flags]]] = WeakKeyDictionary()
 _lock = threading.Lock()
 
 
@@ -40,7 +41,7 @@ def flagging(rolling: Rolling, view: View) -> Work[Flags]:
         return kept[key]
 
 
-def for_player(flags: Flags, alpha: float) -> dict[str, object]:
+def for_player(flags: Flags, alpha: float) -> dict[str, Any]:
     """What the player is told: names, and at every step which of them are there, a bit each."""
     marks = flags.marks @ (1 << np.arange(len(flags.names)))
     return {"alpha": alpha, "names": list(flags.names), "marks": marks.astype(int).tolist()}

@@ -7,6 +7,7 @@ import binascii
 import zlib
 from collections.abc import Mapping
 from functools import lru_cache
+from typing import Any
 
 from laplace_core import InputError
 from laplace_core.parameters import Parameter
@@ -45,7 +46,7 @@ def fits(query: Mapping[str, str]) -> bool:
 
 def read_values(
     query: Mapping[str, str], known: Mapping[str, Parameter], read: tuple[str, ...] = ()
-) -> tuple[dict[str, object], list[str]]:
+) -> tuple[dict[str, Any], list[str]]:
     """Values of the entries that a page knows, and a note about every other one.
 
     Args:

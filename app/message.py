@@ -9,6 +9,7 @@ import hashlib
 import json
 import struct
 from collections.abc import Mapping, Sequence
+from typing import Any
 
 
 def name_of(data: bytes) -> str:
@@ -16,7 +17,7 @@ def name_of(data: bytes) -> str:
     return hashlib.sha256(data).hexdigest()[:16]
 
 
-def pack(told: Mapping[str, object], data: bytes) -> bytes:
+def pack(told: Mapping[str, Any], data: bytes) -> bytes:
     """A length, JSON and the payload, which begins on a multiple of 8 bytes."""
     text = json.dumps(told).encode()
     text += b" " * (-(len(text) + 4) % 8)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping
+from typing import Any
 
 from app import sources
 from app.lens.state import VIEW as LENS
@@ -38,9 +39,9 @@ VIEW = (
 """What is looked at, beside the settings of the study."""
 
 
-def parse_query(query: Mapping[str, str]) -> tuple[dict[str, object], list[str]]:
+def parse_query(query: Mapping[str, str]) -> tuple[dict[str, Any], list[str]]:
     """State and notes from URL values; the values are checked as strictly as those of the command line."""
-    found: dict[str, object] = {}
+    found: dict[str, Any] = {}
     notes: list[str] = []
     world = query.get("world", OPENING["world"])
     if world not in (*sources.WORLDS, *sources.BROUGHT) or (world in sources.BROUGHT and world not in query):
@@ -94,11 +95,11 @@ def parse_query(query: Mapping[str, str]) -> tuple[dict[str, object], list[str]]
     return found, notes
 
 
-def query_of(values: Mapping[str, object]) -> dict[str, str]:
+def query_of(values: Mapping[str, Any]) -> dict[str, str]:
     return {name: as_text(value) for name, value in values.items()}
 
 
-def unpinned(word: str) -> dict[str, object]:
+def unpinned(word: str) -> dict[str, Any]:
     """The values of a pinned view.
 
     Raises:
@@ -114,7 +115,7 @@ def unpinned(word: str) -> dict[str, object]:
     return found
 
 
-def read_link(query: Mapping[str, str]) -> tuple[dict[str, object], list[str]]:
+def read_link(query: Mapping[str, str]) -> tuple[dict[str, Any], list[str]]:
     """:func:`parse_query`, and what this session lacks: a file that a link cannot carry."""
     found, notes = parse_query(query)
     if "data" in found and found["data"] not in sources.gamma_space_files():

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import Any
 
 from app import checkpoints, training_runs
 from app.link import read_values
@@ -40,7 +41,7 @@ REMARKS["CartPole-v0"] = REMARKS["CartPole-v1"]
 REMARKS["MountainCar-v0"] = "Every step costs 1 until the flag: the fastest way is best for any deadline that it makes."
 
 
-def opening() -> dict[str, object]:
+def opening() -> dict[str, Any]:
     listed = checkpoints.names()
     return {AGENT: FIRST_AGENT if FIRST_AGENT in listed else listed[0]} if listed else {}
 
@@ -104,7 +105,7 @@ def parameters(loaded: Loaded, other: Loaded | None = None) -> dict[str, Paramet
     return {parameter.name: parameter for parameter in found}
 
 
-def parse_query(query: Mapping[str, str]) -> tuple[dict[str, object], list[str]]:
+def parse_query(query: Mapping[str, str]) -> tuple[dict[str, Any], list[str]]:
     """State and notes from URL values."""
     found, notes = dict(opening()), []
     try:
@@ -127,7 +128,7 @@ def parse_query(query: Mapping[str, str]) -> tuple[dict[str, object], list[str]]
     return found | values, notes + more
 
 
-def control_of(values: Mapping[str, object]) -> Control:
+def control_of(values: Mapping[str, Any]) -> Control:
     """The race that a page's values describe.
 
     Raises:
@@ -187,7 +188,7 @@ def verdict(race: Race, control: Control) -> tuple[str, str]:
     return tone, f"{found}. {_capital(leader)} is ahead by {lead:.1f}."
 
 
-def field_verdict(summary: Mapping[str, object], control: Control) -> tuple[str, str]:
+def field_verdict(summary: Mapping[str, Any], control: Control) -> tuple[str, str]:
     """The same for many races, from their summary."""
     left, right = sides(control)
     low, high = summary["interval"]
@@ -225,7 +226,7 @@ def inside(control: Control, side: str, seed: int, step: int) -> dict[str, str]:
     return query
 
 
-def command(values: Mapping[str, object], control: Control, count: int) -> str:
+def command(values: Mapping[str, Any], control: Control, count: int) -> str:
     """The command that prints the figures of many races."""
     words = ["laplace", "race", _file(str(values[AGENT])), "--horizon", str(control.horizon)]
     words += ["--rule", control.right_rule, "--against", control.left_rule]

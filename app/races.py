@@ -6,7 +6,7 @@ import threading
 from collections import OrderedDict
 from collections.abc import Callable, Hashable
 from dataclasses import dataclass
-from typing import TypeVar
+from typing import Any, TypeVar
 
 from app.background import Told, Work
 from app.track.payload import payload
@@ -52,11 +52,11 @@ class Racing(Work[tuple[Race, bytes]]):
         super().__init__(make)
 
 
-class Field(Work[tuple[Races, dict[str, object]]]):
+class Field(Work[tuple[Races, dict[str, Any]]]):
     """Races from many starts, and what they come to."""
 
     def __init__(self, control: Control, count: int):
-        def make(told: Told) -> tuple[Races, dict[str, object]]:
+        def make(told: Told) -> tuple[Races, dict[str, Any]]:
             found = races(control.environment, *control.entrants, control.horizon, count, told=told)
             return found, found.summary()
 

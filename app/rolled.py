@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import Any
 
 import numpy as np
 
@@ -54,11 +55,11 @@ def parameters(agent: Agent) -> dict[str, Parameter]:
     return kept | {RULE: own, ACTION: shown}
 
 
-def shown(values: Mapping[str, object]) -> bool:
+def shown(values: Mapping[str, Any]) -> bool:
     return values.get(SHOWN) == "yes"
 
 
-def control_of(values: Mapping[str, object], limit: int, usual: str = "greedy") -> Control:
+def control_of(values: Mapping[str, Any], limit: int, usual: str = "greedy") -> Control:
     """The control that a page's values describe: ``limit`` is T where an adapted rule is told none, ``usual`` the rule
     where there is none."""
     rule = str(values.get(RULE, usual))
@@ -69,7 +70,7 @@ def control_of(values: Mapping[str, object], limit: int, usual: str = "greedy") 
     return Control(int(values.get(SEED, 0)), rule, None, gamma)
 
 
-def step_of(values: Mapping[str, object], rollout: Rollout) -> int:
+def step_of(values: Mapping[str, Any], rollout: Rollout) -> int:
     return min(int(values.get(AT, 0)), len(rollout) - 1)
 
 
@@ -77,7 +78,7 @@ def observation_at(rollout: Rollout, step: int) -> tuple[float, ...]:
     return tuple(float(value) for value in rollout.observations[step])
 
 
-def followed(rollout: Rollout, step: int) -> dict[str, object]:
+def followed(rollout: Rollout, step: int) -> dict[str, Any]:
     """What the lens draws on the timeline: rewards from a step on, the action there, and how it went on.
 
     ``over`` is how many steps were left if the episode then was over, None if it was only cut off.

@@ -8,6 +8,7 @@ import tempfile
 import threading
 from functools import cache
 from pathlib import Path
+from typing import Any
 
 from laplace_core import InputError
 from laplace_core.learned import Learned, LearnSettings
@@ -73,7 +74,7 @@ class Watched:
     def error(self) -> str | None:
         return self._refused or (self._run.error if self._run else None)
 
-    def progress(self) -> dict[str, object] | None:
+    def progress(self) -> dict[str, Any] | None:
         return self._run.progress() if self._run else None
 
     def learned(self) -> Learned | None:

@@ -9,6 +9,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import cache, lru_cache
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import streamlit as st
@@ -18,7 +19,7 @@ from laplace_core import PRESETS, GammaSpace, InputError, Settings, World, load_
 from laplace_core.learned import Learned, parse_learned, read_learned
 from laplace_core.learned.reading import study_settings
 from laplace_core.saved import read_gamma_space, states_of
-from laplace_core.settings import BY_NAME, ENCODING_NAMES, resolve, resolve_for_gamma_space
+from laplace_core.settings import BY_NAME, ENCODING_NAMES, Resolved, resolve, resolve_for_gamma_space
 from laplace_core.worlds import TOY_TEXT, dump_world, parse_world, timeline_world
 
 WORLDS = (*PRESETS, *(f"gym:{name}" for name in TOY_TEXT))
@@ -32,7 +33,7 @@ PARAM, LEARN = "p.", "l."
 """Prefixes of world parameters and of settings of learning, in the session and in the URL."""
 SHIPPED = Path(__file__).resolve().parent.parent / "checkpoints"
 
-Values = Mapping[str, object]
+Values = Mapping[str, Any]
 
 
 def packed_timeline(rows: list[dict], rest: str) -> str:
@@ -176,7 +177,7 @@ def agent(name: str) -> Learned:
     return opened_agents()[name] if name in opened_agents() else shipped_agent(name)
 
 
-def world_values(world: World) -> dict[str, object]:
+def world_values(world: World) -> dict[str, Any]:
     """The values that make a page show this world, whether it has a name here or not."""
     if world.source in WORLDS:
         return {"world": world.source, **{PARAM + name: value for name, value in world.params}}
@@ -227,7 +228,7 @@ class View:
     """
 
     subject: World | Learner | GammaSpace | Observed
-    settings: Settings
+    settings: Resolved
     action: int
     horizon: float | None
 

@@ -7,6 +7,7 @@ world. So a link holds what matters, and a changed world brings its own defaults
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from typing import Any
 
 import streamlit as st
 
@@ -17,13 +18,13 @@ from laplace_core import World
 from laplace_core.settings import BY_NAME
 from laplace_core.worlds import dump_world
 
-Parse = Callable[[Mapping[str, str]], tuple[dict[str, object], list[str]]]
+Parse = Callable[[Mapping[str, str]], tuple[dict[str, Any], list[str]]]
 """From the values of a URL to values set by hand and notes about what did not hold."""
 
 _KEPT_ACROSS_WORLDS = {"normalise", "policy", "softness", "look", "pin", "compare", "deadline", "source"}
 
 
-def _page() -> dict[str, object]:
+def _page() -> dict[str, Any]:
     """What is kept of the page that is shown; each page has its own."""
     kept = st.session_state.setdefault("_pages", {})
     return kept.setdefault(st.session_state.get("_page", ""), {"chosen": {}, "notes": [], "written": None})
@@ -33,12 +34,12 @@ def page_name() -> str:
     return st.session_state.get("_page", "")
 
 
-def without(*names: str) -> dict[str, object]:
+def without(*names: str) -> dict[str, Any]:
     """Values set by hand, but for some."""
     return {name: value for name, value in chosen().items() if name not in names}
 
 
-def chosen() -> dict[str, object]:
+def chosen() -> dict[str, Any]:
     """Values set by hand, by name; ``p.NAME`` for a parameter of the world."""
     _take()
     return _page()["chosen"]
@@ -103,7 +104,7 @@ def go_to(**values: object) -> None:
     _touch()
 
 
-def replace_all(values: Mapping[str, object]) -> None:
+def replace_all(values: Mapping[str, Any]) -> None:
     """Look at something else altogether."""
     _page()["chosen"] = dict(values)
     _touch()
@@ -116,7 +117,7 @@ def edit_world(world: World) -> None:
     go_to(**suited, **stays, world=sources.OWN, own=link.pack(dump_world(world)), edit="yes")
 
 
-def apply_changes(changes: Mapping[str, object]) -> None:
+def apply_changes(changes: Mapping[str, Any]) -> None:
     """Callback of a remedy: set fields, ``param:NAME`` for a parameter of the world."""
     for name, value in changes.items():
         chosen()[name.replace("param:", PARAM)] = value
@@ -168,7 +169,7 @@ def put(name: str, value: object) -> str:
     return name
 
 
-def load_url(page: str, opening: Mapping[str, object], parse: Parse) -> None:
+def load_url(page: str, opening: Mapping[str, Any], parse: Parse) -> None:
     """Take the state from the URL when a page is opened by a link and when the browser goes back or forward.
 
     A page that is come back to from another one is as it was left.

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from functools import cache
+from typing import Any
 
 import numpy as np
 
@@ -28,11 +29,11 @@ _LOOKING = {parameter.name: parameter for parameter in VIEW if parameter.name in
 _LOOKING |= {parameter.name: parameter for parameter in (*LENS, *NETWORK)}
 
 
-def opening() -> dict[str, object]:
+def opening() -> dict[str, Any]:
     return {"checkpoint": checkpoints.shipped()[0]} if checkpoints.shipped() else {}
 
 
-def parse_query(query: Mapping[str, str]) -> tuple[dict[str, object], list[str]]:
+def parse_query(query: Mapping[str, str]) -> tuple[dict[str, Any], list[str]]:
     """State and notes from URL values."""
     found, notes = dict(opening()), []
     try:
@@ -57,12 +58,12 @@ def parse_query(query: Mapping[str, str]) -> tuple[dict[str, object], list[str]]
     return found | values, notes + more
 
 
-def action_of(scene: Scene, values: Mapping[str, object]) -> int:
+def action_of(scene: Scene, values: Mapping[str, Any]) -> int:
     name = values.get("action")
     return scene.actions.index(name) if name in scene.actions else 0
 
 
-def observation_of(scene: Scene, values: Mapping[str, object]) -> tuple[float, ...]:
+def observation_of(scene: Scene, values: Mapping[str, Any]) -> tuple[float, ...]:
     """The observation that the values describe; a tabular state is a one-hot vector."""
     if scene.states:
         at = scene.states.index(str(values.get("state", scene.states[0])))
@@ -71,7 +72,7 @@ def observation_of(scene: Scene, values: Mapping[str, object]) -> tuple[float, .
 
 
 def view_of(
-    loaded: Loaded, scene: Scene, values: Mapping[str, object], observation: tuple[float, ...] | None = None
+    loaded: Loaded, scene: Scene, values: Mapping[str, Any], observation: tuple[float, ...] | None = None
 ) -> View:
     """What the page shows.
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from functools import lru_cache
+from typing import Any
 
 from laplace_core import InputError
 from laplace_core.agents.settings import ENVIRONMENTS, LOOP_SCHEMA, SETTINGS, LoopSettings
@@ -55,7 +56,7 @@ def fields(algorithm: str) -> tuple[list[Parameter], list[Parameter]]:
     return first, [*own[_SHOWN_OWN:], *(p for p in schema if p.name in common and p.name not in _SHOWN_LOOP)]
 
 
-def suited(values: Mapping[str, object]) -> LoopSettings:
+def suited(values: Mapping[str, Any]) -> LoopSettings:
     """What the settings are where nothing is set by hand."""
     return _usual(_word("algorithm", values), _word("environment", values))
 
@@ -65,7 +66,7 @@ def _usual(algorithm: str, environment: str) -> LoopSettings:
     return settings_of(algorithm, environment, {})
 
 
-def wanted(values: Mapping[str, object]) -> LoopSettings:
+def wanted(values: Mapping[str, Any]) -> LoopSettings:
     """The settings of a run.
 
     Raises:
@@ -79,13 +80,13 @@ def wanted(values: Mapping[str, object]) -> LoopSettings:
     return usual.parse(usual.as_dict() | given)
 
 
-def _word(name: str, values: Mapping[str, object]) -> str:
+def _word(name: str, values: Mapping[str, Any]) -> str:
     return str(values.get(name, OPENING[name]))
 
 
-def parse_query(query: Mapping[str, str]) -> tuple[dict[str, object], list[str]]:
+def parse_query(query: Mapping[str, str]) -> tuple[dict[str, Any], list[str]]:
     """State and notes from URL values."""
-    found: dict[str, object] = {}
+    found: dict[str, Any] = {}
     notes: list[str] = []
     for name in sorted(query, key=lambda name: name.startswith(TRAIN)):  # what is trained decides what can be set
         try:

@@ -8,7 +8,8 @@ found.decoded.horizon_values   # (A, K): column T-1 is the value of each action 
 """
 
 from laplace_core.errors import InputError
-from laplace_core.pipeline import GammaSpace, Study, study, study_of_gamma_space
+from laplace_core.gamma_space import GammaSpace
+from laplace_core.pipeline import Study, study, study_of_gamma_space
 from laplace_core.settings import Settings
 from laplace_core.worlds import PRESETS, World, load_world
 

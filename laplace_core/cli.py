@@ -67,7 +67,7 @@ def _joined(words: Sequence[str]) -> list[str]:
 
 
 def _parser() -> argparse.ArgumentParser:
-    parser = _Parser(
+    parser: argparse.ArgumentParser = _Parser(
         prog="laplace", description="The Laplace code: gamma-space, tau-space and the actions they choose."
     )
     verbs = parser.add_subparsers(dest="verb", required=True, metavar="VERB")

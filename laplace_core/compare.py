@@ -180,7 +180,8 @@ def _tau_difference(a: Study, b: Study, action_a: int, action_b: int) -> Differe
 
 def _gamma_difference(a: Study, b: Study, action_a: int, action_b: int) -> Difference:
     one, other, notes = a.gamma_space, b.gamma_space, []
-    values, rows, columns = one.values[action_a], slice(None), slice(None)
+    values = one.values[action_a]
+    rows, columns = np.full(other.gammas.size, True), np.full(other.thetas.size, True)
     if not _same(one.thetas, other.thetas):
         columns = _common("sensitivities", one.thetas, other.thetas)
         values = _interpolated(values, one.thetas, other.thetas[columns])

@@ -12,12 +12,13 @@ import numpy as np
 
 from laplace_core.encoding import bin_masses, theta_midpoints
 from laplace_core.errors import InputError
+from laplace_core.gamma_space import encode
 from laplace_core.horizon import horizon_values, row_horizons
 from laplace_core.inverse import decode
 from laplace_core.learning import finite_horizon_optimum, proxy_gamma_space, reward_indicator_basis, value_of_rule
 from laplace_core.learning.policies import selection
-from laplace_core.pipeline import decode_and_read, encode, grids, policies_of
-from laplace_core.settings import Settings
+from laplace_core.pipeline import decode_and_read, grids, policies_of
+from laplace_core.settings import ResolvedForWorld
 from laplace_core.ties import greedy_action
 from laplace_core.worlds import World
 
@@ -28,7 +29,7 @@ MAX_SOLVES = 2_000
 """States x discounts that are solved one by one where rows are rescaled (a second or two as well)."""
 
 
-def values_everywhere(world: World, settings: Settings, learned: np.ndarray | None = None) -> np.ndarray:
+def values_everywhere(world: World, settings: ResolvedForWorld, learned: np.ndarray | None = None) -> np.ndarray:
     """Decoded V_T(s, a) for every state, ``(S, A, K)``, under resolved settings, without their noise.
 
     Rows left alone are linear in gamma-space: one decode of the midpoint proxy does. Rescaled rows are not,
@@ -137,7 +138,7 @@ def constant_horizon_values(world: World, actions: np.ndarray, gamma: float) -> 
 
 
 def episode_regret_of(
-    world: World, settings: Settings, constant_horizon: int | None = None, learned: np.ndarray | None = None
+    world: World, settings: ResolvedForWorld, constant_horizon: int | None = None, learned: np.ndarray | None = None
 ) -> np.ndarray:
     """:func:`episode_regret` of acting by the study's decoded values, ``(T, S)``.
 
@@ -152,7 +153,7 @@ def episode_regret_of(
     return episode_regret(world, actions, settings.acting_gamma, optimum, constant_horizon)
 
 
-def constant_horizon_loss(world: World, settings: Settings) -> tuple[np.ndarray, np.ndarray]:
+def constant_horizon_loss(world: World, settings: ResolvedForWorld) -> tuple[np.ndarray, np.ndarray]:
     """What an episode of T steps loses by acting with T throughout instead of by the time to go, ``(T, S)``.
 
     Returns:
@@ -166,13 +167,13 @@ def constant_horizon_loss(world: World, settings: Settings) -> tuple[np.ndarray,
 
 
 @lru_cache(maxsize=4)
-def _episodes(world: World, settings: Settings) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+def _episodes(world: World, settings: ResolvedForWorld) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Cached :func:`_played` by exact values."""
     return _played(world, settings)
 
 
 def _played(
-    world: World, settings: Settings, learned: np.ndarray | None = None
+    world: World, settings: ResolvedForWorld, learned: np.ndarray | None = None
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Value of an episode of T steps acted with constant T, by the time to go, and at best, ``(T, S)`` each."""
     actions, gamma = (

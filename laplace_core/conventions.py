@@ -214,7 +214,7 @@ def _better(
         exchanged = values.transpose(order)
         if ((exchanged[..., 0] - exchanged[..., -1]) * sizes).mean() > _SEEN:  # it must fall with theta somewhere
             scores[order] = _score(exchanged, constant, sizes)
-    best = min(scores, key=scores.get, default=None)
+    best = min(scores, key=lambda order: scores[order], default=None)
     return best if best is not None and scores[best] < 0.2 * _score(values, constant, sizes) else None
 
 

@@ -56,7 +56,9 @@ def discount_grid(count: int, spacing: str = "inverse-log", low: float = 0.01, h
     return grid
 
 
-def sensitivity_grid(count: int, low: float, high: float, spacing: str = "uniform", scale: float | None = None):
+def sensitivity_grid(
+    count: int, low: float, high: float, spacing: str = "uniform", scale: float | None = None
+) -> np.ndarray:
     """Reward thresholds in increasing order, shape ``(count,)``, from ``low`` to ``high``.
 
     ``uniform``; ``gaussian`` puts them at the quantiles of a normal law around the middle of the
@@ -105,7 +107,7 @@ def theta_scale(low: float, high: float, spacing: str, scale: float | None = Non
     return (high - low) / 4.0 if spacing == "gaussian" else max(abs(low), abs(high)) / 100.0
 
 
-def sigmoid(x: np.ndarray) -> np.ndarray:
+def sigmoid(x: np.ndarray | float) -> np.ndarray:
     """1 / (1 + exp(-x)) without overflow, to full precision in both tails, in the shape of ``x``."""
     small = np.exp(-np.abs(x))
     return np.where(np.asarray(x) >= 0, 1.0, small) / (1.0 + small)
@@ -150,7 +152,9 @@ def reward_distance(tau_space: np.ndarray, tails: np.ndarray, thetas: np.ndarray
     return area_around_zero(np.concatenate([np.zeros_like(more[..., :1]), more], axis=-1), thetas)
 
 
-def area_around_zero(low: np.ndarray, thetas: np.ndarray, size: Callable[[np.ndarray], np.ndarray] = np.abs):
+def area_around_zero(
+    low: np.ndarray, thetas: np.ndarray, size: Callable[[np.ndarray], np.ndarray] = np.abs
+) -> np.ndarray:
     """Area under the size of cumulated masses over theta: from below at negative thetas, from above at positive ones.
 
     Args:

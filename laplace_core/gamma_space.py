@@ -35,7 +35,7 @@ class GammaSpace:
     thetas: np.ndarray
     open_ends: bool = False
 
-    def __post_init__(self):
+    def __post_init__(self) -> None:
         for field, name in _NAMES.items():
             object.__setattr__(self, field, _numbers(getattr(self, field), name))
         check_gammas(self.gammas)

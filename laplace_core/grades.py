@@ -13,7 +13,7 @@ import numpy as np
 
 from laplace_core.horizon import horizon_values
 from laplace_core.inverse import SURVIVAL_FLOOR
-from laplace_core.pipeline import Decoded, Study, Truth
+from laplace_core.pipeline import Decoded, Truth, WorldStudy
 from laplace_core.ties import greedy_action, tie_size
 
 VALUE_TOLERANCE = 0.1
@@ -53,7 +53,7 @@ class Grade:
         return self.value_error > VALUE_TOLERANCE
 
 
-def grade(study: Study, row: int, decoded: Decoded | None = None) -> Grade:
+def grade(study: WorldStudy, row: int, decoded: Decoded | None = None) -> Grade:
     """The grade of a study at the horizon of one row.
 
     Args:
@@ -63,7 +63,7 @@ def grade(study: Study, row: int, decoded: Decoded | None = None) -> Grade:
     return grade_values(study.truth, study, row, decoded.horizon_values[:, row], decoded.scale)
 
 
-def grade_values(truth: Truth, study: Study, row: int, values: np.ndarray, scale: float) -> Grade:
+def grade_values(truth: Truth, study: WorldStudy, row: int, values: np.ndarray, scale: float) -> Grade:
     """The grade of values ``(A,)`` at one row, of terms of size ``scale``, against a truth.
 
     The world, the acting discount and the time step are those of the study.
@@ -80,13 +80,13 @@ def grade_values(truth: Truth, study: Study, row: int, values: np.ndarray, scale
         chosen,
         best,
         regret,
-        regret > tie_size(optimum.max(), np.abs(optimum).max()),
+        bool(regret > tie_size(optimum.max(), np.abs(optimum).max())),
         float(np.abs(values - hard).max()),
         off / largest if largest > 0 else 0.0,
     )
 
 
-def timeline_error(study: Study, action: int, decoded: Decoded | None = None) -> float:
+def timeline_error(study: WorldStudy, action: int, decoded: Decoded | None = None) -> float:
     """Share of an action's probability that its drawn rows have at the wrong step or reward.
 
     Half the sum of |decoded - true| over steps and rewards, by the sum of the true ones: 0 for a perfect inverse, 1
@@ -110,7 +110,7 @@ def timeline_grade(error: float) -> Timeline:
     return "sound" if error <= SOUND else "smeared" if error <= RUINED else "ruined"
 
 
-def by_reward(bins: np.ndarray, study: Study) -> np.ndarray:
+def by_reward(bins: np.ndarray, study: WorldStudy) -> np.ndarray:
     """Bins ``(..., B)`` counted for the world's nearest reward each, ``(..., V)``."""
     rewards = study.world.reward_values
     edges = np.searchsorted(study.midpoints, (rewards[1:] + rewards[:-1]) / 2.0, side="right")

@@ -26,7 +26,7 @@ from laplace_core.learning import (
     reward_timeline,
     target_policies,
 )
-from laplace_core.settings import Settings, resolve, resolve_for_gamma_space
+from laplace_core.settings import Resolved, ResolvedForWorld, Settings, resolve, resolve_for_gamma_space
 from laplace_core.worlds import World
 
 MAX_VALUES = 50_000_000
@@ -79,14 +79,14 @@ class Truth(Decoded):
 
 @dataclass(frozen=True, eq=False)
 class Study:
-    """One state, looked at through one choice of settings.
+    """One state, looked at through one choice of settings; a :class:`WorldStudy` where there is a world to look at.
 
     ``midpoints`` are what each column of the tau-space counts as: the bin values of the gamma-space, ``(B,)``.
     ``learned`` is the learned reward-indicator basis, ``(A, G, V)``, that was decoded in place of the exact one;
     ``policy`` is the one that was given in place of the target policy of the settings.
     """
 
-    settings: Settings
+    settings: Resolved
     action_names: tuple[str, ...]
     gamma_space: GammaSpace
     midpoints: np.ndarray
@@ -112,9 +112,19 @@ class Study:
         return np.arange(self.settings.steps) * self.settings.time_step
 
 
+@dataclass(frozen=True, eq=False)
+class WorldStudy(Study):
+    """A study of a state of a world, which knows the truth."""
+
+    settings: ResolvedForWorld
+    world: World
+    state: int
+    truth: Truth
+
+
 def study(
     world: World, settings: Settings, policy: np.ndarray | None = None, learned: np.ndarray | None = None
-) -> Study:
+) -> WorldStudy:
     """Run the whole line for one state of a world.
 
     Args:
@@ -128,8 +138,8 @@ def study(
     """
     if not isinstance(world, World) or not isinstance(settings, Settings):
         raise InputError("a study takes a world, as load_world makes it of a name or a file, and Settings.")
-    settings = resolve(settings, world)
-    state, s = world.state_index(settings.state), settings
+    s = resolve(settings, world)
+    state = world.state_index(s.state)
     gammas, thetas = grids(s)
     _check_size(world.n_actions, len(gammas), len(thetas), s.steps, world.reward_values.size)
     length = int(np.ceil(row_horizons(s.steps, s.time_step)[-1] - 1e-9))
@@ -148,27 +158,28 @@ def study(
     truth = _truth(world, timeline, _optimum(world, state, s.acting_gamma, length), thetas, s)
     decoded = decode_and_read(gamma_space, s)
     midpoints = gamma_space.bin_values
-    return Study(s, world.actions, gamma_space, midpoints, decoded, world, state, truth, learned, policy)
+    return WorldStudy(s, world.actions, gamma_space, midpoints, decoded, world, state, truth, learned, policy)
 
 
 def study_of_gamma_space(gamma_space: GammaSpace, settings: Settings) -> Study:
     """Decode a gamma-space learned elsewhere: there is no world and no truth."""
-    settings = resolve_for_gamma_space(settings, gamma_space.gammas)
-    gamma_space = with_noise(gamma_space, settings.noise, settings.noise_seed)
-    _check_size(*gamma_space.values.shape, settings.steps)
+    resolved = resolve_for_gamma_space(settings, gamma_space.gammas)
+    gamma_space = with_noise(gamma_space, resolved.noise, resolved.noise_seed)
+    actions, discounts, thetas = gamma_space.values.shape
+    _check_size(actions, discounts, thetas, resolved.steps)
     names = tuple(f"action {a}" for a in range(len(gamma_space.values)))
-    decoded = decode_and_read(gamma_space, settings)
-    return Study(settings, names, gamma_space, gamma_space.bin_values, decoded)
+    decoded = decode_and_read(gamma_space, resolved)
+    return Study(resolved, names, gamma_space, gamma_space.bin_values, decoded)
 
 
-def grids(settings: Settings) -> tuple[np.ndarray, np.ndarray]:
+def grids(settings: ResolvedForWorld) -> tuple[np.ndarray, np.ndarray]:
     """Discounts ``(G,)`` and sensitivities ``(H,)`` of resolved settings."""
     s = settings
     gammas = discount_grid(s.gammas, s.spacing, s.gamma_min, s.gamma_max)
     return gammas, sensitivity_grid(s.thetas, s.theta_min, s.theta_max, s.theta_spacing, s.theta_scale or None)
 
 
-def decode_and_read(gamma_space: GammaSpace, settings: Settings) -> Decoded:
+def decode_and_read(gamma_space: GammaSpace, settings: Resolved) -> Decoded:
     """From gamma-space to the values of every horizon."""
     s = settings
     gammas = gamma_space.gammas
@@ -183,7 +194,7 @@ def decode_and_read(gamma_space: GammaSpace, settings: Settings) -> Decoded:
     return Decoded(tau_space, survival, rewards, values, scale_of_values(rewards, gamma_space.bin_values))
 
 
-def rewards_of(gamma_space: GammaSpace, settings: Settings) -> np.ndarray:
+def rewards_of(gamma_space: GammaSpace, settings: Resolved) -> np.ndarray:
     """Decoded E[r_tau], ``(A, K)``, as :func:`decode_and_read` has it.
 
     Unless rows are clipped and rescaled, it is linear in gamma-space and needs no tau-space.
@@ -199,7 +210,7 @@ def linear_parts(gamma_space: GammaSpace) -> np.ndarray:
     return np.stack([means, gamma_space.constant], axis=-1)
 
 
-def rewards_of_parts(parts: np.ndarray, gammas: np.ndarray, settings: Settings) -> np.ndarray:
+def rewards_of_parts(parts: np.ndarray, gammas: np.ndarray, settings: Resolved) -> np.ndarray:
     """:func:`rewards_of` from :func:`linear_parts`, ``(A, K)``, for rows that are not rescaled to 1."""
     s = settings
     decoded = decode(parts, gammas, s.steps, s.alpha, s.time_step)
@@ -208,7 +219,7 @@ def rewards_of_parts(parts: np.ndarray, gammas: np.ndarray, settings: Settings) 
     return normalise_rows(decoded[..., :1], decoded[..., 1], s.normalise, s.time_step)[..., 0]
 
 
-def basis_of(study: Study, policy: str | None = None) -> np.ndarray:
+def basis_of(study: WorldStudy, policy: str | None = None) -> np.ndarray:
     """The exact reward-indicator basis of a study of a world, ``(A, G, V)``, under its own or another target policy.
 
     A policy that was given stays: it is the process of every discount, whatever the settings name.
@@ -220,14 +231,14 @@ def basis_of(study: Study, policy: str | None = None) -> np.ndarray:
     return _basis(study.world, study.state, study.gamma_space.gammas.tobytes(), policy or s.policy, s.acting_gamma)
 
 
-def timeline_of(study: Study, length: int) -> np.ndarray:
+def timeline_of(study: WorldStudy, length: int) -> np.ndarray:
     """P(r_tau = v, alive) at whole steps, ``(A, length, V)``, under the policy of the study's truth."""
     if study.policy is not None:
         return reward_timeline(study.world, study.state, study.policy, length)
     return _timeline(study.world, study.state, study.settings.acting_gamma, length)
 
 
-def noiseless(study: Study) -> GammaSpace:
+def noiseless(study: WorldStudy) -> GammaSpace:
     """The gamma-space of a study of a world before its noise, exact or learned."""
     if not study.settings.noise:
         return study.gamma_space
@@ -235,7 +246,7 @@ def noiseless(study: Study) -> GammaSpace:
     return encode(basis, study.world.reward_values, space.gammas, space.thetas, study.settings.slope)
 
 
-def encoded_under(study: Study, policy: str) -> GammaSpace:
+def encoded_under(study: WorldStudy, policy: str) -> GammaSpace:
     """The exact gamma-space of the same state, free of noise and learning, under this target policy."""
     space = study.gamma_space
     basis = basis_of(study, policy)
@@ -277,7 +288,9 @@ def _timeline(world: World, state: int, acting_gamma: float, length: int) -> np.
     return reward_timeline(world, state, _acting_policy(world, acting_gamma), length)
 
 
-def _truth(world: World, timeline: np.ndarray, optimum: np.ndarray, thetas: np.ndarray, settings: Settings) -> Truth:
+def _truth(
+    world: World, timeline: np.ndarray, optimum: np.ndarray, thetas: np.ndarray, settings: ResolvedForWorld
+) -> Truth:
     """The truth on the rows and columns of a study, from a timeline ``(A, N, V)`` and an optimum ``(N, A)``."""
     s, length = settings, timeline.shape[1]
     shares = row_shares(s.steps, length, s.time_step)

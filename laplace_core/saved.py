@@ -11,7 +11,7 @@ from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import asdict
 from pathlib import Path
-from typing import BinaryIO
+from typing import Any, BinaryIO
 
 import numpy as np
 
@@ -26,7 +26,7 @@ MAX_BYTES = 400_000_000
 _WANTED = ("gamma_space", "gammas", "thetas", "constant_channel", "open_ends")
 
 
-def study_arrays(study: Study) -> dict[str, np.ndarray]:
+def study_arrays(study: Study) -> dict[str, Any]:
     """Every array of a study by its name in the file (design: ``decode``), float64, and ``settings`` as JSON."""
     decoded, truth = study.decoded, study.truth
     arrays = {

@@ -10,8 +10,9 @@ import os
 import re
 import shlex
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields
 from functools import partial
+from typing import Any
 
 import numpy as np
 
@@ -69,7 +70,7 @@ class Settings:
     noise: float | None = None
     noise_seed: int | None = None
 
-    def __post_init__(self):
+    def __post_init__(self) -> None:
         put = partial(object.__setattr__, self)
         if not isinstance(self.world, str | os.PathLike):
             raise InputError(f"world must be a name or a path, not {type(self.world).__name__}.")
@@ -119,6 +120,65 @@ class Settings:
         imports = ["from laplace_core import Settings, study"]
         imports += [f"from laplace_core.worlds import {', '.join(loaders)}"] if loaders else []
         return _script(imports, f"world = {world_expression}", "study", "world", words, truth=True)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Resolved(Settings):
+    """Settings that leave nothing open of how a gamma-space is decoded and read.
+
+    What encodes it (``ENCODING_NAMES``) and the state may be None: then the gamma-space was learned elsewhere and its
+    file decides. :func:`dataclasses.replace` keeps the type; :meth:`chosen` gives it up.
+
+    Raises:
+        InputError: None for a setting that must be decided.
+    """
+
+    alpha: float
+    steps: int
+    time_step: float
+    normalise: str
+    acting_gamma: float
+    softness: float
+    deadline: str
+    solver: str
+    noise: float
+    noise_seed: int
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        for parameter in SCHEMA:
+            if getattr(self, parameter.name) is None and parameter.name not in self._open():
+                raise InputError(f"{parameter.name} is not decided: resolve the settings first.")
+
+    @staticmethod
+    def _open() -> tuple[str, ...]:
+        """Names of the settings that may be None."""
+        return ("state", *ENCODING_NAMES)
+
+    def chosen(self) -> Settings:
+        """The same values as if each had been chosen, so that any of them may be given up again."""
+        return Settings(**{each.name: getattr(self, each.name) for each in fields(Settings)})
+
+
+@dataclass(frozen=True, kw_only=True)
+class ResolvedForWorld(Resolved):
+    """Settings of a world that leave nothing open; a ``theta_scale`` of None is the one that suits the range."""
+
+    state: str
+    gammas: int
+    spacing: str
+    gamma_min: float
+    gamma_max: float
+    thetas: int
+    theta_spacing: str
+    theta_min: float
+    theta_max: float
+    slope: float
+    policy: str
+
+    @staticmethod
+    def _open() -> tuple[str, ...]:
+        return ("theta_scale",)
 
 
 SCHEMA: tuple[Parameter, ...] = (
@@ -183,13 +243,13 @@ def flag(parameter: Parameter) -> str:
     return "--" + parameter.name.replace("_", "-")
 
 
-def parse_settings(world: str, params: Mapping[str, object], given: Mapping[str, object]) -> Settings:
+def parse_settings(world: str, params: Mapping[str, object], given: Mapping[str, Any]) -> Settings:
     """Settings from text values by name.
 
     Raises:
         InputError: a value out of its range; the sentence begins with the setting's name.
     """
-    return Settings(world=world, params=params, **given)
+    return Settings(world=world, params=tuple(params.items()), **given)
 
 
 def check_paper_grid(given: Mapping[str, object]) -> None:
@@ -212,7 +272,7 @@ def check_paper_grid(given: Mapping[str, object]) -> None:
             )
 
 
-def resolve(settings: Settings, world: World) -> Settings:
+def resolve(settings: Settings, world: World) -> ResolvedForWorld:
     """Fill every None with what suits the world; the result reproduces the study whatever the defaults become.
 
     Rewards decide the sensitivities (the range plus 20% at each end) and the slope (2.35 / spacing); how long
@@ -222,7 +282,7 @@ def resolve(settings: Settings, world: World) -> Settings:
     if settings.spacing is not None or settings.gamma_min is not None or settings.gamma_max is not None:
         for name in ("spacing", "gamma_min", "gamma_max"):  # a suggested grid comes whole or not at all
             suggested.pop(name, None)
-    values = {
+    values: dict[str, Any] = {
         parameter.name: suggested.get(parameter.name, parameter.default) if value is None else value
         for parameter in SCHEMA
         for value in [getattr(settings, parameter.name)]
@@ -246,10 +306,10 @@ def resolve(settings: Settings, world: World) -> Settings:
         values["steps"] = _random_walk_length(world)
     if settings.steps is None:  # the same stretch of time, whatever the resolution
         values["steps"] = min(MAX_STEPS, int(np.ceil(values["steps"] / values["time_step"] - 1e-9)))
-    source = {"world": world.source or _file_of(settings.world, world), "params": world.params}
+    source: dict[str, Any] = {"world": world.source or _file_of(settings.world, world), "params": world.params}
     state = int(np.argmax(world.start)) if values["state"] is None else world.state_index(values["state"])
     values["state"] = world.states[state]
-    return replace(settings, **values, **source)
+    return ResolvedForWorld(**values, **source)
 
 
 def _file_of(named: str, world: World) -> str:
@@ -267,7 +327,7 @@ ENCODING_NAMES = ("gammas", "spacing", "gamma_min", "gamma_max", *_THETAS, "slop
 """Settings that a gamma-space from a file brings along and that cannot be chosen for it."""
 
 
-def resolve_for_gamma_space(settings: Settings, gammas: np.ndarray) -> Settings:
+def resolve_for_gamma_space(settings: Settings, gammas: np.ndarray) -> Resolved:
     """Like :func:`resolve` for a gamma-space learned elsewhere: only decoding and reading are left to choose.
 
     The default length is three time constants of the largest discount, at most 200 steps.
@@ -281,13 +341,14 @@ def resolve_for_gamma_space(settings: Settings, gammas: np.ndarray) -> Settings:
     if settings.params:
         raise InputError("a saved gamma-space has no parameters: leave out --param.")
     length = int(np.clip(np.ceil(-3.0 / np.log(np.max(gammas))), 3, 200))
-    values = {
-        parameter.name: parameter.default
+    values: dict[str, Any] = {
+        parameter.name: parameter.default if value is None else value
         for parameter in SCHEMA
-        if parameter.name not in ENCODING_NAMES and getattr(settings, parameter.name) is None
+        for value in [getattr(settings, parameter.name)]
+        if parameter.name not in ENCODING_NAMES
     }
     values["steps"] = settings.steps or min(MAX_STEPS, int(np.ceil(length / (settings.time_step or 1.0))))
-    return replace(settings, **values)
+    return Resolved(world=settings.world, **values)
 
 
 def _round(bound: float, overhang: float) -> float:

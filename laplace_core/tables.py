@@ -13,7 +13,7 @@ import numpy as np
 
 from laplace_core.errors import InputError
 from laplace_core.learning import check_policy, reward_timeline
-from laplace_core.pipeline import Study, policies_of
+from laplace_core.pipeline import Study, WorldStudy, policies_of
 from laplace_core.worlds import MAX_TAU, timeline_rows
 
 
@@ -83,9 +83,9 @@ def true_timeline_rows(study: Study, policy: np.ndarray | None = None) -> list[d
     Raises:
         InputError: a study without a world has no true timeline.
     """
-    world, s = study.world, study.settings
-    if world is None:
+    if not isinstance(study, WorldStudy):
         raise InputError("a saved gamma-space has no true timeline to start from: choose a world.")
+    world, s = study.world, study.settings
     if policy is None:
         policy = policies_of(world, study.gamma_space.gammas, "shared", s.acting_gamma)[0]
     length = min(int(np.ceil(s.steps * s.time_step - 1e-9)), MAX_TAU + 1)

@@ -12,7 +12,7 @@ ROUNDING = 1e-12
 float64, which the products and solves of one study never lose, in Python or in JavaScript."""
 
 
-def tie_size(best: np.ndarray, scale: np.ndarray) -> np.ndarray:
+def tie_size(best: np.ndarray | float, scale: np.ndarray | float) -> np.ndarray:
     """How far apart two values may be and still be equal, in the shape of ``best``.
 
     Args:

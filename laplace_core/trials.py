@@ -15,6 +15,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import Any, TypeVar
 
 import numpy as np
 
@@ -26,7 +27,7 @@ from laplace_core.horizon import horizon_values, scale_of_values
 from laplace_core.inverse import MAX_STEPS
 from laplace_core.pipeline import (
     Decoded,
-    Study,
+    WorldStudy,
     decode_and_read,
     linear_parts,
     noiseless,
@@ -34,7 +35,7 @@ from laplace_core.pipeline import (
     rewards_of_parts,
     study,
 )
-from laplace_core.settings import SLOPE_TIMES_SPACING, Settings
+from laplace_core.settings import SLOPE_TIMES_SPACING, Resolved, ResolvedForWorld, Settings
 from laplace_core.worlds import load_world, parameters_of
 
 ALPHAS = tuple(float(f"{alpha:.2g}") for alpha in np.geomspace(1e-9, 10.0, 60))
@@ -48,8 +49,10 @@ OFTEN = 0.6
 LEAST_FALL = 1e-6
 """Share of an error that must go before it counts as smaller."""
 MOST_THETAS = 2_000
-MOST_WORK = 1e10
-"""Products that a search may cost before it is left out: ten seconds or so if it comes to the worst."""
+MOST_WORK = 3e10
+"""Products that a search may cost before it is left out: half a minute if it comes to the worst."""
+
+AnySettings = TypeVar("AnySettings", bound=Settings)
 
 
 @dataclass(frozen=True)
@@ -70,8 +73,9 @@ class Remedy:
     def changes_world(self) -> bool:
         return any(name.startswith("param:") for name in self.changes)
 
-    def apply(self, settings: Settings) -> Settings:
-        fields = {name: value for name, value in self.changes.items() if not name.startswith("param:")}
+    def apply(self, settings: AnySettings) -> AnySettings:
+        """The settings with the changes made, as complete as they were."""
+        fields: dict[str, Any] = {name: value for name, value in self.changes.items() if not name.startswith("param:")}
         params = dict(settings.params)
         params |= {name.removeprefix("param:"): v for name, v in self.changes.items() if name.startswith("param:")}
         return replace(settings, params=tuple(params.items()), **fields)
@@ -81,7 +85,7 @@ class Remedy:
 class Trial:
     """A view under a change: its study, the row of its horizon and its grade."""
 
-    study: Study
+    study: WorldStudy
     row: int
     grade: Grade
 
@@ -99,14 +103,15 @@ class Trials:
             other noise.
     """
 
-    def __init__(self, study: Study, row: int, action: int | None = None):
+    def __init__(self, study: WorldStudy, row: int, action: int | None = None):
         self.study, self.row, self.settings = study, row, study.settings
         self.horizon = float(study.horizons[row])
         self.grade = grade(study, row)
         self.action, self._given = self.grade.chosen if action is None else action, action
         self.timeline_error = timeline_error(study, self.action)
         self.doubtful = False
-        self._here, self._fresh, self._known = Trial(study, row, self.grade), _Fresh(study), {}
+        self._here, self._fresh = Trial(study, row, self.grade), _Fresh(study)
+        self._known: dict[int, Grade] = {}
 
     @property
     def smeared(self) -> bool:
@@ -178,10 +183,10 @@ class Trials:
         s = self.settings
         if self.study.learned is not None:
             return ()
-        found = [{"spacing": other} for other in GAMMA_SPACINGS if other != s.spacing]
+        found: list[dict[str, Any]] = [{"spacing": other} for other in GAMMA_SPACINGS if other != s.spacing]
         labels = [f"Space the discounts as {each['spacing']}" for each in found]
         if s.spacing != "paper":
-            more = [{"gammas": s.gammas * n} for n in (2, 4) if s.gammas * n <= 500]
+            more: list[dict[str, Any]] = [{"gammas": s.gammas * n} for n in (2, 4) if s.gammas * n <= 500]
             ends = [{"gamma_min": low} for low in (0.01, 0.1, 0.3) if low != s.gamma_min]
             ends += [{"gamma_max": high} for high in (0.99, 0.995, 0.999) if high != s.gamma_max]
             labels += [f"Use {each['gammas']} discounts" for each in more]
@@ -308,27 +313,30 @@ class Trials:
             best = following if following in self._repairing else None
         return None
 
-    def _with_alpha(self, alpha: float) -> Study:
+    def _with_alpha(self, alpha: float) -> WorldStudy:
         s = replace(self.settings, alpha=alpha)
         return replace(self.study, settings=s, decoded=decode_and_read(self.study.gamma_space, s))
 
     @cached_property
     def _repairing(self) -> dict[float, Grade]:
         """Every alpha tried that repairs the view, with the grade under it."""
-        own, found = Part.of(self.study.gamma_space, self.settings), {}
+        own, found = Part.of(self.study.gamma_space, self.settings), dict[float, Grade]()
         for alpha in ALPHAS:
             if alpha == self.settings.alpha:
                 continue
             after = self._grade_of(self._here, own.rewards(self.settings, alpha))
-            if not self._repaired(after, lambda alpha=alpha: self._timeline_at(alpha)):
-                continue
-            if self._noise_stays({}) and not self._holds(
-                lambda seed, alpha=alpha: self._grade_of(self._here, self._fresh.rewards(seed, alpha)),
-                lambda seed, alpha=alpha: timeline_error(self.study, self.action, self._fresh.decoded(seed, alpha)),
-            ):
-                continue
-            found[alpha] = after
+            if self._repaired_by(alpha, after):
+                found[alpha] = after
         return found
+
+    def _repaired_by(self, alpha: float, after: Grade) -> bool:
+        """Whether an alpha, under which the view has this grade, repairs it, also under fresh noise."""
+        if not self._repaired(after, lambda: self._timeline_at(alpha)):
+            return False
+        return not self._noise_stays({}) or self._holds(
+            lambda seed: self._grade_of(self._here, self._fresh.rewards(seed, alpha)),
+            lambda seed: timeline_error(self.study, self.action, self._fresh.decoded(seed, alpha)),
+        )
 
     def _timeline_at(self, alpha: float) -> float:
         return timeline_error(self.study, self.action, self._decoded_at(alpha))
@@ -352,20 +360,21 @@ class Trials:
 class Part:
     """What expected rewards need of a gamma-space: all of it where rows are rescaled, else two numbers a discount."""
 
-    space: GammaSpace | None
-    parts: np.ndarray | None
+    kept: GammaSpace | np.ndarray
     gammas: np.ndarray
 
     @classmethod
-    def of(cls, space: GammaSpace, settings: Settings) -> Part:
+    def of(cls, space: GammaSpace, settings: Resolved) -> Part:
         if settings.normalise == "paper":
-            return cls(space, None, space.gammas)
-        return cls(None, linear_parts(space), space.gammas)
+            return cls(space, space.gammas)
+        return cls(linear_parts(space), space.gammas)
 
-    def rewards(self, settings: Settings, alpha: float) -> np.ndarray:
+    def rewards(self, settings: Resolved, alpha: float) -> np.ndarray:
         """Decoded E[r_tau] at an alpha, ``(A, K)``."""
         s = replace(settings, alpha=alpha)
-        return rewards_of(self.space, s) if self.parts is None else rewards_of_parts(self.parts, self.gammas, s)
+        if isinstance(self.kept, GammaSpace):
+            return rewards_of(self.kept, s)
+        return rewards_of_parts(self.kept, self.gammas, s)
 
 
 class _Fresh:
@@ -374,8 +383,9 @@ class _Fresh:
     MOST_KEPT = 100_000_000
     """Bytes of noisy gamma-spaces that are kept; beyond it they are made anew."""
 
-    def __init__(self, study: Study):
-        self._study, self._made = study, {}
+    def __init__(self, study: WorldStudy):
+        self._study = study
+        self._made: dict[int, Part] = {}
 
     @cached_property
     def _clean(self) -> GammaSpace:
@@ -387,7 +397,7 @@ class _Fresh:
         part = self._made.get(seed)
         if part is None:
             part = Part.of(with_noise(self._clean, s.noise, seed), s)
-            if part.space is None or FRESH_SEEDS * part.space.values.nbytes <= self.MOST_KEPT:
+            if not isinstance(part.kept, GammaSpace) or FRESH_SEEDS * part.kept.values.nbytes <= self.MOST_KEPT:
                 self._made[seed] = part
         return part.rewards(s, s.alpha if alpha is None else alpha)
 
@@ -404,13 +414,13 @@ def more_rows(steps: int) -> Iterator[int]:
         yield steps
 
 
-def wider(s: Settings, low: float, high: float) -> dict[str, object]:
+def wider(s: ResolvedForWorld, low: float, high: float) -> dict[str, object]:
     """A wider range of sensitivities at the same spacing, as far as their number allows."""
     thetas = min(MOST_THETAS, int(np.ceil((s.thetas - 1) * (high - low) / (s.theta_max - s.theta_min))) + 1)
     return {"theta_min": float(f"{low:.6g}"), "theta_max": float(f"{high:.6g}"), "thetas": max(s.thetas, thetas)}
 
 
-def _can_add_auxiliary(found: Study) -> bool:
+def _can_add_auxiliary(found: WorldStudy) -> bool:
     """Whether the world is a preset that can be built with auxiliary states and has none."""
     known = any(parameter.name == "auxiliary" for parameter in parameters_of(found.world.source))
     off = not dict(found.world.params).get("auxiliary", False)

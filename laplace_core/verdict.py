@@ -17,9 +17,9 @@ import numpy as np
 
 from laplace_core.artifacts.deadline import constant_horizon
 from laplace_core.artifacts.look import Look
-from laplace_core.grades import VALUE_TOLERANCE, Timeline, grade, timeline_error, timeline_grade
+from laplace_core.grades import VALUE_TOLERANCE, Grade, Timeline, grade, timeline_error, timeline_grade
 from laplace_core.horizon import regret
-from laplace_core.pipeline import Study
+from laplace_core.pipeline import Study, WorldStudy
 from laplace_core.ties import ROUNDING, greedy_action, tie_size
 from laplace_core.trials import Remedy, Trials
 
@@ -111,10 +111,10 @@ def judge(
     chosen = int(greedy_action(values, scale=decoded.scale))
     at = f"At T = {study.horizons[row]:g}"
     numbers = _numbers(values, decoded.scale, chosen, names)
-    if study.truth is None:
+    if not isinstance(study, WorldStudy):
         words = f"the decoded values choose {names[chosen]}{numbers}"
         if len(names) == 1:
-            words = f"the decoded value is {in_words(values, decoded.scale)[0]}"
+            words = f"the decoded value is {in_words(values.tolist(), decoded.scale)[0]}"
         return Verdict("unknown", None, f"{at} {words}.", chosen)
     looked_at = chosen if action is None else action
     graded, misplaced = grade(study, row), timeline_error(study, looked_at)
@@ -129,7 +129,7 @@ def judge(
         graded.value_error,
         misplaced,
     )
-    first = _first_words(study, row, found, f"{at} the decoded values choose {names[chosen]}{numbers}")
+    first = _first_words(study, row, graded, found, f"{at} the decoded values choose {names[chosen]}{numbers}")
     last = ("" if graded.wrong else _wrong_elsewhere(study, row)) + _timeline_words(found, names[looked_at])
     if found.choice == "right" and study.settings.deadline == "constant":
         constant = constant_horizon(Look(study, chosen, study.horizons[row]))
@@ -150,11 +150,11 @@ def judge(
     return replace(explained, sentence=f"{first}{why}{last}")
 
 
-def _first_words(study: Study, row: int, found: Verdict, choice: str) -> str:
+def _first_words(study: WorldStudy, row: int, graded: Grade, found: Verdict, choice: str) -> str:
     """What the values choose, and whether that and they are right."""
     values, true, names = study.decoded.horizon_values[:, row], study.truth.horizon_values[:, row], study.action_names
     if found.choice == "wrong":
-        return f"{choice}; the best is {names[found.best]}."
+        return f"{choice}; the best is {names[graded.best]}."
     off, scale = int(np.argmax(np.abs(values - true))), study.decoded.scale
     if len(names) == 1:
         decoded, truly = in_words((values[0], true[0]), scale)
@@ -167,9 +167,9 @@ def _first_words(study: Study, row: int, found: Verdict, choice: str) -> str:
 
 
 def _timeline_words(found: Verdict, name: str) -> str:
-    if found.timeline == "sound":
-        return ""
     size = found.timeline_error
+    if found.timeline == "sound" or size is None:
+        return ""
     if size <= 1.0:
         return f" Timeline of {name}: {found.timeline}, {100 * size:.0f}% misplaced."
     return f" Timeline of {name}: ruined, off by {size:.3g} times all that truly comes."
@@ -203,8 +203,10 @@ def _explained(trials: Trials, found: Verdict) -> tuple[Verdict, str]:
 
 def _one_each(changes: Sequence[Remedy]) -> list[Remedy]:
     """The first of several changes of one setting: fewer rows, or the smaller step, are enough."""
-    seen: set[tuple[str, ...]] = set()
-    return [each for each in changes if not ((key := tuple(each.changes)) in seen or seen.add(key))]
+    first: dict[tuple[str, ...], Remedy] = {}
+    for each in changes:
+        first.setdefault(tuple(each.changes), each)
+    return list(first.values())
 
 
 def _where(trials: Trials, change: Remedy) -> str | None:
@@ -269,7 +271,7 @@ def in_words(values: Sequence[float], scale: float, apart: bool = False) -> tupl
     return shown(next(enough, 2) if apart else 2)
 
 
-def _wrong_elsewhere(study: Study, row: int) -> str:
+def _wrong_elsewhere(study: WorldStudy, row: int) -> str:
     """The other horizons at which the choice is wrong, as ranges: the strip of the page in words."""
     wrong = wrong_rows(study)
     wrong[row] = False
@@ -284,7 +286,7 @@ def _wrong_elsewhere(study: Study, row: int) -> str:
     return f" The choice is wrong at T = {shown}."
 
 
-def wrong_rows(study: Study) -> np.ndarray:
+def wrong_rows(study: WorldStudy) -> np.ndarray:
     """Whether the chosen action loses anything, beyond a tie, against the best; bool ``(K,)``, one a horizon."""
     optimum = study.truth.optimum
     tie = tie_size(optimum.max(axis=0), np.abs(optimum).max(axis=0))

@@ -4,14 +4,17 @@ from __future__ import annotations
 
 import argparse
 from collections.abc import Iterable, Sequence
+from typing import Any, TypeVar
 
 import numpy as np
 
 from laplace_core.encoding import bin_masses
 from laplace_core.errors import InputError
 from laplace_core.parameters import Parameter
-from laplace_core.pipeline import Study
+from laplace_core.pipeline import Study, WorldStudy
 from laplace_core.settings import flag
+
+Number = TypeVar("Number", int, float)
 
 
 def add_parameters(parser: argparse.ArgumentParser, parameters: Iterable[Parameter]) -> None:
@@ -23,17 +26,17 @@ def add_parameters(parser: argparse.ArgumentParser, parameters: Iterable[Paramet
         choices = f" One of {', '.join(parameter.choices)}." if parameter.choices else ""
         metavar = {int: "N", float: "X", str: "NAME", bool: "true"}[parameter.type]
         text = f"{parameter.help}{choices}{shown}".replace("%", "%%")
-        optional = {"nargs": "?", "const": "true"} if parameter.type is bool else {}
+        optional: dict[str, Any] = {"nargs": "?", "const": "true"} if parameter.type is bool else {}
         parser.add_argument(flag(parameter), dest=parameter.name, metavar=metavar, help=text, **optional)
 
 
-def checked_number(name: str, text: object, kind: type, low: float, high: float) -> int | float:
+def checked_number(name: str, text: object, kind: type[Number], low: float, high: float) -> Number:
     """An option's number within its range.
 
     Raises:
         InputError: anything else; the sentence begins with the option's name.
     """
-    return Parameter(name, None, low, high, "", kind).parse(text)
+    return kind(Parameter(name, None, low, high, "", kind).parse(text))
 
 
 RULE_OPTIONS = {"fading": ("stretch",), "readout": ("alpha", "softness"), "decoded": ("alpha", "softness")}
@@ -54,10 +57,9 @@ def check_rule_options(rule: str, given: Iterable[str]) -> None:
 
 def study_notes(found: Study) -> list[str]:
     """What a reader of a decoded state should know of its world and sensitivities, a sentence each."""
-    world = found.world
-    if world is None:
+    if not isinstance(found, WorldStudy):
         return []
-    notes = []
+    world, notes = found.world, []
     if world.absorbing.any():
         names = [world.states[s] for s in np.flatnonzero(world.absorbing)]
         notes.append(f"the episode ends on entering {_listed(names)}: whatever is done there, only rewards of 0 follow")

@@ -188,3 +188,13 @@ def test_a_file_holds_every_law_and_what_came():
     assert json.loads(str(file["settings"]))[1] == {"algorithm": "c51", "kind": MEAN, "gamma": 0.9}
     np.testing.assert_array_equal(file["1_c51_came"], came.returns)
     assert "0_dqn_came" not in np.load(io.BytesIO(laws_npz(["dqn"], [law])))
+
+
+def test_whoever_watches_a_simulation_does_not_change_it():
+    # The episode's own rule, random actions, is another process than the agent's policy.
+    agent = made(DqnSettings)
+    rollout = roll_out(agent, "CartPole-v1", 5, "random")
+    heard = []
+    watched = simulate_returns(agent, rollout, 0, 1, told=lambda done, of: heard.append((done, of)))
+    np.testing.assert_array_equal(watched.returns, simulate_returns(agent, rollout, 0, 1).returns)
+    assert heard

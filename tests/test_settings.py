@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import copy
 import pickle
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -11,6 +12,7 @@ import pytest
 
 from laplace_core import InputError, Settings, load_world, study
 from laplace_core.learned.settings import LearnSettings
+from laplace_core.settings import resolve, resolve_for_gamma_space
 from laplace_core.worlds import parse_world_bytes, world_text
 from tests.malformed_worlds import TEXT
 
@@ -77,3 +79,26 @@ def test_a_byte_order_mark_is_read_and_another_encoding_refused(tmp_path):
             with pytest.raises(InputError) as refused:
                 read(path)
             assert str(refused.value) == "w.json is not UTF-8 text: save it with the encoding UTF-8."
+
+
+def test_resolved_settings_are_complete_and_can_be_chosen_again():
+    world = load_world("two_branch")
+    settings = resolve(Settings(), world)
+    with pytest.raises(InputError, match="theta_min is not decided"):
+        replace(settings, theta_min=None)
+    # Given up again, the setting suits the world as if it had never been chosen.
+    again = resolve(replace(settings.chosen(), theta_min=None), world)
+    assert again == settings
+    assert type(settings.chosen()) is Settings
+    assert settings.chosen().to_command() == settings.to_command()
+    for same in (copy.deepcopy(settings), pickle.loads(pickle.dumps(settings)), replace(settings)):  # noqa: S301 - ours
+        assert same == settings
+        assert hash(same) == hash(settings)
+
+
+def test_a_gamma_space_leaves_open_what_its_file_decides():
+    settings = resolve_for_gamma_space(Settings(world="mine.npz"), np.array([0.5, 0.9]))
+    assert settings.slope is None
+    assert settings.alpha == 0.01
+    with pytest.raises(InputError, match="alpha is not decided"):
+        replace(settings, alpha=None)

@@ -30,7 +30,8 @@ class HardTails:
         return torch.cat([torch.ones_like(above[..., :1]), above], dim=-1)
 
 
-HARD = SimpleNamespace(gammas=GAMMAS, thetas=THETAS, sensitivities=HardTails, gamma_spaces=None)
+HARD = SimpleNamespace(gammas=GAMMAS, thetas=THETAS, sensitivities=HardTails, gamma_spaces=list, gamma_space=list)
+"""What an agent with a gamma-space has; its spaces are not asked for here."""
 
 
 def exact_space(rewards: np.ndarray, alive: np.ndarray) -> GammaSpace:

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from laplace_core import PRESETS, InputError, Settings, load_world, study, study_of_gamma_space
+from laplace_core import PRESETS, InputError, Settings, Study, load_world, study, study_of_gamma_space
 from laplace_core.artifacts import find_artefacts
 from laplace_core.pipeline import basis_of
 from laplace_core.trials import ALPHAS, Trials
@@ -269,7 +269,8 @@ def test_a_constant_horizon_that_costs_nothing_is_not_mentioned():
 
 
 def test_a_gamma_space_without_a_world_is_not_judged():
-    found = replace(look("two_branch"), truth=None, world=None)
+    known = look("two_branch")
+    found = Study(known.settings, known.action_names, known.gamma_space, known.midpoints, known.decoded)
     verdict = judge(found, 2)
     assert (verdict.choice, verdict.timeline, verdict.remedies) == ("unknown", None, ())
 

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from pathlib import Path
+from typing import Any
 
 import streamlit as st
 
@@ -18,7 +19,7 @@ HELD = 4
 
 
 def under_cursor(
-    component: Callable, kind: str, key: str, data: bytes, at: int, told: Mapping[str, object],
+    component: Callable, kind: str, key: str, data: bytes, at: int, told: Mapping[str, Any],
     on_step: Callable[[int], None] | None,
 ) -> None:  # fmt: skip
     """Draw a component whose script is built on cursor.js.

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 from app.figures.theme import UNDER_RANGE, Figure, axis, build, probability_scale
@@ -25,7 +27,7 @@ def comparison(found: Difference) -> dict[str, Figure]:
     }
 
 
-def _map(name: str, found: Difference, values: np.ndarray, scale: dict[str, object]) -> Figure:
+def _map(name: str, found: Difference, values: np.ndarray, scale: dict[str, Any]) -> Figure:
     tau = found.what == "tau_space"
     unit, rows = ("probability", "future step tau") if tau else ("discounted steps", "discount gamma")
     bar = {"thickness": 8, "len": 1.0, "x": 1.01, "xpad": 0, "tickfont": {"size": 10}, "nticks": 5}
@@ -52,7 +54,7 @@ def _map(name: str, found: Difference, values: np.ndarray, scale: dict[str, obje
     )
 
 
-def _columns(thetas: np.ndarray) -> tuple[np.ndarray, dict[str, object]]:
+def _columns(thetas: np.ndarray) -> tuple[np.ndarray, dict[str, Any]]:
     """Where columns are drawn, ``(M,)``, and how that axis is labelled: all are equally wide, as in the lens.
 
     Of unevenly spaced ones the labels are 0 and the powers of ten between the outermost.

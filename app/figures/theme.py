@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import base64
 import json
+from typing import Any
 
 import numpy as np
 
-Figure = dict[str, object]
+Figure = dict[str, Any]
 """A plotly figure as a dictionary of data and layout."""
 
 # Okabe and Ito's palette: told apart by all, on light and on dark.
@@ -52,7 +53,7 @@ def staircase(locations: np.ndarray, masses: np.ndarray, low: float, high: float
 _AXIS = {"zeroline": False, "tickfont": {"size": 11}}
 
 
-def axis(title: str = "", **options: object) -> dict[str, object]:
+def axis(title: str = "", **options: object) -> dict[str, Any]:
     """An axis in the common style; ``options`` go to plotly as they are."""
     return {**_AXIS, "title": {"text": title, "standoff": 4, "font": {"size": 12}}, **options}
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Protocol
+from typing import Any, Protocol
 
 import numpy as np
 
@@ -106,7 +106,7 @@ def shipped_curves(title: str, bands: Sequence[Band]) -> Figure:
     )
 
 
-def _banded(band: Band, shade: float = 0.14, dash: str = "dash") -> list[dict[str, object]]:
+def _banded(band: Band, shade: float = 0.14, dash: str = "dash") -> list[dict[str, Any]]:
     common = {"type": "scatter", "legendgroup": band.name, "name": band.name}
     around = np.concatenate([band.lowest, band.highest[::-1]])
     return [
@@ -219,7 +219,7 @@ def _coming(curves: Curves, first: int) -> str:
     return f"after the first evaluation, at step {first:,}"
 
 
-def _note(text: str) -> list[dict[str, object]]:
+def _note(text: str) -> list[dict[str, Any]]:
     where = {"xref": "paper", "yref": "paper", "x": 0.5, "y": 0.5}
     return [{"text": text, "showarrow": False, "font": {"size": 12, "color": NEUTRAL}, **where}]
 
@@ -232,7 +232,7 @@ def _shade(index: int, of: int) -> str:
     return "#" + "".join(f"{part:02x}" for part in mixed)
 
 
-def _colour_bar(gammas: np.ndarray) -> dict[str, object]:
+def _colour_bar(gammas: np.ndarray) -> dict[str, Any]:
     """No points, only the scale that tells which colour is which discount."""
     last = len(gammas) - 1
     ticks = sorted({round(last * share) for share in (0.0, 1 / 3, 2 / 3, 1.0)})

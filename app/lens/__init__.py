@@ -12,6 +12,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict, dataclass
 from functools import cache
 from pathlib import Path
+from typing import Any
 
 import streamlit as st
 
@@ -42,7 +43,7 @@ class Released:
         pin: whether the view is to be kept as A, or no longer.
     """
 
-    state: dict[str, object]
+    state: dict[str, Any]
     preset: str | None = None
     remedy: int | None = None
     picked: int | None = None
@@ -73,18 +74,18 @@ class Graph:
 
 def lens(
     data: bytes,
-    state: Mapping[str, object],
+    state: Mapping[str, Any],
     key: str,
-    base: Mapping[str, object] | None = None,
+    base: Mapping[str, Any] | None = None,
     presets: Sequence[Preset] = (),
     on_release: Callable[[Released], None] | None = None,
     said: Said | None = None,
     world: Graph | None = None,
     pinnable: bool = False,
     pinned: bool = False,
-    pin: Mapping[str, object] | None = None,
-    lead: Mapping[str, object] | None = None,
-    followed: Mapping[str, object] | None = None,
+    pin: Mapping[str, Any] | None = None,
+    lead: Mapping[str, Any] | None = None,
+    followed: Mapping[str, Any] | None = None,
 ) -> Released | None:
     """Draw the lens and return what was released just now, if anything; pass its state through :func:`checked`.
 
@@ -192,7 +193,7 @@ def modules(*names: str) -> str:
     return chart.joined("\n".join(_text(f"{name}.js") for name in names))
 
 
-def standalone(data: bytes, state: Mapping[str, object], base: Mapping[str, object] | None = None) -> str:
+def standalone(data: bytes, state: Mapping[str, Any], base: Mapping[str, Any] | None = None) -> str:
     """The lens as one HTML file that works without a network."""
     held = {"state": dict(state), "base": dict(base or state), "payload": base64.b64encode(data).decode()}
     return _template().replace('"__HELD__"', json.dumps(held).replace("<", "\\u003c"))

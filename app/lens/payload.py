@@ -10,16 +10,17 @@ import contextlib
 import json
 import struct
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from laplace_core import Settings, Study, World
+from laplace_core import Study, World
 from laplace_core.encoding import PAPER_GAMMAS, sensitivity_grid
 from laplace_core.errors import InputError
 from laplace_core.inverse import transform_factors
 from laplace_core.learning import reward_indicator_basis
 from laplace_core.pipeline import basis_of, policies_of, timeline_of
+from laplace_core.settings import Resolved
 
 if TYPE_CHECKING:  # it brings torch along, which no world needs
     from laplace_core.training.simulated_truth import Empirical
@@ -27,7 +28,14 @@ if TYPE_CHECKING:  # it brings torch along, which no world needs
 MOST_REWARDS = 64
 """With more distinct rewards the differences at one slope are smaller than the basis of all slopes."""
 
-LIVE = {"alpha": 1.0, "softness": 0.0, "noise": 0.0, "noise_seed": 0, "normalise": "none", "deadline": "constant"}
+LIVE: dict[str, Any] = {
+    "alpha": 1.0,
+    "softness": 0.0,
+    "noise": 0.0,
+    "noise_seed": 0,
+    "normalise": "none",
+    "deadline": "constant",
+}
 """Settings that move in the browser: a payload does not depend on them."""
 
 
@@ -43,15 +51,15 @@ class Simulated:
     found: Empirical
 
 
-def structure(settings: Settings, world: World | None) -> Settings:
+def structure(settings: Resolved, world: World | None) -> Resolved:
     """Settings with everything set aside that moves in the browser: equal ones have the same payload."""
     free = world is not None and world.reward_values.size <= MOST_REWARDS
-    return replace(settings, **LIVE, **({"slope": 1.0, "policy": "shared"} if free else {}))
+    return replace(settings, **(LIVE | ({"slope": 1.0, "policy": "shared"} if free else {})))
 
 
 def payload(
     study: Study, simulated: Simulated | None = None, places: np.ndarray | None = None, added: int = 0
-) -> tuple[bytes, dict[str, object]]:
+) -> tuple[bytes, dict[str, Any]]:
     """Arrays and their header, as one block of bytes, and the header once more for Python.
 
     The study's settings are those of :func:`structure`: its gamma-space is free of noise.
@@ -151,7 +159,7 @@ def _transform(prefix: str, gammas: np.ndarray, steps: int, time_step: float) ->
     return {prefix + name: array for name, array in factors.items()}
 
 
-def _packed(header: dict[str, object], arrays: dict[str, np.ndarray]) -> bytes:
+def _packed(header: dict[str, Any], arrays: dict[str, np.ndarray]) -> bytes:
     """A length, the header as JSON, and the arrays, each on a multiple of 8 bytes after the header."""
     blocks, at = [], 0
     for name, array in arrays.items():
@@ -166,7 +174,7 @@ def _packed(header: dict[str, object], arrays: dict[str, np.ndarray]) -> bytes:
     return struct.pack("<I", len(text)) + text + b"".join(blocks)
 
 
-def unpacked(data: bytes) -> tuple[dict[str, object], dict[str, np.ndarray]]:
+def unpacked(data: bytes) -> tuple[dict[str, Any], dict[str, np.ndarray]]:
     """Header and arrays of :func:`payload`."""
     (length,) = struct.unpack_from("<I", data)
     header, arrays = json.loads(data[4 : 4 + length]), {}

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Any
 
 from app.lens.payload import structure
 from app.lens.state import state_of
 from app.sources import View, view_of
 from laplace_core import World
 
-PRESETS: dict[str, dict[str, object]] = {
+PRESETS: dict[str, dict[str, Any]] = {
     "Fig. 4b": {"world": "two_branch", "normalise": "paper", "action": "long"},
     "Fig. 4c": {"world": "two_branch", "normalise": "paper", "action": "short"},
     "Fig. 4d": {"world": "two_branch", "p.auxiliary": True, "normalise": "paper", "action": "short"},
@@ -33,7 +34,7 @@ class Preset:
 
     name: str
     here: bool
-    state: Mapping[str, object]
+    state: Mapping[str, Any]
 
 
 def presets_for(view: View) -> list[Preset]:

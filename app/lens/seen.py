@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 
 from app.lens.payload import LEVELS, unpacked
 from laplace_core import GammaSpace
 from laplace_core.encoding import reward_distance, softening
+from laplace_core.gamma_space import encode, with_noise
 from laplace_core.horizon import (
     deadline_weights,
     discount_kernel,
@@ -21,11 +23,10 @@ from laplace_core.horizon import (
     target_discounts,
 )
 from laplace_core.inverse import decode, normalise_rows, resolution_matrix, rounding_of_rows
-from laplace_core.pipeline import encode, with_noise
 from laplace_core.ties import greedy_action
 
 
-def seen(data: bytes, state: Mapping[str, object], tau: int = 0, rounding: float = 0.0) -> dict[str, np.ndarray]:
+def seen(data: bytes, state: Mapping[str, Any], tau: int = 0, rounding: float = 0.0) -> dict[str, np.ndarray]:
     """Arrays of a payload under a state of the controls; actions first.
 
     Args:
@@ -92,7 +93,7 @@ def _row(horizons: np.ndarray, horizon: float) -> int:
     return int(np.argmin(np.abs(horizons - horizon)))
 
 
-def _space(header: Mapping[str, object], arrays: Mapping[str, np.ndarray], state: Mapping[str, object]) -> GammaSpace:
+def _space(header: Mapping[str, Any], arrays: Mapping[str, np.ndarray], state: Mapping[str, Any]) -> GammaSpace:
     """The gamma-space of all actions, with its noise."""
     prefix = "paper_" if state["paper_grid"] and "paper_gammas" in arrays else ""
     gammas, thetas = arrays[f"{prefix}gammas"], arrays["thetas"]
@@ -122,7 +123,7 @@ def _shaken(space: GammaSpace, rounding: float) -> GammaSpace:
     return replace(space, values=values, constant=space.constant * (1.0 + signs))
 
 
-def _decoded(space: GammaSpace, state: Mapping[str, object], rows: int, dt: float) -> tuple[np.ndarray, np.ndarray]:
+def _decoded(space: GammaSpace, state: Mapping[str, Any], rows: int, dt: float) -> tuple[np.ndarray, np.ndarray]:
     """Tau-space and survival on the first ``rows`` rows, moved by one where the index is."""
     tau_space = decode(space.differences, space.gammas, rows, state["alpha"], dt)
     survival = decode(space.constant[..., None], space.gammas, rows, state["alpha"], dt)[..., 0]
@@ -133,7 +134,7 @@ def _decoded(space: GammaSpace, state: Mapping[str, object], rows: int, dt: floa
     return normalise_rows(tau_space, survival, state["normalise"], dt, rounding), survival
 
 
-def _weights(state: Mapping[str, object], row: int, steps: int, dt: float) -> np.ndarray:
+def _weights(state: Mapping[str, Any], row: int, steps: int, dt: float) -> np.ndarray:
     """d(tau) of the horizon that a row stands for."""
     horizon = float(row_horizons(steps, dt)[row])
     if not state["softness"]:
@@ -142,19 +143,19 @@ def _weights(state: Mapping[str, object], row: int, steps: int, dt: float) -> np
 
 
 def _value(
-    tau_space: np.ndarray, space: GammaSpace, state: Mapping[str, object], row: int, steps: int, dt: float
+    tau_space: np.ndarray, space: GammaSpace, state: Mapping[str, Any], row: int, steps: int, dt: float
 ) -> np.ndarray:
     rewards = expected_rewards(tau_space, space.bin_values)
     return rewards @ _weights(state, row, steps, dt)[: rewards.shape[1]]
 
 
-def _values(space: GammaSpace, state: Mapping[str, object], row: int, steps: int, dt: float) -> np.ndarray:
+def _values(space: GammaSpace, state: Mapping[str, Any], row: int, steps: int, dt: float) -> np.ndarray:
     """V of one horizon, decoded with as many rows as it has."""
     return _value(_decoded(space, state, row + 1, dt)[0], space, state, row, steps, dt)
 
 
 def _kernel(
-    gammas: np.ndarray, state: Mapping[str, object], horizon: float, rows: int, steps: int, dt: float
+    gammas: np.ndarray, state: Mapping[str, Any], horizon: float, rows: int, steps: int, dt: float
 ) -> np.ndarray:
     target = target_discounts(horizon, steps, state["value_gamma"], state["softness"], dt)
     if not state["softness"]:
@@ -165,7 +166,7 @@ def _kernel(
     return discount_kernel(gammas, readout_weights(gammas, target, state["alpha"], dt), steps, dt)
 
 
-def _averaging(gammas: np.ndarray, state: Mapping[str, object], tau: int, rows: int, steps: int, dt: float):
+def _averaging(gammas: np.ndarray, state: Mapping[str, Any], tau: int, rows: int, steps: int, dt: float):
     at = tau - 1 if state["shift"] else tau
     if not 0 <= at < rows:
         return np.zeros(steps)

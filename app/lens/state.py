@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import Any
 
-from laplace_core import Settings, Study
+from laplace_core import Study
 from laplace_core.interpolation import MOST_ADDED
 from laplace_core.parameters import Parameter
+from laplace_core.settings import Resolved
 
 VIEW = (
     Parameter("value_gamma", None, 1e-6, 0.999999, "Discount of the values that are compared.", float),
@@ -30,7 +32,7 @@ LIVE = (*_SETTINGS, "horizon", "policy", "deadline", *(parameter.name for parame
 """Values of a page that the lens sets, and that its Reset takes back."""
 
 
-def opening_state(study_settings: Settings, horizon: float, action: int = 0, look: str = "heatmap") -> dict:
+def opening_state(study_settings: Resolved, horizon: float, action: int = 0, look: str = "heatmap") -> dict:
     """The state that shows resolved settings as they are."""
     s = study_settings
     return {
@@ -56,14 +58,14 @@ def opening_state(study_settings: Settings, horizon: float, action: int = 0, loo
     }
 
 
-def state_of(values: Mapping[str, object], settings: Settings, horizon: float, action: int) -> dict:
+def state_of(values: Mapping[str, Any], settings: Resolved, horizon: float, action: int) -> dict:
     """The state for the values of a page, whose settings are resolved."""
     state = opening_state(settings, horizon, action, str(values.get("look", "heatmap")))
     state |= {name: values[name] for name in _OWN if values.get(name) is not None}
     return state | {name: values.get(name) == "yes" for name in ("fold", "paper_grid", "clip", "shift")}
 
 
-def values_of(state: Mapping[str, object], before: Mapping[str, object], actions: tuple[str, ...]) -> dict[str, object]:
+def values_of(state: Mapping[str, Any], before: Mapping[str, Any], actions: tuple[str, ...]) -> dict[str, Any]:
     """The values of a page that a released state changes against the state before; None takes one back."""
     new = {name: state[name] for name in state if state[name] != before.get(name)}
     values = {name: new[name] for name in (*_SETTINGS, "horizon", *_OWN, "look") if name in new}
@@ -77,7 +79,7 @@ def values_of(state: Mapping[str, object], before: Mapping[str, object], actions
     return values
 
 
-def checked(heard: object, study: Study) -> dict[str, object]:
+def checked(heard: object, study: Study) -> dict[str, Any]:
     """A state from the browser, every value of its kind and in its range; what is not is taken from the study."""
     found = opening_state(study.settings, float(study.horizons[-1]))
     if not isinstance(heard, Mapping):

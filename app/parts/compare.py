@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from html import escape
+from typing import Any
 
 import streamlit as st
 
@@ -34,7 +35,7 @@ def unpin() -> None:
     state.choose("pin", None)
 
 
-def _pinned() -> tuple[dict[str, object], View | None]:
+def _pinned() -> tuple[dict[str, Any], View | None]:
     """The values of A and its view; None while what was learned of it is learned again.
 
     Raises:
@@ -46,7 +47,7 @@ def _pinned() -> tuple[dict[str, object], View | None]:
     return values, None if coming else sources.view_of(values, learned)
 
 
-def pinned_state(view: View) -> dict[str, object] | None:
+def pinned_state(view: View) -> dict[str, Any] | None:
     """The state of the lens at A, where it shows the same payload as the present view."""
     if not is_pinned():
         return None
@@ -60,7 +61,7 @@ def pinned_state(view: View) -> dict[str, object] | None:
     return state_of(values, pinned.settings, horizon, pinned.action)
 
 
-def _differs(pinned: dict[str, object]) -> str:
+def _differs(pinned: dict[str, Any]) -> str:
     """In words, what was set otherwise in A and in B."""
     a, b = ({**query_of(values), "world": str(values.get("world"))} for values in (pinned, state.chosen()))
     names = [name for name in (*a, *b) if a.get(name) != b.get(name) and name not in _UNSAID]

@@ -16,8 +16,8 @@ from app.lens import seen
 from app.parts.panels import shown_state
 from app.query import query_of
 from app.sources import View
-from laplace_core import Settings
 from laplace_core.saved import npz_bytes
+from laplace_core.settings import Resolved
 from laplace_core.tables import gamma_space_csv, rewards_csv, tau_space_csv, values_csv
 
 _BYTES = "application/octet-stream"
@@ -80,7 +80,7 @@ def _copying(place, view: View) -> None:
             st.caption(f"Both read {file}, so download or keep that file beside them.")
 
 
-def settings_on_disk(view: View) -> Settings:
+def settings_on_disk(view: View) -> Resolved:
     """The settings by which the command line repeats a view: what was learned is read from its file."""
     if view.learned is None:
         return view.settings

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from html import escape
+from typing import Any
 
 import streamlit as st
 
@@ -20,15 +21,15 @@ _LENS_ONLY = {"fold": "only T rows", "paper_grid": "the paper's grid", "clip": "
 _ACROSS = 3  # artefacts side by side
 
 
-def shown_state(view: View) -> dict[str, object]:
+def shown_state(view: View) -> dict[str, Any]:
     """The state of the lens that a view stands for."""
     horizon = float(compute.study_for(view).horizons[compute.row_of(view)])
     return state_of(state.chosen(), view.settings, horizon, view.action)
 
 
 def pictures(
-    view: View, base: View, presets: Sequence[Preset] = (), lead: Mapping[str, object] | None = None,
-    followed: Mapping[str, object] | None = None, simulated: Simulated | None = None,
+    view: View, base: View, presets: Sequence[Preset] = (), lead: Mapping[str, Any] | None = None,
+    followed: Mapping[str, Any] | None = None, simulated: Simulated | None = None,
 ) -> None:  # fmt: skip
     """Draw the lens; what is let go of in it is set by hand.
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from html import escape
+from typing import Any
 
 import streamlit as st
 
@@ -55,7 +56,7 @@ def _cancel(found: races.Field) -> None:
     state.choose(MANY, None)
 
 
-def _shown(control: Control, found: Races, summary: dict[str, object]) -> None:
+def _shown(control: Control, found: Races, summary: dict[str, Any]) -> None:
     racing.said(*raced.field_verdict(summary, control))
     if summary["equal"] == 1.0:  # a hundred dots in one place
         with st.columns([1, 2.4])[0]:
@@ -70,7 +71,7 @@ def _shown(control: Control, found: Races, summary: dict[str, object]) -> None:
         _files(control, found)
 
 
-def _picture(found: Races, summary: dict[str, object], names: tuple[str, str]) -> None:
+def _picture(found: Races, summary: dict[str, Any], names: tuple[str, str]) -> None:
     mean, interval = float(summary["difference"]), tuple(summary["interval"])
     figure = figures.differences(found, mean, interval, int(state.chosen().get(START, 0)), COLOURS, names)
     alt = f"Difference of return from {len(found.starts)} starts, on average {mean:.1f}, one dot a start."
@@ -91,7 +92,7 @@ def _open(start: int) -> None:
     state.choose(AT, None)
 
 
-def _facts(control: Control, summary: dict[str, object]) -> None:
+def _facts(control: Control, summary: dict[str, Any]) -> None:
     left, right = map(escape, raced.sides(control))
     low, high = summary["interval"]
     rows = [

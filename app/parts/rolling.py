@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import streamlit as st
 
 from app import rolled, rollouts, state
@@ -156,6 +158,6 @@ def show(rolling: Rolling, scene: Scene, view: View | None = None) -> None:
     player(rolling.packed(), at, state.page_name(), names, scene.actions, heard, seconds, flags)
 
 
-def lead(rolling: Rolling, step: int) -> dict[str, object]:
+def lead(rolling: Rolling, step: int) -> dict[str, Any]:
     """The episode and the step that the lens is told of."""
     return {"id": name_of(rolling.packed()), "step": step}

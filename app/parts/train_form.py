@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import streamlit as st
 
 from app import state, training_runs
@@ -97,7 +99,7 @@ def _suit() -> None:
     _replace({key: value for key, value in state.chosen().items() if not key.startswith(TRAIN)})
 
 
-def _replace(values: dict[str, object], **changes: object) -> None:
+def _replace(values: dict[str, Any], **changes: object) -> None:
     st.session_state.pop(_REFUSED, None)
     state.replace_all(values | changes)
 

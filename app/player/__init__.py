@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from functools import cache
 from pathlib import Path
+from typing import Any
 
 import streamlit as st
 
@@ -23,7 +24,7 @@ _HERE = Path(__file__).resolve().parent
 
 def player(
     data: bytes, at: int, key: str, names: Sequence[tuple[str, str]], action_names: Sequence[str],
-    on_step: Callable[[int], None] | None = None, seconds: float = 0.05, flags: Mapping[str, object] | None = None,
+    on_step: Callable[[int], None] | None = None, seconds: float = 0.05, flags: Mapping[str, Any] | None = None,
 ) -> None:  # fmt: skip
     """Draw the player.
 

@@ -6,6 +6,8 @@ its arithmetic.
 
 from __future__ import annotations
 
+from typing import Any
+
 import torch
 from torch import Tensor, nn
 
@@ -21,7 +23,7 @@ class Adam:
     """
 
     def __init__(self, parameters: list[nn.Parameter]):
-        self._parameters = parameters
+        self._parameters: list[Any] = parameters
         self._steps = torch.zeros(len(parameters))
         self.moments: dict[str, list[Tensor]] = {
             "step": list(self._steps.unbind()),
@@ -37,8 +39,9 @@ class Adam:
             rate: step size.
             largest: norm of all gradients together that they are scaled down to where it is greater.
         """
+        parameters: list[Any]
         parameters, steps, averages, squares = self._parameters, *self.moments.values()
-        gradients = [parameter.grad for parameter in parameters]
+        gradients: list[Any] = [parameter.grad for parameter in parameters]
         if any(gradient is None for gradient in gradients):
             # A part of the network that has not been used has no gradient, and stays as it is.
             used = [i for i, gradient in enumerate(gradients) if gradient is not None]

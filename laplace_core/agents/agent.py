@@ -5,7 +5,7 @@ from __future__ import annotations
 import copy
 from abc import ABC, abstractmethod
 from dataclasses import dataclass, fields
-from typing import ClassVar
+from typing import Any, ClassVar, Generic, TypeVar
 
 import numpy as np
 import torch
@@ -47,7 +47,11 @@ class Batch:
 _FIELDS = tuple(field.name for field in fields(Batch))
 
 
-class Agent(ABC):
+Chosen = TypeVar("Chosen", bound=LoopSettings)
+"""The settings of an algorithm."""
+
+
+class Agent(ABC, Generic[Chosen]):
     """An online network that learns and acts while training, and its slow average, ``target``.
 
     The average is also what is evaluated and saved: it forgets less from one update to the next.
@@ -63,12 +67,12 @@ class Agent(ABC):
         random: random numbers for losses that need some; a run puts its own here, to be gone on with after a stop.
     """
 
-    settings_class: ClassVar[type[LoopSettings]]
+    settings_class: ClassVar[type[Any]]
     heads: int = 1
     acting_head: int = 0
     acting_discount: float | None = None
 
-    def __init__(self, settings: LoopSettings, observation: int, actions: int, time_limit: int | None = None):
+    def __init__(self, settings: Chosen, observation: int, actions: int, time_limit: int | None = None):
         self.settings, self.time_limit = settings, time_limit
         self.n_observations, self.n_actions = observation, actions
         self.random = np.random.default_rng(settings.seed)
@@ -76,9 +80,9 @@ class Agent(ABC):
             torch.manual_seed(settings.seed)
             self.network = self._build()
         self.target = copy.deepcopy(self.network).requires_grad_(False)
-        self._parameters = list(self.network.parameters())
+        self._parameters: list[Any] = list(self.network.parameters())
         self.optimiser = Adam(self._parameters)
-        self._averages = list(self.target.parameters())
+        self._averages: list[Any] = list(self.target.parameters())
 
     @abstractmethod
     def _build(self) -> nn.Module:
@@ -86,7 +90,7 @@ class Agent(ABC):
 
     @classmethod
     @abstractmethod
-    def network_numbers(cls, settings: LoopSettings, observation: int, actions: int) -> int:
+    def network_numbers(cls, settings: Chosen, observation: int, actions: int) -> int:
         """How many weights that network has, counted without building it."""
 
     def prepare(self, batch: Batch) -> tuple[Tensor, ...]:

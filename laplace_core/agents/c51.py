@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import ClassVar
+from typing import Any, ClassVar
 
 import torch
 from torch import Tensor
@@ -15,7 +15,7 @@ FLOOR = 1e-3
 """Least mass of an atom before training, when nearly all of it lies at return 0."""
 
 
-class C51Agent(Peer):
+class C51Agent(Peer[C51Settings]):
     """C51.
 
     Attributes:
@@ -25,7 +25,7 @@ class C51Agent(Peer):
     settings_class: ClassVar[type[C51Settings]] = C51Settings
     in_returns: ClassVar[bool] = False
 
-    def __init__(self, settings: C51Settings, *sizes):
+    def __init__(self, settings: C51Settings, *sizes: Any) -> None:
         self.atoms = torch.linspace(settings.v_min, settings.v_max, settings.atoms)
         super().__init__(settings, *sizes)
 

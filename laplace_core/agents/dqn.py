@@ -15,7 +15,7 @@ from laplace_core.agents.peer import Peer
 from laplace_core.agents.settings import DqnSettings
 
 
-class DqnAgent(Peer):
+class DqnAgent(Peer[DqnSettings]):
     """DQN."""
 
     settings_class: ClassVar[type[DqnSettings]] = DqnSettings

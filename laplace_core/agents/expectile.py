@@ -6,7 +6,7 @@ equally heavy samples with a numeric optimiser; :func:`impute` has masses of the
 
 from __future__ import annotations
 
-from typing import ClassVar
+from typing import Any, ClassVar
 
 import torch
 from torch import Tensor
@@ -19,7 +19,7 @@ LEAST_TAIL = 0.01
 """Least mass that an outermost location is given: rarer events are moved inwards, so that none lies without bounds."""
 
 
-class ExpectileAgent(Peer):
+class ExpectileAgent(Peer[ExpectileSettings]):
     """Expectile DQN.
 
     Attributes:
@@ -28,7 +28,7 @@ class ExpectileAgent(Peer):
 
     settings_class: ClassVar[type[ExpectileSettings]] = ExpectileSettings
 
-    def __init__(self, settings: ExpectileSettings, *sizes):
+    def __init__(self, settings: ExpectileSettings, *sizes: Any) -> None:
         self.levels = torch.arange(1, settings.expectiles + 1) / (settings.expectiles + 1)
         super().__init__(settings, *sizes)
 

@@ -7,7 +7,7 @@ what any rule that adapts to a horizon is measured against.
 
 from __future__ import annotations
 
-from typing import ClassVar
+from typing import Any, ClassVar
 
 import numpy as np
 import torch
@@ -25,7 +25,7 @@ The two times around T share a weight of 1. Short times are told apart at once, 
 """
 
 
-class FixedHorizonAgent(Agent):
+class FixedHorizonAgent(Agent[FixedHorizonSettings]):
     """Fixed-horizon DQN: head h acts for h + 1 steps to go, and the last one where the end is farther or unknown.
 
     Attributes:
@@ -34,7 +34,7 @@ class FixedHorizonAgent(Agent):
 
     settings_class: ClassVar[type[FixedHorizonSettings]] = FixedHorizonSettings
 
-    def __init__(self, settings: FixedHorizonSettings, *sizes):
+    def __init__(self, settings: FixedHorizonSettings, *sizes: Any) -> None:
         self.horizon = self.heads = settings.horizon
         self.acting_head = self.heads - 1
         super().__init__(settings, *sizes)
@@ -88,7 +88,7 @@ class FixedHorizonAgent(Agent):
         times = torch.from_numpy(self.random.integers(1, self.horizon + 1, size=size))
         return times, self.targets(batch, times)
 
-    def losses(self, batch: Batch, times: Tensor, targets: Tensor) -> Tensor:
+    def losses(self, batch: Batch, times: Tensor, targets: Tensor) -> Tensor:  # type: ignore[override]  # takes what its own prepare() returns
         outputs = self.values(self.network, batch.observations, times)
         outputs = outputs.gather(-1, batch.actions.expand_as(times).unsqueeze(-1)).squeeze(-1)
         # Over the discounted number of steps: half way between the scale of the values and that of the network.

@@ -17,10 +17,10 @@ from laplace_core.agents.agent import Agent, Batch
 from laplace_core.agents.sensitivities import Sensitivities
 from laplace_core.agents.settings import LaplaceSettings
 from laplace_core.errors import InputError
-from laplace_core.pipeline import GammaSpace
+from laplace_core.gamma_space import GammaSpace
 
 
-class LaplaceAgent(Agent):
+class LaplaceAgent(Agent[LaplaceSettings]):
     """Laplace DQN.
 
     Attributes:
@@ -100,10 +100,11 @@ class LaplaceAgent(Agent):
             return self.code.ended
         if self.settings.termination == "absorbing":
             return nothing
+        assert self.time_limit is not None  # "auxiliary" counts the steps left to it
         over = (self._gammas ** (self.time_limit - batch.elapsed)).unsqueeze(-1)
         return (1.0 - over) * nothing + over * self.code.ended
 
-    def losses(self, batch: Batch) -> Tensor:
+    def losses(self, batch: Batch) -> Tensor:  # type: ignore[override]  # it prepares nothing
         target = self.targets(batch)
         outputs = self.network(batch.observations, actions=batch.actions.expand(-1, self.heads))
         losses, scaled = self.code.loss(outputs, target, self._gammas)
@@ -140,8 +141,8 @@ class LaplaceAgent(Agent):
             outputs = self._at(inputs, np.asarray(gammas, dtype=float))
             sizes = torch.tensor(1.0 - np.asarray(gammas, dtype=float))
         # In doubles: a difference of two sums in single precision would have lost what a value at +-100 weighs.
-        tails = self.code.tails(self.code.scaled(outputs.transpose(1, 2).double())) / sizes[:, None]
-        tails = tails.numpy()
+        scaled = self.code.scaled(outputs.transpose(1, 2).double())
+        tails = (self.code.tails(scaled) / sizes[:, None]).numpy()
         return tails[..., 1:], tails[..., 0]
 
     def _at(self, inputs: Tensor, gammas: np.ndarray) -> Tensor:

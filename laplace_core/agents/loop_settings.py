@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, fields
 from difflib import get_close_matches
-from typing import ClassVar
+from typing import Any, ClassVar
 
 import numpy as np
 
@@ -84,7 +84,7 @@ class LoopSettings:
     ALGORITHM: ClassVar[str]
     SCHEMA: ClassVar[tuple[Parameter, ...]] = LOOP_SCHEMA
 
-    def __post_init__(self):
+    def __post_init__(self) -> None:
         # Whatever they come from, values meet the ranges of the schema and have its types.
         given = {field.name: getattr(self, field.name) for field in fields(self)}
         for name, value in parse_named(self.ALGORITHM, self.SCHEMA, given).items():
@@ -115,7 +115,7 @@ class LoopSettings:
         return asdict(self)
 
     @classmethod
-    def parse(cls, given: Mapping[str, object]) -> LoopSettings:
+    def parse(cls, given: Mapping[str, Any]) -> LoopSettings:
         """From values by name, as text or typed; what is missing has its default.
 
         Raises:
@@ -127,4 +127,5 @@ class LoopSettings:
                 near = get_close_matches(str(name), known, 1)
                 hint = f"; the nearest is {near[0]}" if near else ""
                 raise InputError(f"{cls.ALGORITHM} has no setting {str(name)[:40]!r}{hint}.")
-        return cls(**parse_named(cls.ALGORITHM, cls.SCHEMA, dict(given)))
+        parsed: dict[str, Any] = dict(parse_named(cls.ALGORITHM, cls.SCHEMA, dict(given)))
+        return cls(**parsed)

@@ -14,6 +14,8 @@ use :class:`Single`, which always answers for all actions.
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import torch
 from torch import Tensor, nn
@@ -160,10 +162,10 @@ class Single(nn.Module):
         self.scale = scale
         width = hidden * (2 if self.dueling else 1)
         self.trunk = nn.Sequential(nn.Linear(observation, hidden), nn.ReLU(), nn.Linear(hidden, width), nn.ReLU())
-        self._hidden_layers = self.trunk[0], self.trunk[2]
+        self._hidden_layers: tuple[Any, ...] = self.trunk[0], self.trunk[2]
         self.head = nn.Linear(hidden, actions * initial.numel())
         self.state = nn.Linear(hidden, initial.numel()) if self.dueling else None
-        for layer in (self.head, self.state) if self.dueling else (self.head,):
+        for layer in (self.head,) if self.state is None else (self.head, self.state):
             nn.init.normal_(layer.weight, std=0.1 / hidden**0.5)
             layer.bias.data = initial.repeat(layer.out_features // initial.numel())
 
@@ -178,7 +180,7 @@ class Single(nn.Module):
         return outputs.view(*observations.shape[:-1], *self.shape)
 
     def _outputs(self, features: Tensor) -> Tensor:
-        if not self.dueling:
+        if self.state is None:
             return self.head(features)
         stated, advantaged = features.chunk(2, dim=-1)
         advantages = self.head(advantaged).unflatten(-1, self.shape)

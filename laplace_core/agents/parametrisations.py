@@ -109,5 +109,13 @@ class Clipped(Free):
         return outputs[..., :1] - pad(falls.cumsum(-1), (1, 0))
 
 
+_KINDS: dict[str, type[Softmax] | type[Free]] = {
+    "softmax": Softmax,
+    "accumulated": Accumulated,
+    "clipped": Clipped,
+    "free": Free,
+}
+
+
 def build(name: str, sensitivities: Sensitivities) -> Softmax | Free:
-    return {"softmax": Softmax, "accumulated": Accumulated, "clipped": Clipped, "free": Free}[name](sensitivities)
+    return _KINDS[name](sensitivities)

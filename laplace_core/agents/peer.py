@@ -8,7 +8,7 @@ distribution that they stand for, and the loss. :mod:`laplace_core.learning.peer
 from __future__ import annotations
 
 from abc import abstractmethod
-from typing import ClassVar
+from typing import Any, ClassVar, TypeVar
 
 import numpy as np
 import torch
@@ -30,17 +30,20 @@ def discounted(batch: Batch, gamma: float, lengths: Tensor | None = None) -> tup
     return (batch.rewards * counts).sum(-1), gamma**batch.lengths * ~batch.terminated
 
 
-class Peer(Agent):
+Chosen = TypeVar("Chosen", bound=DqnSettings)
+
+
+class Peer(Agent[Chosen]):
     """An agent that learns the return at one discount; C is the number of outputs of an action.
 
     Attributes:
         in_returns: whether the outputs are in units of reward; those of C51 are logarithms of probabilities.
     """
 
-    settings_class: ClassVar[type[DqnSettings]]
+    settings_class: ClassVar[type[Any]]
     in_returns: ClassVar[bool] = True
 
-    def __init__(self, settings: DqnSettings, *sizes):
+    def __init__(self, settings: Chosen, *sizes: Any) -> None:
         self.acting_discount = settings.gamma
         super().__init__(settings, *sizes)
 
@@ -57,12 +60,12 @@ class Peer(Agent):
         return Single(self.n_observations, self.n_actions, self.initial(), self.settings, self.scale)
 
     @classmethod
-    def network_numbers(cls, settings: DqnSettings, observation: int, actions: int) -> int:
+    def network_numbers(cls, settings: Chosen, observation: int, actions: int) -> int:
         return Single.count_numbers(observation, actions, cls.channels(settings), settings)
 
     @classmethod
     @abstractmethod
-    def channels(cls, settings: DqnSettings) -> int:
+    def channels(cls, settings: Chosen) -> int:
         """C."""
 
     @abstractmethod
@@ -91,7 +94,7 @@ class Peer(Agent):
         rewards, discounts = discounted(batch, self.settings.gamma)
         return rewards + discounts * later, masses
 
-    def losses(self, batch: Batch, locations: Tensor, masses: Tensor) -> Tensor:
+    def losses(self, batch: Batch, locations: Tensor, masses: Tensor) -> Tensor:  # type: ignore[override]  # takes what its own prepare() returns
         outputs = self.network(batch.observations)[:, 0]  # (B, A, C)
         outputs = outputs.gather(1, batch.actions.unsqueeze(2).expand(-1, -1, outputs.shape[2]))[:, 0]
         # Over the scale: half way between that of the returns and that of the last layer.
@@ -109,8 +112,10 @@ class Peer(Agent):
         """
         outputs = self.target(batched(np.asarray(observations)))[:, 0]  # (B, A, C)
         parts = self.distribution(outputs.flatten(0, 1))
-        return tuple(part.double().numpy().reshape(*outputs.shape[:2], -1) for part in parts)
+        locations, masses = (part.double().numpy().reshape(*outputs.shape[:2], -1) for part in parts)
+        return locations, masses
 
     def return_distribution(self, observation: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """The same for one observation ``(O,)``: ``(A, M)`` each."""
-        return tuple(part[0] for part in self.return_distributions(np.asarray(observation)[None]))
+        locations, masses = self.return_distributions(np.asarray(observation)[None])
+        return locations[0], masses[0]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import ClassVar
+from typing import Any, ClassVar
 
 import torch
 from torch import Tensor
@@ -15,7 +15,7 @@ MOST_PAIRS = 2_000
 """Quantiles times targets up to which it is faster to go through all pairs."""
 
 
-class QrdqnAgent(Peer):
+class QrdqnAgent(Peer[QrdqnSettings]):
     """QR-DQN.
 
     Attributes:
@@ -24,7 +24,7 @@ class QrdqnAgent(Peer):
 
     settings_class: ClassVar[type[QrdqnSettings]] = QrdqnSettings
 
-    def __init__(self, settings: QrdqnSettings, *sizes):
+    def __init__(self, settings: QrdqnSettings, *sizes: Any) -> None:
         self.levels = (torch.arange(settings.quantiles) + 0.5) / settings.quantiles
         super().__init__(settings, *sizes)
 
@@ -77,7 +77,7 @@ def _of_many(quantiles: Tensor, locations: Tensor, levels: Tensor) -> Tensor:
     whole = torch.full_like(counts[:, : q.shape[1]], y.shape[1])
     places = torch.cat([torch.zeros_like(whole), counts, whole], dim=1)  # where each of the four pieces begins and ends
 
-    def pieces(values: Tensor) -> Tensor:
+    def pieces(values: Tensor) -> tuple[Tensor, ...]:
         return values.gather(1, places).view(len(q), 5, -1).diff(dim=1).unbind(1)
 
     n = places.view(len(q), 5, -1).diff(dim=1).unbind(1)

@@ -16,7 +16,7 @@ from laplace_core.artifacts.noise import noise_amplification
 from laplace_core.artifacts.offers import offered
 from laplace_core.artifacts.process import conditional_rewards, folding, mixed_policies, repeated_reward
 from laplace_core.artifacts.rewards import edge_clipping, reward_quantisation, slope_blur
-from laplace_core.pipeline import Study
+from laplace_core.pipeline import Study, WorldStudy
 from laplace_core.trials import Trials
 
 MEASURES: dict[str, Callable[[Look], Artefact | None]] = {
@@ -54,7 +54,7 @@ def find_artefacts(
     found = [artefact for measure in MEASURES.values() if (artefact := measure(look)) is not None]
     if not searching:
         return found
-    if trials is None and study.truth is not None:
+    if trials is None and isinstance(study, WorldStudy):
         trials = Trials(study, len(study.horizons) - 1 if horizon is None else study.row_at(horizon), action)
     return offered(found, look, MEASURES, trials)
 

@@ -8,6 +8,7 @@ from laplace_core.artifacts.look import Look
 from laplace_core.artifacts.model import VISIBLE, Artefact, Remedy
 from laplace_core.control import constant_horizon_loss
 from laplace_core.errors import InputError
+from laplace_core.pipeline import WorldStudy
 
 
 def soft_deadline(look: Look) -> Artefact | None:
@@ -35,10 +36,10 @@ def constant_horizon(look: Look) -> Artefact | None:
     the worst one. A world too large for whole episodes is left out, and so is a timeline too short for a whole step.
     """
     study, s = look.study, look.settings
-    if study.world is None or s.deadline != "constant" or study.world.n_actions == 1:
+    if not isinstance(study, WorldStudy) or s.deadline != "constant" or study.world.n_actions == 1:
         return None
     try:
-        loss, best = constant_horizon_loss(study.world, s)
+        loss, best = constant_horizon_loss(study.world, study.settings)
     except InputError:
         return None
     if not len(loss):

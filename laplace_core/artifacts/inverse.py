@@ -46,8 +46,8 @@ def negative_mass(look: Look) -> Artefact | None:
     size = _negative(look.rows(s.alpha))
     if size < VISIBLE:
         return None
-    trials = {float(f"{alpha:.1g}") for alpha in np.geomspace(1e-8, 10, 28)} if look.searching else set()
-    trials = sorted(trials, key=lambda a: abs(np.log(a / max(s.alpha, 1e-9))))
+    known = {float(f"{alpha:.1g}") for alpha in np.geomspace(1e-8, 10, 28)} if look.searching else set()
+    trials = sorted(known, key=lambda a: abs(np.log(a / max(s.alpha, 1e-9))))
     # Ringing and smearing trade off: no remedy may make the timeline worse.
     allowed = look.error() + 1e-3 if look.has_truth else np.inf
     calm = (a for a in trials if _negative(look.rows(a)) < VISIBLE)

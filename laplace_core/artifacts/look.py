@@ -20,7 +20,7 @@ from laplace_core.artifacts.model import VISIBLE
 from laplace_core.encoding import bin_masses
 from laplace_core.horizon import deadline_weights, row_horizons
 from laplace_core.inverse import decode, decode_matrix, normalise_rows
-from laplace_core.pipeline import Study, basis_of, timeline_of
+from laplace_core.pipeline import Study, WorldStudy, basis_of, timeline_of
 
 
 class Look:
@@ -37,12 +37,18 @@ class Look:
 
     @property
     def has_truth(self) -> bool:
-        return self.study.truth is not None
+        return isinstance(self.study, WorldStudy)
+
+    @property
+    def of_world(self) -> WorldStudy:
+        """The study, where it is of a world: whoever asks has looked at :attr:`has_truth`."""
+        assert isinstance(self.study, WorldStudy)
+        return self.study
 
     @cached_property
     def _groups(self) -> tuple[np.ndarray, np.ndarray]:
         """Which rewards have midpoints nearest to them, and the first midpoint of each; both increase."""
-        rewards = self.study.world.reward_values
+        rewards = self.of_world.world.reward_values
         nearest = np.searchsorted((rewards[1:] + rewards[:-1]) / 2.0, self.study.midpoints)
         first = np.flatnonzero(np.diff(nearest, prepend=-1))
         return nearest[first], first
@@ -52,10 +58,10 @@ class Look:
 
         Sums over neighbours, so that no matrix of midpoints by rewards, or rewards by rewards, is ever made.
         """
-        if self.study.world is None:
+        if not self.has_truth:
             return bins
         rewards, first = self._groups
-        gathered = np.zeros((*bins.shape[:-1], self.study.world.reward_values.size))
+        gathered = np.zeros((*bins.shape[:-1], self.of_world.world.reward_values.size))
         gathered[..., rewards] = np.add.reduceat(bins, first, axis=-1)
         return gathered
 
@@ -73,11 +79,12 @@ class Look:
     @cached_property
     def masses(self) -> np.ndarray:
         """What each distinct reward leaves at each midpoint, ``(V, H-1)``."""
-        return bin_masses(self.study.world.reward_values, self.study.gamma_space.thetas, self.settings.slope)
+        study = self.of_world
+        return bin_masses(study.world.reward_values, study.gamma_space.thetas, study.settings.slope)
 
     def basis(self, policy: str | None = None) -> np.ndarray:
         """The exact reward-indicator basis of this action, ``(G, V)``."""
-        return basis_of(self.study, policy)[self.action]
+        return basis_of(self.of_world, policy)[self.action]
 
     def exact(self, policy: str | None = None) -> np.ndarray:
         """Exact Z by reward under the study's own target policy or another one, ``(G, V)``."""
@@ -88,7 +95,7 @@ class Look:
         dt, steps = self.settings.time_step, steps or self.settings.steps
         # Row k stands for half a time_step on either side of k * time_step.
         whole = int(np.floor((steps - 0.5) * dt + 1e-9)) + 1
-        return timeline_of(self.study, whole)[self.action]
+        return timeline_of(self.of_world, whole)[self.action]
 
     def decode(self, values: np.ndarray, alpha: float | None = None, steps: int | None = None) -> np.ndarray:
         """D @ values for ``(G, n)``, as probability a row, ``(steps, n)``."""
@@ -123,7 +130,7 @@ class Look:
         """True V_T of the action at the horizon of every row, ``(K,)``, under a deadline of this softness."""
         s, timeline = self.settings, self.timeline()
         steps = np.arange(len(timeline))
-        discounted = (timeline @ self.study.world.reward_values) * s.acting_gamma**steps
+        discounted = (timeline @ self.of_world.world.reward_values) * s.acting_gamma**steps
         if softness == 0:
             return np.array([discounted[steps <= k * s.time_step + 1e-9].sum() for k in range(s.steps)])
         horizons = row_horizons(s.steps, s.time_step)

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
+from typing import Any
 
 from laplace_core.artifacts.look import Look
 from laplace_core.artifacts.model import Artefact
@@ -65,13 +66,16 @@ def _alpha(
     found: Sequence[Artefact], look: Look, measures: Mapping[str, Measure], trials: Trials | None
 ) -> float | None:
     """The one alpha that is suggested for a view; None where none is."""
-    wished = list(dict.fromkeys(r.changes["alpha"] for each in found for r in each.remedies if "alpha" in r.changes))
+    changes: list[Mapping[str, Any]] = [r.changes for each in found for r in each.remedies if "alpha" in r.changes]
+    wished = list(dict.fromkeys(each["alpha"] for each in changes))
     if not wished:
         return None
     if trials is not None:
         return trials.alpha if trials.affordable else None
     for alpha in wished:
         under = _under(look.study, Remedy("", {"alpha": alpha}))
+        if under is None:
+            continue
         here = Look(under, look.action, look.horizon)
         left = [artefact for measure in measures.values() if (artefact := measure(here)) is not None]
         if not any("alpha" in remedy.changes for each in left for remedy in each.remedies):

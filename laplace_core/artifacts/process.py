@@ -67,7 +67,7 @@ def conditional_rewards(look: Look) -> Artefact | None:
     weighted, plain = (horizon_values(rows, s.acting_gamma, s.softness, s.time_step) for rows in (weighted, plain))
     change = float(np.abs(plain - weighted).max())
     true = look.true_values(s.softness) if look.has_truth else weighted
-    least = 1e-2 * np.abs(study.world.reward_values).max() if look.has_truth else 0.0
+    least = 1e-2 * np.abs(look.of_world.world.reward_values).max() if look.has_truth else 0.0
     size = float(change / max(np.abs(true).max(), least, 1e-12))
     if size < VISIBLE:
         return None
@@ -110,7 +110,7 @@ def folding(look: Look) -> Artefact | None:
     size = _folded(look, whole, s.steps)
     if size < VISIBLE:
         return None
-    most = MAX_VALUES / (s.thetas * len(look.study.action_names))
+    most = MAX_VALUES / (len(look.study.gamma_space.thetas) * len(look.study.action_names))
     trials = [steps for steps in more_rows(s.steps) if steps <= most]
     steps = next((steps for steps in trials if _folded(look, whole, steps) < VISIBLE), max(trials, default=None))
     return Artefact(

@@ -8,6 +8,7 @@ from laplace_core.artifacts.look import Look
 from laplace_core.artifacts.model import VISIBLE, Artefact, Remedy
 from laplace_core.artifacts.noise import propagated, violations
 from laplace_core.encoding import sigmoid
+from laplace_core.pipeline import WorldStudy
 from laplace_core.settings import SLOPE_TIMES_SPACING
 from laplace_core.trials import MOST_THETAS, wider
 
@@ -24,7 +25,7 @@ leaves."""
 def edge_clipping(look: Look) -> Artefact | None:
     """Rewards outside the sensitivities, or on their edge: largest probability lost in a row."""
     study, s, least = look.study, look.settings, VISIBLE
-    if study.world is not None:
+    if look.has_truth:
         outside = 1.0 - look.masses.sum(axis=-1)
         outside[outside < NEGLIGIBLE] = 0.0  # the tail of any activation, which a small alpha would magnify
         lost = look.decode((look.basis() @ outside)[:, None])[:, 0]
@@ -38,12 +39,12 @@ def edge_clipping(look: Look) -> Artefact | None:
     size = min(1.0, float(lost.max()))  # the inverse may overshoot, but no more than all of a row can be missing
     if size < least:
         return None
-    remedies = ()
-    if study.world is not None:
-        rewards = study.world.reward_values
-        over = max(0.2 * (rewards[-1] - rewards[0]), OVERHANG / s.slope)
-        low, high = min(s.theta_min, float(rewards[0] - over)), max(s.theta_max, float(rewards[-1] + over))
-        remedies = (Remedy("Widen the sensitivities", wider(s, low, high)),)
+    remedies: tuple[Remedy, ...] = ()
+    if isinstance(study, WorldStudy):
+        rewards, chosen = study.world.reward_values, study.settings
+        over = max(0.2 * (rewards[-1] - rewards[0]), OVERHANG / chosen.slope)
+        low, high = min(chosen.theta_min, float(rewards[0] - over)), max(chosen.theta_max, float(rewards[-1] + over))
+        remedies = (Remedy("Widen the sensitivities", wider(chosen, low, high)),)
     return Artefact(
         "edge clipping",
         size,
@@ -59,11 +60,11 @@ def slope_blur(look: Look) -> Artefact | None:
 
     The activation smears a reward by a logistic law, which passes the middle of a gap with sigmoid(-slope gap / 2).
     """
-    if look.study.world is None:
+    if not look.has_truth:
         return None
-    s, timeline = look.settings, look.timeline()
+    s, timeline = look.of_world.settings, look.timeline()
     seen = timeline.max(axis=0) >= SEEN
-    rewards = look.study.world.reward_values[seen]
+    rewards = look.of_world.world.reward_values[seen]
     if rewards.size < 2:
         return None
     gaps = np.diff(rewards)
@@ -89,10 +90,10 @@ def reward_quantisation(look: Look) -> Artefact | None:
 
     Only a slope steeper than the default for the spacing rounds; a reward that is cut off at the edges is not judged.
     """
-    if look.study.world is None:
+    if not look.has_truth:
         return None
-    thetas, slope = look.study.gamma_space.thetas, look.settings.slope
-    rewards, chance = look.study.world.reward_values, look.timeline()
+    thetas, slope = look.study.gamma_space.thetas, look.of_world.settings.slope
+    rewards, chance = look.of_world.world.reward_values, look.timeline()
     spacing = np.diff(thetas)[np.clip(np.searchsorted(thetas, rewards) - 1, 0, thetas.size - 2)]
     inside = (rewards > thetas[0] + 6.0 / slope) & (rewards < thetas[-1] - 6.0 / slope)
     inside &= (slope * spacing > 1.1 * SLOPE_TIMES_SPACING) & (chance.max(axis=0) > 1e-6)

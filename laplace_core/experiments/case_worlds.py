@@ -121,7 +121,8 @@ def _continuing(rng: np.random.Generator) -> tuple[World, int]:
 
 
 def _wandering(rng: np.random.Generator, name: str, ending: float) -> tuple[World, int]:
-    states, actions, rewards, rows = int(rng.integers(2, 9)), int(rng.integers(2, 4)), _rewards(rng), []
+    states, actions, rewards = int(rng.integers(2, 9)), int(rng.integers(2, 4)), _rewards(rng)
+    rows: list[Outcome] = []
     for state in range(states):
         first = len(rows)
         for action in range(actions):

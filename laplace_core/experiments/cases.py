@@ -10,15 +10,16 @@ smears and one that rings, and the two ways to rescale.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 
 from laplace_core.experiments.case_worlds import lasting_world, short_world
 from laplace_core.inverse import decode_matrix
 from laplace_core.pipeline import grids
-from laplace_core.settings import SLOPE_TIMES_SPACING, Settings, resolve
+from laplace_core.settings import SLOPE_TIMES_SPACING, ResolvedForWorld, Settings, resolve
 from laplace_core.worlds import END, World
 
 KINDS = ("short", "lasting")
@@ -44,8 +45,8 @@ class Case:
 
     world: World
     action: int
-    base: Settings
-    settings: Settings
+    base: ResolvedForWorld
+    settings: ResolvedForWorld
     switched: tuple[str, ...]
 
 
@@ -71,7 +72,7 @@ def draw_case(rng: np.random.Generator, chances: Mapping[str, float] | None = No
     return Case(world, int(rng.integers(world.n_actions)), base, settings, switched)
 
 
-def _base(rng: np.random.Generator, world: World, steps: int, kind: str, time_step: float = 1.0) -> Settings:
+def _base(rng: np.random.Generator, world: World, steps: int, kind: str, time_step: float = 1.0) -> ResolvedForWorld:
     rewards = world.reward_values
     spacing = float(np.diff(rewards).min(initial=2.0)) / rng.uniform(7.0, 10.0)
     slope = SLOPE_TIMES_SPACING / spacing
@@ -94,7 +95,7 @@ def _base(rng: np.random.Generator, world: World, steps: int, kind: str, time_st
     return replace(settings, slope=SLOPE_TIMES_SPACING / spacing_of(settings))
 
 
-def spacing_of(settings: Settings) -> float:
+def spacing_of(settings: ResolvedForWorld) -> float:
     return (settings.theta_max - settings.theta_min) / (settings.thetas - 1)
 
 
@@ -111,11 +112,11 @@ def _longest(world: World) -> int:
 # --- switches: each draws its strength and returns the settings that it changes ---
 
 
-def _few_rows(rng: np.random.Generator, world: World, s: Settings) -> dict[str, object]:
+def _few_rows(rng: np.random.Generator, world: World, s: ResolvedForWorld) -> dict[str, Any]:
     return {"steps": int(rng.integers(1, max(2, s.steps - 1)))}
 
 
-def _narrow_edges(rng: np.random.Generator, world: World, s: Settings) -> dict[str, object]:
+def _narrow_edges(rng: np.random.Generator, world: World, s: ResolvedForWorld) -> dict[str, Any]:
     """One end of the range on a reward, or past it; the spacing stays."""
     rewards, spacing = world.reward_values, spacing_of(s)
     past = float(rng.choice([0.0, 0.5, 3.0, 6.0])) * spacing
@@ -127,7 +128,7 @@ def _narrow_edges(rng: np.random.Generator, world: World, s: Settings) -> dict[s
     return {"theta_min": low, "theta_max": low + (thetas - 1) * spacing, "thetas": thetas}
 
 
-def _gentle(rng: np.random.Generator, world: World, s: Settings) -> dict[str, object]:
+def _gentle(rng: np.random.Generator, world: World, s: ResolvedForWorld) -> dict[str, Any]:
     return {"slope": float(np.exp(rng.uniform(np.log(0.5), np.log(4.0)))) / _gap(world)}
 
 
@@ -135,22 +136,22 @@ def _gap(world: World) -> float:
     return float(np.diff(world.reward_values).min(initial=2.0))
 
 
-def _steep(rng: np.random.Generator, world: World, s: Settings) -> dict[str, object]:
+def _steep(rng: np.random.Generator, world: World, s: ResolvedForWorld) -> dict[str, Any]:
     """Steep and coarse: a spacing that shares no fraction with the rewards' halves."""
     thetas = max(4, int(s.thetas / rng.uniform(1.0, 3.0)))
     spacing = (s.theta_max - s.theta_min) / (thetas - 1)
     return {"thetas": thetas, "slope": float(np.exp(rng.uniform(np.log(8.0), np.log(100.0)))) / spacing}
 
 
-def _smearing(rng: np.random.Generator, world: World, s: Settings) -> dict[str, object]:
+def _smearing(rng: np.random.Generator, world: World, s: ResolvedForWorld) -> dict[str, Any]:
     return {"alpha": float(np.exp(rng.uniform(np.log(0.3), np.log(5.0))))}
 
 
-def _ringing(rng: np.random.Generator, world: World, s: Settings) -> dict[str, object]:
+def _ringing(rng: np.random.Generator, world: World, s: ResolvedForWorld) -> dict[str, Any]:
     return {"alpha": float(np.exp(rng.uniform(np.log(1e-5), np.log(0.1))))}
 
 
-def _noisy(rng: np.random.Generator, world: World, s: Settings) -> dict[str, object]:
+def _noisy(rng: np.random.Generator, world: World, s: ResolvedForWorld) -> dict[str, Any]:
     """Of such a size that it moves about .1 to 3 of a row's probability, whatever the inverse makes of it."""
     gammas = grids(s)[0]
     matrix = decode_matrix(gammas, s.steps, s.alpha, s.time_step) / s.time_step
@@ -160,7 +161,7 @@ def _noisy(rng: np.random.Generator, world: World, s: Settings) -> dict[str, obj
     return {"noise": float(min(1.0, moved / one)), "noise_seed": int(rng.integers(2**31))}
 
 
-SWITCHES = {
+SWITCHES: dict[str, Callable[[np.random.Generator, World, ResolvedForWorld], dict[str, Any]]] = {
     "rescaling": lambda rng, world, s: {"normalise": "paper"},
     "per gamma": lambda rng, world, s: {"policy": "per_gamma"},
     "few rows": _few_rows,

@@ -11,7 +11,7 @@ from laplace_core.training.command import settings_of
 from laplace_core.words import check_rule_options, checked_number
 
 
-def add_report(verbs: argparse._SubParsersAction) -> None:
+def add_report(verbs: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     """Add ``report`` to the verbs."""
     report = verbs.add_parser("report", help="run an experiment and print its report")
     kinds = report.add_subparsers(dest="experiment", required=True, metavar="EXPERIMENT")

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -66,7 +67,7 @@ class Score:
         """Listed among true; None where nothing was there."""
         return _ratio(self.true_positive, self.on)
 
-    def as_dict(self) -> dict[str, object]:
+    def as_dict(self) -> dict[str, Any]:
         return {
             **vars(self),
             "on": self.on,
@@ -116,7 +117,7 @@ def score(compared: list[Compared]) -> list[Score]:
         present = np.array([one.effects[name] > VISIBLE for one in compared])
         listed = np.array([one.sizes[name] > 0.0 for one in compared])
         thrown = np.array([bool(SWITCHES_OF[name] & set(one.case.switched)) for one in compared])
-        counts = (present & listed, ~present & listed, present & ~listed, ~present & ~listed)
+        counts: tuple[np.ndarray, ...] = (present & listed, ~present & listed, present & ~listed, ~present & ~listed)
         counts += (thrown, thrown & ~present, present & ~thrown)
         scores.append(Score(name, *(int(count.sum()) for count in counts)))
     return scores
@@ -150,7 +151,7 @@ DEMANDED = 0.97
 """Precision and recall that every artefact must reach."""
 
 
-def falls_short(counted: Mapping[str, object]) -> bool:
+def falls_short(counted: Mapping[str, Any]) -> bool:
     """Whether precision or recall of one artefact, from :meth:`Score.as_dict`, is below what is demanded."""
     return any(counted[name] is not None and counted[name] < DEMANDED for name in ("precision", "recall"))
 
@@ -177,7 +178,7 @@ def _with_interval(value: float | None, part: int, whole: int) -> str:
     return "-" if value is None else f"{value:.3f} ({low:.2f}-{high:.2f})"
 
 
-def report(cases: int = 500, seed: int = HELD_OUT_SEED) -> tuple[dict[str, object], str]:
+def report(cases: int = 500, seed: int = HELD_OUT_SEED) -> tuple[dict[str, Any], str]:
     """Run the comparison on as many cases of each kind: numbers for a file, and the tables for reading."""
     compared = {kind: list(compare(cases, seed, kind)) for kind in KINDS}
     compared["all"] = [one for each in compared.values() for one in each]

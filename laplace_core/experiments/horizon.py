@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from types import MappingProxyType
+from typing import Any
 
 import numpy as np
 
@@ -30,7 +31,7 @@ def report(
     seed: int,
     options: dict[str, float],
     references: Sequence[Path] = (),
-) -> tuple[dict[str, object], str]:  # fmt: skip
+) -> tuple[dict[str, Any], str]:  # fmt: skip
     """Numbers and a table.
 
     Args:
@@ -64,7 +65,7 @@ def report(
 
 def _row(
     agents: list[Loaded], rule: str, horizon: int | None, episodes: int, seed: int, options: dict[str, float]
-) -> dict[str, object]:
+) -> dict[str, Any]:
     returns = {
         name: np.array(
             [_returns(each, name, horizon, episodes, seed, options if name == rule else {}) for each in agents]
@@ -86,11 +87,11 @@ def _returns(
     loaded: Loaded, rule: str, horizon: int | None, episodes: int, seed: int, options: Mapping[str, float] = NOTHING
 ) -> np.ndarray:
     """``(episodes,)``."""
-    told = {"horizon": horizon, "rule": rule, **options}
+    told: dict[str, Any] = {"horizon": horizon, "rule": rule, **options}
     return evaluate(loaded.agent, loaded.environment, episodes, seed, **told).returns
 
 
-def _table(numbers: dict[str, object]) -> str:
+def _table(numbers: dict[str, Any]) -> str:
     rule, count = numbers["rule"], len(numbers["agents"])
     lines = [
         f"{numbers['environment']}: {rule} against {' and '.join(AGAINST)}, {count} agents x {numbers['episodes']} "

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from scipy.interpolate import CubicSpline, PchipInterpolator
@@ -19,7 +20,7 @@ from laplace_core.gamma_space import GammaSpace, encode, with_noise
 from laplace_core.interpolation import left_out, log_times, mixing, with_between
 from laplace_core.inverse import decode
 from laplace_core.learning import greedy_policy, reward_indicator_basis
-from laplace_core.pipeline import Study, study
+from laplace_core.pipeline import WorldStudy, study
 from laplace_core.settings import Settings
 from laplace_core.training.checkpoint import load_checkpoint
 from laplace_core.training.rollout import roll_out
@@ -54,7 +55,7 @@ def _by(kind: type, values: np.ndarray, gammas: np.ndarray, wanted: np.ndarray) 
 KINDS: dict[str, Between] = {"line": line, "monotone cubic": monotone, "cubic spline": spline}
 
 
-def report(path: Path, seed: int) -> tuple[dict[str, object], str]:
+def report(path: Path, seed: int) -> tuple[dict[str, Any], str]:
     """Numbers and their tables; ``seed`` is that of the episode's start.
 
     Raises:
@@ -64,11 +65,11 @@ def report(path: Path, seed: int) -> tuple[dict[str, object], str]:
     return {"network": network, "worlds": worlds}, f"{_network_table(network)}\n\n{_world_table(worlds)}"
 
 
-def of_network(path: Path, seed: int) -> dict[str, object]:
+def of_network(path: Path, seed: int) -> dict[str, Any]:
     """Errors of (1 - gamma) Q, a probability each; of every space the worst sensitivity."""
     loaded = load_checkpoint(path)
     rollout = roll_out(loaded.agent, loaded.environment, seed)
-    if rollout.spaces is None or len(rollout.gammas) < 3:
+    if rollout.spaces is None or rollout.gammas is None or len(rollout.gammas) < 3:
         raise InputError(f"{path.name}: to leave a discount out needs an agent with values at three or more.")
     gammas, values = rollout.gammas, rollout.spaces[:: max(1, len(rollout) // 200)].astype(float)
     found = {}
@@ -95,7 +96,7 @@ def _left_out(values: np.ndarray, gammas: np.ndarray, kind: Between) -> np.ndarr
     return np.concatenate(off, axis=-2)
 
 
-def of_world(name: str) -> list[dict[str, object]]:
+def of_world(name: str) -> list[dict[str, Any]]:
     """Error of the decoded timeline: total variation from the true one, as a share of it; noise: a mean of seeds."""
     settings = Settings(world=name, gammas=15, spacing="log", gamma_min=0.3678794412, gamma_max=0.99, thetas=13)
     found = study(load_world(name), settings)
@@ -103,7 +104,7 @@ def of_world(name: str) -> list[dict[str, object]]:
     more = with_between(noiseless.gammas, 1)
     for noise in NOISES:
         for alpha in ALPHAS:
-            errors = {"learned": [], "as many learned": [], **{kind: [] for kind in KINDS}}
+            errors: dict[str, list[float]] = {"learned": [], "as many learned": [], **{kind: [] for kind in KINDS}}
             for seed in range(SEEDS if noise else 1):
                 learned = with_noise(noiseless, noise, seed)
                 errors["learned"].append(_error(found, learned, alpha))
@@ -117,19 +118,19 @@ def of_world(name: str) -> list[dict[str, object]]:
     return rows
 
 
-def _exact(found: Study, gammas: np.ndarray) -> GammaSpace:
+def _exact(found: WorldStudy, gammas: np.ndarray) -> GammaSpace:
     policy = greedy_policy(found.world, found.settings.acting_gamma)
     basis = reward_indicator_basis(found.world, found.state, gammas, [policy] * gammas.size)
     return encode(basis, found.world.reward_values, gammas, found.gamma_space.thetas, found.settings.slope)
 
 
-def _error(found: Study, space: GammaSpace, alpha: float) -> float:
+def _error(found: WorldStudy, space: GammaSpace, alpha: float) -> float:
     true = found.truth.tau_space
     off = decode(space.differences, space.gammas, found.settings.steps, alpha, found.settings.time_step) - true
     return float(np.abs(off).sum() / (2.0 * true.sum()))
 
 
-def _network_table(network: dict[str, object]) -> str:
+def _network_table(network: dict[str, Any]) -> str:
     kinds = network["kinds"]
     lines = [
         f"{network['agent']}: each inner discount left out, {network['spaces']} spaces of a greedy episode from "
@@ -142,7 +143,7 @@ def _network_table(network: dict[str, object]) -> str:
     return "\n".join([*lines, "by discount, line: " + ", ".join(f"{gamma:.3g} {off:.4f}" for gamma, off in inner)])
 
 
-def _world_table(rows: list[dict[str, object]]) -> str:
+def _world_table(rows: list[dict[str, Any]]) -> str:
     names = ["learned", "as many learned", *KINDS]
     lines = [
         "worlds, 15 discounts and 14 more between: error of the decoded timeline, as a share of it",

@@ -34,14 +34,14 @@ import math
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from statistics import NormalDist
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 
 from laplace_core.errors import InputError
 from laplace_core.experiments.views import View
 from laplace_core.noise import normal_noise
-from laplace_core.settings import Settings
+from laplace_core.settings import ResolvedForWorld
 from laplace_core.worlds import END, PRESETS, World, load_world
 
 OFF = 0.1
@@ -53,6 +53,7 @@ ALPHAS = tuple(float(f"{a:.2g}") for a in np.geomspace(1e-9, 10.0, 60))
 PAPER = (0.01, 0.108, 0.206, 0.304, 0.402, 0.5, 0.55, 0.6, 0.65, 0.7, 0.75, 0.81, 0.87, 0.93, 0.99)
 EPSILON = 2.0**-52
 
+Choice = Literal["right", "off", "wrong"]
 Change = tuple[tuple[str, object], ...]
 """A change of settings as sorted pairs, so that it can be the key of a dictionary."""
 
@@ -70,7 +71,7 @@ class Judged:
 
     chosen: int
     best: int
-    choice: Literal["right", "off", "wrong"]
+    choice: Choice
     error: float
     value_error: float
     timeline_errors: tuple[float, ...]
@@ -98,7 +99,7 @@ def judge_view(view: View) -> Judged:
     return Judge(view).judged
 
 
-def repairs(view: View, changes: Mapping[str, object]) -> bool:
+def repairs(view: View, changes: Mapping[str, Any]) -> bool:
     """Whether a change of settings repairs what is wrong with a view, and on fresh noise too."""
     return Judge(view).repairs(changes)
 
@@ -120,27 +121,27 @@ class Judge:
 
     # --- what repairs ---
 
-    def repairs(self, changes: Mapping[str, object]) -> bool:
+    def repairs(self, changes: Mapping[str, Any]) -> bool:
         """Whether the change repairs, by the definition for what is wrong with the view."""
         return self.objection(changes) is None
 
-    def objection(self, changes: Mapping[str, object]) -> str | None:
+    def objection(self, changes: Mapping[str, Any]) -> str | None:
         """Why the change does not repair the view, in a few words; None where it does."""
         if not self.judged.needs_repair(self.action):
             return "nothing is to be repaired"
         return self._objection(changes, self._unmended)
 
-    def harm(self, changes: Mapping[str, object]) -> str | None:
+    def harm(self, changes: Mapping[str, Any]) -> str | None:
         """What a change spoils of a view in which nothing is to be repaired; None where it spoils nothing."""
         return self._objection(changes, self._unsound)
 
-    def share_held(self, changes: Mapping[str, object], seeds: int) -> float:
+    def share_held(self, changes: Mapping[str, Any], seeds: int) -> float:
         """Share of noise seeds, other than those that decide, on which the change repairs; to look into a case."""
         settings = self._changed(changes)
         others = [1_900_000_007 + 104_729 * n for n in range(seeds)]
         return sum(self._on_seed(settings, seed, self._unmended) is None for seed in others) / seeds
 
-    def _objection(self, changes: Mapping[str, object], fault: Fault) -> str | None:
+    def _objection(self, changes: Mapping[str, Any], fault: Fault) -> str | None:
         """The fault of the view under a change: on its own noise first, then on more than one of the fresh seeds."""
         settings = self._changed(changes)
         try:
@@ -158,7 +159,7 @@ class Judge:
                 return f"fails on {held.count(False)} of {len(held)} fresh seeds"
         return None
 
-    def _on_seed(self, settings: Settings, seed: int, fault: Fault) -> str | None:
+    def _on_seed(self, settings: ResolvedForWorld, seed: int, fault: Fault) -> str | None:
         """The fault of settings on another noise, beside the unchanged view on the same noise."""
         before = self._once(
             ("before", seed), lambda: self._judge(replace(self.view.settings, noise_seed=seed), self.horizon)
@@ -183,7 +184,7 @@ class Judge:
         error = found.timeline_errors[self.action]
         return self._off(found) or (f"the timeline error is {error:.6g}" if error > SOUND else None)
 
-    def _changed(self, changes: Mapping[str, object]) -> Settings:
+    def _changed(self, changes: Mapping[str, Any]) -> ResolvedForWorld:
         fields = {name: value for name, value in changes.items() if not name.startswith("param:")}
         params = dict(self.view.settings.params)
         for name, value in changes.items():
@@ -201,7 +202,7 @@ class Judge:
 
     # --- the numbers of a view ---
 
-    def _judge(self, s: Settings, horizon: float) -> Judged:
+    def _judge(self, s: ResolvedForWorld, horizon: float) -> Judged:
         _check(s)
         world = self._world(s)
         dense = self._dense(world)
@@ -212,13 +213,13 @@ class Judge:
         hard = _deadline(s, horizons[column], 0.0)
         true_rows = self._true_rows(world, state, s)
         decoded = self._decoded(world, state, s)
-        values, sizes, errors = [], [], []
+        each_value, sizes, errors = [], [], []
         for action in range(world.n_actions):
             rewards, by_reward = decoded[action]
-            values.append(float(weights @ rewards))
+            each_value.append(float(weights @ rewards))
             sizes.append(float(np.abs(weights * rewards).sum()))
             errors.append(self._timeline_error(world, s, by_reward, true_rows[action]))
-        values = np.array(values)
+        values = np.array(each_value)
         true_rewards = true_rows @ dense.rewards
         true, hard_true = true_rewards @ weights, true_rewards @ hard
         optimum = self._optimum(world, state, s.acting_gamma, max(1, round(float(horizons[column]))))
@@ -229,12 +230,12 @@ class Judge:
         off_by = float(np.abs(values - true).max())
         value_scale = max(float(np.abs(true).max()), 1e-2 * float(np.abs(dense.rewards).max()))
         value_error = off_by / value_scale if value_scale else (0.0 if off_by <= 1e-12 else math.inf)
-        choice = "wrong" if wrong else "off" if value_error > OFF else "right"
+        choice: Choice = "wrong" if wrong else "off" if value_error > OFF else "right"
         return Judged(
             chosen, best, choice, error, value_error, tuple(errors), tuple(grade(error) for error in errors)
         )  # fmt: skip
 
-    def _world(self, s: Settings) -> World:
+    def _world(self, s: ResolvedForWorld) -> World:
         """The view's world, or the preset under other parameters."""
         world = self.view.world
         if not world.source or dict(s.params) == dict(world.params):
@@ -244,7 +245,7 @@ class Judge:
     def _dense(self, world: World) -> _Dense:
         return self._once(("dense", id(world)), lambda: _Dense(world))
 
-    def _once(self, key: tuple[object, ...], compute):
+    def _once(self, key: tuple[object, ...], compute: Callable[[], Any]) -> Any:
         if key not in self._memory:
             self._memory[key] = compute()
         return self._memory[key]
@@ -264,7 +265,7 @@ class Judge:
 
         return self._once(("optimum", id(world), state, gamma, steps), compute)
 
-    def _true_rows(self, world: World, state: int, s: Settings) -> np.ndarray:
+    def _true_rows(self, world: World, state: int, s: ResolvedForWorld) -> np.ndarray:
         """P(r = v, alive) on every row, ``(A, K, V)``, after each action and then the acting policy."""
         dense = self._dense(world)
 
@@ -314,7 +315,7 @@ class Judge:
 
     # --- gamma-space and tau-space ---
 
-    def _basis(self, world: World, state: int, gammas: tuple[float, ...], s: Settings) -> np.ndarray:
+    def _basis(self, world: World, state: int, gammas: tuple[float, ...], s: ResolvedForWorld) -> np.ndarray:
         """Expected discounted count of each reward, ``(A, G, V)``."""
         dense = self._dense(world)
 
@@ -330,12 +331,12 @@ class Judge:
 
         return self._once(("basis", id(world), state, gammas, s.policy, s.acting_gamma), compute)
 
-    def gamma_space(self, s: Settings) -> tuple[np.ndarray, np.ndarray]:
+    def gamma_space(self, s: ResolvedForWorld) -> tuple[np.ndarray, np.ndarray]:
         """Q with its noise, ``(A, G, H)``, and the constant channel, ``(A, G)``."""
         world = self._world(s)
         return self._gamma_space(world, world.state_index(s.state), s)
 
-    def _gamma_space(self, world: World, state: int, s: Settings) -> tuple[np.ndarray, np.ndarray]:
+    def _gamma_space(self, world: World, state: int, s: ResolvedForWorld) -> tuple[np.ndarray, np.ndarray]:
         gammas, thetas = discounts(s), sensitivities(s)
         basis = self._basis(world, state, tuple(gammas), s)
         values = basis @ sigmoid(s.slope * np.subtract.outer(self._dense(world).rewards, thetas))
@@ -350,7 +351,7 @@ class Judge:
             constant = constant + deviation * drawn[values.size :].reshape(constant.shape)
         return values, constant
 
-    def decode_matrix(self, s: Settings) -> np.ndarray:
+    def decode_matrix(self, s: ResolvedForWorld) -> np.ndarray:
         """V diag(s / (s^2 + alpha^2)) U^T, ``(K, G)``, without the components that are rounding."""
         gammas = discounts(s)
 
@@ -365,7 +366,7 @@ class Judge:
         )
         return Vt.T @ np.diag(back) @ U.T
 
-    def rows(self, s: Settings) -> tuple[np.ndarray, np.ndarray]:
+    def rows(self, s: ResolvedForWorld) -> tuple[np.ndarray, np.ndarray]:
         """Tau-space as it is drawn, ``(A, K, H-1)``, and the decoded survival, ``(A, K)``."""
         values, constant = self.gamma_space(s)
         inverse = self.decode_matrix(s)
@@ -374,7 +375,7 @@ class Judge:
         ]
         return np.array(drawn), np.array([inverse @ c for c in constant])
 
-    def _decoded(self, world: World, state: int, s: Settings) -> list[tuple[np.ndarray, np.ndarray]]:
+    def _decoded(self, world: World, state: int, s: ResolvedForWorld) -> list[tuple[np.ndarray, np.ndarray]]:
         """Of each action the expected reward a row, ``(K,)``, and the rows gathered by reward, ``(K, V)``.
 
         Rows that are not clipped are gathered before they are decoded, which is the same and far less work.
@@ -401,7 +402,7 @@ class Judge:
         gathering[np.arange(midpoints.size), np.abs(midpoints[:, None] - rewards).argmin(axis=1)] = 1.0
         return gathering
 
-    def _timeline_error(self, world: World, s: Settings, by_reward: np.ndarray, true: np.ndarray) -> float:
+    def _timeline_error(self, world: World, s: ResolvedForWorld, by_reward: np.ndarray, true: np.ndarray) -> float:
         if s.normalise == "survival":
             alive = true.sum(axis=1, keepdims=True)
             true = np.where(alive > 0.05, true / np.where(alive > 0.05, alive, 1.0), 0.0)
@@ -454,7 +455,7 @@ def _idle_for_ever(states: int, table: list[tuple[int, int, float, int, float]])
 # --- grids, reading and rescaling ---
 
 
-def discounts(s: Settings) -> list[float]:
+def discounts(s: ResolvedForWorld) -> list[float]:
     """The discounts of resolved settings, in increasing order."""
     if s.spacing == "paper":
         return list(PAPER)
@@ -474,7 +475,7 @@ def discounts(s: Settings) -> list[float]:
     return grid
 
 
-def sensitivities(s: Settings) -> np.ndarray:
+def sensitivities(s: ResolvedForWorld) -> np.ndarray:
     """The thresholds of resolved settings, ``(H,)``, in increasing order."""
     n, low, high = s.thetas, s.theta_min, s.theta_max
     if not low < high:
@@ -500,11 +501,11 @@ def sigmoid(x: np.ndarray) -> np.ndarray:
     return np.where(x < 0.0, below / (1.0 + below), 1.0 / (1.0 + above))
 
 
-def _horizons(s: Settings) -> np.ndarray:
+def _horizons(s: ResolvedForWorld) -> np.ndarray:
     return np.array([row * s.time_step + (1.0 + s.time_step) / 2.0 for row in range(s.steps)])
 
 
-def _deadline(s: Settings, horizon: float, softness: float) -> np.ndarray:
+def _deadline(s: ResolvedForWorld, horizon: float, softness: float) -> np.ndarray:
     """Discount times deadline on every row, ``(K,)``; hard: the rows whose time lies before T - 1/2."""
     times = np.array([row * s.time_step for row in range(s.steps)])
     if softness == 0.0:
@@ -514,7 +515,7 @@ def _deadline(s: Settings, horizon: float, softness: float) -> np.ndarray:
     return counted * s.acting_gamma**times
 
 
-def _normalised(inverse: np.ndarray, differences: np.ndarray, survival: np.ndarray, s: Settings) -> np.ndarray:
+def _normalised(inverse: np.ndarray, differences: np.ndarray, survival: np.ndarray, s: ResolvedForWorld) -> np.ndarray:
     """Decoded rows of one action, rescaled as the settings say, ``(K, n)``; for ``paper`` n has to be H - 1."""
     rows = inverse @ differences
     if s.normalise == "none":
@@ -547,7 +548,7 @@ def _first_best(values: np.ndarray, scale: float) -> int:
     return int(np.flatnonzero(values >= values.max() - _tie(values.max(), scale))[0])
 
 
-def _check(s: Settings) -> None:
+def _check(s: ResolvedForWorld) -> None:
     """Refuses what no study holds.
 
     Raises:
@@ -560,7 +561,7 @@ def _check(s: Settings) -> None:
 # --- the single settings ---
 
 
-def single_settings(view: View) -> Iterator[dict[str, object]]:
+def single_settings(view: View) -> Iterator[dict[str, Any]]:
     """Every change of one setting that is tried, the cheap ones first; changes that change nothing are left out."""
     s, world = view.settings, view.world
     simple = (
@@ -585,7 +586,7 @@ def single_settings(view: View) -> Iterator[dict[str, object]]:
             yield {"steps": steps}
 
 
-def _reward_axis(s: Settings, rewards: np.ndarray) -> Iterator[dict[str, object]]:
+def _reward_axis(s: ResolvedForWorld, rewards: np.ndarray) -> Iterator[dict[str, Any]]:
     over = max(0.2 * float(rewards[-1] - rewards[0]), 8.0 / s.slope)
     low, high = min(s.theta_min, float(rewards[0]) - over), max(s.theta_max, float(rewards[-1]) + over)
     if low < s.theta_min or high > s.theta_max:
@@ -601,7 +602,7 @@ def _reward_axis(s: Settings, rewards: np.ndarray) -> Iterator[dict[str, object]
             yield {"slope": steep, "thetas": min(MOST_THETAS, max(s.thetas, thetas))}
 
 
-def _discount_axis(s: Settings) -> Iterator[dict[str, object]]:
+def _discount_axis(s: ResolvedForWorld) -> Iterator[dict[str, Any]]:
     for spacing in ("inverse-log", "log", "linear", "paper"):
         if spacing != s.spacing:
             yield {"spacing": spacing}

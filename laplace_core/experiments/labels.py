@@ -21,7 +21,7 @@ from laplace_core.gamma_space import encode
 from laplace_core.inverse import decode_matrix
 from laplace_core.learning import greedy_policy, target_policies
 from laplace_core.pipeline import decode_and_read, grids, study
-from laplace_core.settings import SLOPE_TIMES_SPACING, Settings
+from laplace_core.settings import SLOPE_TIMES_SPACING, ResolvedForWorld, Settings
 from laplace_core.worlds import END, Outcome, World
 
 SEEN = 0.02
@@ -69,7 +69,7 @@ class Effects:
     def rows(self, settings: Settings, world: World | None = None, policy: np.ndarray | None = None) -> np.ndarray:
         """The picture of the action as probability, ``(K, H-1)``."""
         found = study(self.world if world is None else world, settings, policy)
-        return found.decoded.tau_space[self.action] / settings.time_step
+        return found.decoded.tau_space[self.action] / found.settings.time_step
 
     def moved(self, rows: np.ndarray, others: np.ndarray) -> float:
         """Probability that lies with another reward, or row, in the worst row: half the absolute difference."""
@@ -180,7 +180,7 @@ class Effects:
                     rows.append(Outcome(at, action, row.probability, after, row.reward))
         ended = World.from_outcomes("ended", names, self.world.actions, rows)
         policy = np.array([self.policy[state] for _, state in states])
-        settings = replace(self.quiet, policy="shared", state=None)
+        settings = replace(self.quiet.chosen(), policy="shared", state=None)
         return self.moved(self.rows(settings, policy=self.policy), self.rows(settings, ended, policy))
 
     def ever_paid(self) -> np.ndarray:
@@ -272,7 +272,7 @@ class Effects:
         change = max(abs(b - a) for a, b in zip(hard, soft, strict=True))
         return change / max(1e-12, *map(abs, hard))
 
-    def chosen_everywhere(self, settings: Settings) -> np.ndarray:
+    def chosen_everywhere(self, settings: ResolvedForWorld) -> np.ndarray:
         """Action chosen in every state at the horizon of every row, ``(K, S)``, each state decoded by itself."""
         s, world, everywhere = settings, self.world, np.arange(self.world.n_states)
         (gammas, thetas), (moves, pays) = grids(s), self.processes

@@ -8,6 +8,7 @@ import sys
 from collections.abc import Sequence
 from difflib import get_close_matches
 from pathlib import Path
+from typing import Any
 
 from laplace_core.errors import InputError
 from laplace_core.experiments.paper import EXPERIMENTS
@@ -20,7 +21,7 @@ from laplace_core.words import checked_number
 RUNS, OUT = "runs/paper", "docs/paper"
 
 
-def add_reproduce(verbs: argparse._SubParsersAction) -> None:
+def add_reproduce(verbs: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     """Add ``reproduce`` to the verbs."""
     reproduce = verbs.add_parser(
         "reproduce",
@@ -86,7 +87,7 @@ def _named(name: str | None, some: bool) -> list[Experiment]:
 def _list(
     experiments: Sequence[Experiment], trainings: dict[str, list[Training]], out: Path, as_json: bool
 ) -> None:  # fmt: skip
-    listed = []
+    listed: list[dict[str, Any]] = []
     for experiment in experiments:
         file = result_file(out, experiment)
         rows = [

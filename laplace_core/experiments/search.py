@@ -17,6 +17,7 @@ from concurrent.futures import ProcessPoolExecutor
 from functools import partial
 from multiprocessing import get_context
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -35,7 +36,7 @@ START_SEEDS = 500_000
 RESULTS = "search.json"
 SCORE = "score.json"
 
-Trial = dict[str, object]
+Trial = dict[str, Any]
 """Settings that a trial changes against the file's, by name."""
 
 
@@ -74,7 +75,7 @@ def search(
     folder: Path,
     one_at_a_time: bool = False,
     jobs: int = 1,
-) -> Iterator[dict[str, object]]:
+) -> Iterator[dict[str, Any]]:
     """Train and score, trial by trial; ``search.json`` in the folder always holds what is known.
 
     Args:
@@ -84,7 +85,7 @@ def search(
         a trial's settings, scores of its seeds, their median, how far their values at the starts were above what came,
         and the seconds that their trainings took, one after the other.
     """
-    found: list[dict[str, object]] = []
+    found: list[dict[str, Any]] = []
     tried = trials(varied, one_at_a_time)
     planned = [settings_for(algorithm, environment, common, trial, seed) for trial in tried for seed in range(seeds)]
     with _started(planned, folder, jobs) as results:
@@ -104,7 +105,7 @@ def search(
 
 
 @contextlib.contextmanager
-def _started(planned: Sequence[LoopSettings], folder: Path, jobs: int) -> Iterator[list[Callable[[], tuple]]]:
+def _started(planned: Sequence[LoopSettings], folder: Path, jobs: int) -> Iterator[list[Callable[[], tuple[Any, ...]]]]:
     """For each training a call that answers with what :func:`_score` does, as soon as it is known."""
     if jobs == 1:
         yield [partial(_score, settings, folder) for settings in planned]

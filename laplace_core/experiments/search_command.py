@@ -10,7 +10,7 @@ from laplace_core.errors import InputError
 from laplace_core.words import checked_number, named_params
 
 
-def add_search(verbs: argparse._SubParsersAction) -> None:
+def add_search(verbs: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     """Add ``search`` to the verbs."""
     search = verbs.add_parser(
         "search",

@@ -5,17 +5,18 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping, Sequence
 from pathlib import Path
+from typing import Any
 
 from laplace_core.errors import InputError
 from laplace_core.training.tensor_file import parse_json
 
 MOST_BYTES = 10_000_000
 _LARGEST, _STEPS = 1e12, re.compile("[0-9]{1,10}")
-Found = Mapping[str, object]
+Found = Mapping[str, Any]
 """What ``search.json`` holds."""
 
 
-def table(rows: Sequence[Mapping[str, object]], one_at_a_time: bool) -> str:
+def table(rows: Sequence[Mapping[str, Any]], one_at_a_time: bool) -> str:
     """The best first, with the score of every seed; one at a time, against the unchanged settings.
 
     ``value off`` is the value at the starts less the discounted return that came, of the seed where it is farthest off.
@@ -82,7 +83,7 @@ def _is_search(found: object) -> bool:
     )
 
 
-def _is_row(row: Mapping[str, object], seeds: object) -> bool:
+def _is_row(row: Mapping[str, Any], seeds: object) -> bool:
     scores, errors, trial = row.get("scores"), row.get("value_errors"), row.get("trial")
     return (
         isinstance(trial, dict)

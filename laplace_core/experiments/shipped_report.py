@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 from collections.abc import Sequence
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -12,7 +13,7 @@ from laplace_core.errors import InputError
 from laplace_core.experiments.shipping import MOST_BYTES, curves_of, manifest
 
 
-def report(folder: Path) -> tuple[list[dict[str, object]], str]:
+def report(folder: Path) -> tuple[list[dict[str, Any]], str]:
     """Every agent of a folder's manifest, after its file was found to be the one entered there.
 
     The score is that of a seed's best checkpoint, by its evaluations while training. What it says nothing of stands
@@ -28,7 +29,7 @@ def report(folder: Path) -> tuple[list[dict[str, object]], str]:
     return rows, "\n\n".join(map(_text, rows))
 
 
-def _row(folder: Path, entry: dict[str, object]) -> dict[str, object]:
+def _row(folder: Path, entry: dict[str, Any]) -> dict[str, Any]:
     path = folder / Path(str(entry["file"])).name
     try:
         data = path.read_bytes() if path.stat().st_size <= MOST_BYTES else b""
@@ -57,7 +58,7 @@ def _row(folder: Path, entry: dict[str, object]) -> dict[str, object]:
         raise InputError(f"manifest.json tells too little of {path.name}: ship it again.") from None
 
 
-def _text(row: dict[str, object]) -> str:
+def _text(row: dict[str, Any]) -> str:
     median, lowest = np.median(row["scores"]), min(row["scores"])
     return "\n".join(
         [

@@ -11,6 +11,7 @@ import hashlib
 import json
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -37,7 +38,7 @@ class TrainingCurve:
     errors: tuple[float, ...]
 
 
-def ship(algorithm: str, environment: str, seeds: int, runs: Path, folder: Path) -> dict[str, object]:
+def ship(algorithm: str, environment: str, seeds: int, runs: Path, folder: Path) -> dict[str, Any]:
     """Evaluate every seed, copy the median one's best checkpoint to ``folder`` and enter it in the manifest there.
 
     Returns:
@@ -93,7 +94,7 @@ def write_curves(runs: Path, algorithm: str, environment: str, seeds: int, folde
     return {"file": name, "sha256": hashlib.sha256(data).hexdigest()}
 
 
-def curves_of(folder: Path, entry: dict[str, object]) -> tuple[TrainingCurve, ...]:
+def curves_of(folder: Path, entry: dict[str, Any]) -> tuple[TrainingCurve, ...]:
     """The training curves that an entry of a folder's manifest names; none if it names none.
 
     Raises:
@@ -127,7 +128,7 @@ def command(settings: LoopSettings) -> str:
     return f"python -m laplace_core train {settings.ALGORITHM} {settings.environment} --seed {settings.seed}"
 
 
-def manifest(folder: Path) -> list[dict[str, object]]:
+def manifest(folder: Path) -> list[dict[str, Any]]:
     """Entries of a folder's manifest; none if it has no manifest."""
     path = folder / MANIFEST
     if not path.exists():

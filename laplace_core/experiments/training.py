@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import time
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -18,7 +19,7 @@ from laplace_core.training.run_folder import read_config, read_metrics
 EPISODES = 100
 
 
-def report(algorithm: str, environment: str, seeds: int, aim: float, folder: Path) -> tuple[dict[str, object], str]:
+def report(algorithm: str, environment: str, seeds: int, aim: float, folder: Path) -> tuple[dict[str, Any], str]:
     """Train what is not trained yet, evaluate the best checkpoint of every seed, and tell.
 
     Runs are kept in ``folder``; one that is there already is used if it was made with the same settings, and gone on
@@ -55,7 +56,7 @@ def run_name(algorithm: str, environment: str, seed: int) -> str:
     return f"{algorithm}_{environment.replace(':', '-')}_{seed}"
 
 
-def _seed(algorithm: str, environment: str, seed: int, aim: float, folder: Path) -> dict[str, object]:
+def _seed(algorithm: str, environment: str, seed: int, aim: float, folder: Path) -> dict[str, Any]:
     settings = settings_of(algorithm, environment, {"seed": seed})
     run = folder / run_name(algorithm, environment, seed)
     finished = (run / "last.safetensors").exists()
@@ -101,7 +102,7 @@ def evaluated(agent: Agent, environment: str, episodes: int, seed: int) -> tuple
     return scores, float((taken - scores.discounted[:, 0]).mean())
 
 
-def seconds_behind(events: list[dict[str, object]]) -> list[float]:
+def seconds_behind(events: list[dict[str, Any]]) -> list[float]:
     """Seconds of training behind each event, over all times that the run was gone on with."""
     behind, last, found = 0.0, 0.0, []
     for event in events:

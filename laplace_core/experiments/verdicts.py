@@ -11,6 +11,7 @@ from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass, replace
 from functools import partial
 from itertools import chain
+from typing import Any
 
 import numpy as np
 
@@ -61,9 +62,9 @@ class Said:
     choice: str
     chosen: int
     timeline: str | None
-    cause: Mapping[str, object] | None
-    remedies: tuple[Mapping[str, object], ...]
-    listed: tuple[Mapping[str, object], ...]
+    cause: Mapping[str, Any] | None
+    remedies: tuple[Mapping[str, Any], ...]
+    listed: tuple[Mapping[str, Any], ...]
     exhausted: bool
     searched: bool
     sentence: str = ""
@@ -149,7 +150,7 @@ def _changes(judge: Judge, said: Said) -> Counted:
                 yield "needless remedy", None if fault is None else f"{_words(changes)}: {fault}"
 
 
-def _against(judge: Judge, changes: Mapping[str, object]) -> str | None:
+def _against(judge: Judge, changes: Mapping[str, Any]) -> str | None:
     fault = judge.objection(changes)
     if fault is None:
         return None
@@ -191,7 +192,7 @@ def _state(judge: Judge) -> str:
     return f"{judge.judged.choice}, {judge.judged.grades[judge.action]}"
 
 
-def _words(changes: Mapping[str, object]) -> str:
+def _words(changes: Mapping[str, Any]) -> str:
     shown = (f"{value:.6g}" if isinstance(value, float) else str(value) for value in changes.values())
     return " ".join(f"{name}={value}" for name, value in zip(changes, shown, strict=True))
 
@@ -199,7 +200,7 @@ def _words(changes: Mapping[str, object]) -> str:
 # --- the table ---
 
 
-def rows_of(examined: list[Examined]) -> list[dict[str, object]]:
+def rows_of(examined: list[Examined]) -> list[dict[str, Any]]:
     """One row a criterion: how often it held, of how many, the share with its interval, and what is demanded."""
     counts = Counter(pair for one in examined for pair in one.counts)
     rows = []
@@ -255,7 +256,7 @@ def shown(number: int, seed: int) -> str:
     return "\n".join([*lines, *(f"{name}: {detail}" for name, detail in examine(number, seed).disagreements)])
 
 
-def report(cases: int = 2_000, seed: int = HELD_OUT_SEED, jobs: int = 1) -> tuple[dict[str, object], str]:
+def report(cases: int = 2_000, seed: int = HELD_OUT_SEED, jobs: int = 1) -> tuple[dict[str, Any], str]:
     """Examine that many views: numbers for a file, and the table for reading.
 
     Raises:

@@ -10,12 +10,13 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 
 from laplace_core.learning import finite_horizon_optimum
 from laplace_core.parameters import Parameter
-from laplace_core.settings import Settings, resolve
+from laplace_core.settings import ResolvedForWorld, Settings, resolve
 from laplace_core.worlds import END, PRESETS, Outcome, World, load_world
 
 MOST_ROWS = 200
@@ -32,7 +33,7 @@ class View:
     """
 
     world: World
-    settings: Settings
+    settings: ResolvedForWorld
     row: int
     action: int | None = None
 
@@ -51,7 +52,7 @@ def draw_view(rng: np.random.Generator) -> View:
     return View(world, settings, row, action)
 
 
-def _closest_decision(world: World, settings: Settings, rows: int) -> int:
+def _closest_decision(world: World, settings: ResolvedForWorld, rows: int) -> int:
     """The row, of the first ``rows``, at which the best two actions differ by the least share, but do differ."""
     steps = np.maximum(1, np.rint(np.arange(rows) * settings.time_step + (1.0 + settings.time_step) / 2.0).astype(int))
     values = finite_horizon_optimum(world, steps[-1], settings.acting_gamma, world.state_index(settings.state))
@@ -63,7 +64,7 @@ def _closest_decision(world: World, settings: Settings, rows: int) -> int:
 # --- settings ---
 
 
-def _settings(rng: np.random.Generator, world: World, length: int) -> Settings:
+def _settings(rng: np.random.Generator, world: World, length: int) -> ResolvedForWorld:
     """Each setting is careless with the same chance, which is drawn first: some views have one fault, some many."""
     chance = float(rng.choice([0.0, 0.1, 0.25, 0.6], p=[0.45, 0.35, 0.15, 0.05]))
 
@@ -80,7 +81,7 @@ def _settings(rng: np.random.Generator, world: World, length: int) -> Settings:
         theta_spacing=str(rng.choice(["uniform", "gaussian", "asinh"], p=[0.8, 0.1, 0.1])),
         theta_min=theta_min,
         theta_max=theta_max,
-        alpha=_two_digits(_log_uniform(rng, *((1e-8, 5.0) if careless() else (1e-8, 1e-4)))),
+        alpha=(alpha := _two_digits(_log_uniform(rng, *((1e-8, 5.0) if careless() else (1e-8, 1e-4))))),
         steps=_steps(rng, length, time_step, careless()),
         time_step=time_step,
         normalise=str(rng.choice(["paper", "survival"])) if careless() else "none",
@@ -93,12 +94,12 @@ def _settings(rng: np.random.Generator, world: World, length: int) -> Settings:
     )
     if chosen.noise:  # an alpha near rounding is nobody's choice beside noise
         least = 10.0 * chosen.noise if rng.random() < 0.7 else 0.0
-        chosen = replace(chosen, alpha=_two_digits(max(chosen.alpha, least * _log_uniform(rng, 1.0, 30.0))))
+        chosen = replace(chosen, alpha=_two_digits(max(alpha, least * _log_uniform(rng, 1.0, 30.0))))
     resolved = resolve(chosen, world)
     return replace(resolved, slope=_two_digits(resolved.slope * _steepness(rng, careless())))
 
 
-def _discounts(rng: np.random.Generator, careless: bool) -> dict[str, object]:
+def _discounts(rng: np.random.Generator, careless: bool) -> dict[str, Any]:
     """A grid that reaches far and is well filled, or any."""
     if careless:
         return {
@@ -161,7 +162,7 @@ def _preset(rng: np.random.Generator) -> tuple[World, int]:
         name = str(rng.choice(list(PRESETS)))
     params = {parameter.name: _value(rng, name, parameter) for parameter in PRESETS[name].parameters}
     world = load_world(name, params)
-    length = {
+    length: dict[str, Callable[[], Any]] = {
         "fig6_chain": lambda: 4,
         "double_chain": lambda: max(params["early"], params["late"]) + 1,
         "discounting_chain": lambda: int(rng.choice([12, 35, 105])),
@@ -170,12 +171,13 @@ def _preset(rng: np.random.Generator) -> tuple[World, int]:
     return world, int(length.get(name, lambda: params["length"] + 1)())
 
 
-def _value(rng: np.random.Generator, preset: str, parameter: Parameter) -> object:
+def _value(rng: np.random.Generator, preset: str, parameter: Parameter) -> Any:
     """A parameter of a preset: its default, or a random value of a size that keeps the world small."""
+    usual: Any = parameter.default
     if parameter.type is bool:
         return bool(rng.random() < 0.25)
     if parameter.name in ("slip", "p_early"):
-        return float(rng.choice([parameter.default, 0.1, 0.3]))
+        return float(rng.choice([usual, 0.1, 0.3]))
     if parameter.name == "bonus_chain":
         return int(rng.integers(5))
     if parameter.type is int:
@@ -183,9 +185,9 @@ def _value(rng: np.random.Generator, preset: str, parameter: Parameter) -> objec
         if preset == "rise_and_fade":
             most = 20
         return int(rng.integers(max(1, int(parameter.low)), most + 1))
-    if rng.random() < 0.5 or not parameter.default:
-        return float(parameter.default)
-    return float(round(parameter.default * rng.uniform(0.4, 1.6), 2))
+    if rng.random() < 0.5 or not usual:
+        return float(usual)
+    return float(round(usual * rng.uniform(0.4, 1.6), 2))
 
 
 def _rewards(rng: np.random.Generator, most: int = 5) -> np.ndarray:

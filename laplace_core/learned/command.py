@@ -13,6 +13,7 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 from laplace_core.errors import InputError
 from laplace_core.learned.files import read_learned, save_learned
@@ -34,7 +35,7 @@ PEER_NAMES = ("peer_gamma", "atoms", "quantiles", "expectiles", "quantile_half")
 """Settings that only the peers have."""
 
 
-def add_learn(verbs) -> None:
+def add_learn(verbs: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     """The parser of the verb."""
     learn = verbs.add_parser(
         "learn",
@@ -70,7 +71,9 @@ def run_learn(options: argparse.Namespace) -> None:
     print(json.dumps(summary(learned)) if options.json else report(learned, learning.progress))
 
 
-def _learn(learning: Learning, out: str | None, reporters: Sequence[Callable], parent: int | None) -> Learned:
+def _learn(
+    learning: Learning, out: str | None, reporters: Sequence[Callable[[dict[str, object]], None]], parent: int | None
+) -> Learned:
     pause = 0.0  # the first report comes at once, so that a file that cannot be written is refused early
     reported = time.monotonic()
     for _ in learning:
@@ -79,19 +82,24 @@ def _learn(learning: Learning, out: str | None, reporters: Sequence[Callable], p
         if parent is not None and os.getppid() != parent:
             raise SystemExit(1)
         began = time.monotonic()
-        _report_and_save(learning, out, reporters)
+        _report_and_save(learning, None if out is None else learning.snapshot(), out, reporters)
         reported = time.monotonic()
         pause = max(REPORT_EVERY, 10.0 * (reported - began))  # never more than a tenth of the time for writing
-    return _report_and_save(learning, out, reporters)
+    learned = learning.snapshot()
+    _report_and_save(learning, learned, out, reporters)
+    return learned
 
 
-def _report_and_save(learning: Learning, out: str | None, reporters: Sequence[Callable]) -> Learned | None:
-    learned = learning.snapshot() if out is not None or learning.finished else None
-    if out is not None:
+def _report_and_save(
+    learning: Learning,
+    learned: Learned | None,
+    out: str | None,
+    reporters: Sequence[Callable[[dict[str, object]], None]],
+) -> None:
+    if learned is not None and out is not None:
         save_learned(learned, out)
     for reporter in reporters:  # after the file, so that whoever reads of an end finds it
         reporter(learning.progress)
-    return learned
 
 
 @contextmanager
@@ -115,9 +123,9 @@ def _ended_by_signal() -> Iterator[None]:
 
 
 @contextmanager
-def _reporters(options: argparse.Namespace) -> Iterator[list[Callable[[dict], None]]]:
+def _reporters(options: argparse.Namespace) -> Iterator[list[Callable[[dict[str, object]], None]]]:
     """Where lines of progress go: the file, the standard output as JSON, or one line in a terminal."""
-    reporters: list[Callable[[dict], None]] = []
+    reporters: list[Callable[[dict[str, object]], None]] = []
     if options.json:
         reporters.append(lambda progress: print(json.dumps(progress), flush=True))
     elif sys.stderr.isatty():
@@ -134,14 +142,14 @@ def _reporters(options: argparse.Namespace) -> Iterator[list[Callable[[dict], No
         raise InputError(f"{options.progress!r} cannot be the name of a file.") from None
     with file:
 
-        def append(progress: dict) -> None:
+        def append(progress: dict[str, Any]) -> None:
             file.write(json.dumps(progress) + "\n")
             file.flush()
 
         yield [*reporters, append]
 
 
-def _terminal_line(progress: dict) -> None:
+def _terminal_line(progress: dict[str, Any]) -> None:
     error = "" if progress["error"] is None else f", error {progress['error']:.2%} of the range"
     eta = "" if progress["eta"] is None else f", {progress['eta']:.0f} s to go"
     line = (

@@ -11,6 +11,7 @@ import struct
 from collections.abc import Mapping
 from dataclasses import asdict
 from pathlib import Path
+from typing import Any, NoReturn
 
 import numpy as np
 
@@ -20,7 +21,7 @@ from laplace_core.learned.model import CURVE_NAMES, Learned, PeerTables
 from laplace_core.learned.reading import bounds_of
 from laplace_core.learned.settings import (
     BY_NAME,
-    LearnSettings,
+    ResolvedLearning,
     parse_learn_settings,
     resolve_learning,
     table_shapes,
@@ -152,10 +153,10 @@ def _header(content: bytes, name: str) -> dict[str, object]:
 
 
 def _json(text: bytes | str, what: str) -> object:
-    def refuse(constant: str):
+    def refuse(constant: str) -> NoReturn:
         raise InputError(f"{what} contains {constant}; every number must be finite.")
 
-    def unique(pairs: list[tuple[str, object]]) -> dict:
+    def unique(pairs: list[tuple[str, object]]) -> dict[str, object]:
         found = dict(pairs)
         if len(found) < len(pairs):
             raise InputError(f"{what} has an entry that stands twice.")
@@ -197,7 +198,7 @@ def _world(entry: object) -> World:
     raise InputError("'world' must have 'source' and 'params', or the 'text' of a world file.")
 
 
-def _settings(entry: object, world: World) -> LearnSettings:
+def _settings(entry: object, world: World) -> ResolvedLearning:
     if not isinstance(entry, dict) or set(entry) != set(BY_NAME):
         raise InputError(f"'settings' must have exactly these entries: {', '.join(BY_NAME)}.")
     for name, value in entry.items():
@@ -206,12 +207,13 @@ def _settings(entry: object, world: World) -> LearnSettings:
         if not fits:
             raise InputError(f"the setting {name!r} must be of the type {kind.__name__}.")
     settings = parse_learn_settings(entry)
-    if resolve_learning(settings, world) != settings:
+    resolved = resolve_learning(settings, world)
+    if resolved.chosen() != settings:
         raise InputError("'settings' contradict each other: the discounts are not those of their spacing.")
-    return settings
+    return resolved
 
 
-def _curves(entry: object, settings: LearnSettings) -> tuple[Mapping[str, np.ndarray], ...]:
+def _curves(entry: object, settings: ResolvedLearning) -> tuple[Mapping[str, np.ndarray], ...]:
     if not isinstance(entry, list) or len(entry) != settings.seeds:
         raise InputError(f"'curves' must be a list of {settings.seeds}, one a seed.")
     curves = []
@@ -231,7 +233,7 @@ def _curves(entry: object, settings: LearnSettings) -> tuple[Mapping[str, np.nda
     return tuple(curves)
 
 
-def _tensors(content: bytes, header: dict, shapes: dict[str, tuple[int, ...]]) -> dict[str, np.ndarray]:
+def _tensors(content: bytes, header: dict[str, Any], shapes: dict[str, tuple[int, ...]]) -> dict[str, np.ndarray]:
     """The tensors named in ``shapes`` and no others, each of its type and shape, back to back in the file."""
     from safetensors import SafetensorError
     from safetensors.numpy import load
@@ -256,7 +258,7 @@ def _tensors(content: bytes, header: dict, shapes: dict[str, tuple[int, ...]]) -
 
 
 def _check_ranges(
-    tensors: Mapping[str, np.ndarray], world: World, settings: LearnSettings, low: float, high: float
+    tensors: Mapping[str, np.ndarray], world: World, settings: ResolvedLearning, low: float, high: float
 ) -> None:
     """Refuse what no learner can hold: every update is an average, and so stays within the bounds of what it learns."""
     for name, array in tensors.items():

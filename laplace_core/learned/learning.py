@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from functools import cached_property
 
 import numpy as np
 
+from laplace_core.gamma_space import encode
 from laplace_core.learned.model import CURVE_NAMES, Learned, PeerTables
 from laplace_core.learned.reading import bounds_of, study_settings
-from laplace_core.learned.settings import LearnSettings, resolve_learning
+from laplace_core.learned.settings import LearnSettings, ResolvedLearning, resolve_learning
 from laplace_core.learning import Categorical, Expectile, LaplaceTD, PlainQ, Progress, Quantile, Schedule, learn
-from laplace_core.pipeline import encode, study
+from laplace_core.pipeline import WorldStudy, study
 from laplace_core.worlds import World
 
 NOTES = 200
@@ -87,11 +88,11 @@ class Learning:
             acting_values=np.stack([learner.laplace.acting_values for learner in each]),
             curves=tuple(self._curve(learner) for learner in each),
             finished=self.finished,
-            peers=self._peers() if self.settings.peers else None,
+            peers=None if self._bounds is None else self._peers(*self._bounds),
         )
 
-    def _peers(self) -> PeerTables:
-        def stacked(read, dtype=np.float64):
+    def _peers(self, low: float, high: float) -> PeerTables:
+        def stacked(read: Callable[[_Learner], np.ndarray], dtype: type = np.float64) -> np.ndarray:
             return np.stack([read(learner) for learner in self._learners]).astype(dtype)
 
         return PeerTables(
@@ -100,8 +101,8 @@ class Learning:
             categorical=stacked(lambda learner: learner.categorical.probabilities, np.float32),
             quantile=stacked(lambda learner: learner.quantile.locations, np.float32),
             expectile=stacked(lambda learner: learner.expectile.expectiles, np.float32),
-            low=self._bounds[0],
-            high=self._bounds[1],
+            low=low,
+            high=high,
         )
 
     def _note(self, learner: _Learner, event: Progress) -> None:
@@ -128,7 +129,7 @@ class Learning:
         return float(np.abs(values - space.values).max() / self._range)
 
     @cached_property
-    def _exact(self):
+    def _exact(self) -> WorldStudy:
         return study(self.world, study_settings(self.settings))
 
     @cached_property
@@ -139,27 +140,28 @@ class Learning:
 class _Learner:
     """One seed: the Laplace code, its peers if wanted, the stream of its events and its curve."""
 
-    def __init__(self, world: World, s: LearnSettings, seed: int, every: int, bounds: tuple[float, float] | None):
+    def __init__(self, world: World, s: ResolvedLearning, seed: int, every: int, bounds: tuple[float, float] | None):
         discounts = s.discounts
         self.grid = discounts.size
-        if s.peers:  # one more discount: what this code says of the return that the peers represent
+        if bounds is not None:  # one more discount: what this code says of the return that the peers represent
             discounts = np.append(discounts, s.peer_gamma)
         self.laplace = LaplaceTD(world, discounts, None, s.policy, s.acting_gamma, s.rate)
-        learners = [self.laplace]
-        if s.peers:
+        learners: list[LaplaceTD | PlainQ | Categorical | Quantile | Expectile] = [self.laplace]
+        if bounds is not None:
             low, high = bounds
             self.plain = PlainQ(world, s.peer_gamma, rate=s.rate)
             self.categorical = Categorical(world, s.peer_gamma, np.linspace(low, high, s.atoms), rate=s.rate)
             self.quantile = Quantile(world, s.peer_gamma, s.quantiles, high - low, rate=s.quantile_rate, takes_over=0.5)
             self.expectile = Expectile(world, s.peer_gamma, low, high, s.expectiles, rate=s.rate)
             for peer in (self.plain, self.categorical, self.quantile, self.expectile):
-                peer.act = self.laplace.act  # all evaluate the one policy that acts
+                peer.act = self.laplace.act  # type: ignore[method-assign]  # all evaluate the one policy that acts
                 learners.append(peer)
         schedule = Schedule(s.episodes, seed, s.epsilon, s.max_steps, s.starts, every)
         self.events = learn(world, learners, schedule)
         self.points: list[tuple[float, ...]] = []  # one row of CURVE_NAMES a note
         self.episode = self.steps = self.noted = 0
-        self._epsilon, self._change, self._returns = 1.0, 0.0, []
+        self._epsilon, self._change = 1.0, 0.0
+        self._returns: list[float] = []
 
     def take(self, event: Progress) -> None:
         self.episode, self.steps, self._epsilon = event.episode, event.steps, event.epsilon

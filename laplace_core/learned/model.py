@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from laplace_core.errors import InputError
-from laplace_core.learned.settings import LearnSettings
+from laplace_core.learned.settings import ResolvedLearning
 from laplace_core.ties import greedy_action
 from laplace_core.worlds import World
 
@@ -58,7 +58,7 @@ class Learned:
     """
 
     world: World
-    settings: LearnSettings
+    settings: ResolvedLearning
     basis: np.ndarray
     acting_values: np.ndarray
     curves: tuple[Mapping[str, np.ndarray], ...]

@@ -10,9 +10,10 @@ import numpy as np
 from laplace_core.errors import InputError
 from laplace_core.learned.model import Learned
 from laplace_core.learned.returns import independent_steps_return, return_bounds, wasserstein
-from laplace_core.learned.settings import DECIDED_NAMES, LearnSettings
+from laplace_core.learned.settings import DECIDED_NAMES, ResolvedLearning
 from laplace_core.learning import impute, return_distribution
-from laplace_core.pipeline import Study, policies_of, study
+from laplace_core.learning.peers import ReturnDistribution
+from laplace_core.pipeline import WorldStudy, policies_of, study
 from laplace_core.settings import Settings
 from laplace_core.worlds import World
 
@@ -22,13 +23,13 @@ CODES = ("laplace", "independent_steps", "categorical", "quantile", "expectile",
 Laplace code's tau-space would say IF STEPS WERE INDEPENDENT, and has to be labelled so."""
 
 
-def study_settings(learning: LearnSettings, settings: Settings | None = None) -> Settings:
+def study_settings(learning: ResolvedLearning, settings: Settings | None = None) -> Settings:
     """Settings of a study with the discounts, target policy and acting gamma of the learner, whatever they said."""
     decided = {name: getattr(learning, name) for name in DECIDED_NAMES}
     return replace(settings or Settings(), **decided)
 
 
-def study_of(learned: Learned, settings: Settings | None = None, seed_index: int = 0) -> Study:
+def study_of(learned: Learned, settings: Settings | None = None, seed_index: int = 0) -> WorldStudy:
     """One state through the table of one learner, the exact truth beside it.
 
     Args:
@@ -74,7 +75,7 @@ class Bands:
     expected_reward: Band
     horizon_values: Band
     action_share: np.ndarray
-    studies: tuple[Study, ...]
+    studies: tuple[WorldStudy, ...]
 
 
 def bands(learned: Learned, settings: Settings | None = None) -> Bands:
@@ -82,8 +83,15 @@ def bands(learned: Learned, settings: Settings | None = None) -> Bands:
     studies = tuple(study_of(learned, settings, i) for i in range(len(learned.basis)))
     actions = np.stack([found.decoded.actions for found in studies])
     share = np.stack([(actions == a).mean(axis=0) for a in range(learned.world.n_actions)])
-    names = ("tau_space", "survival", "expected_reward", "horizon_values")
-    return Bands(*(_band([getattr(found.decoded, name) for found in studies]) for name in names), share, studies)
+    decoded = [found.decoded for found in studies]
+    return Bands(
+        _band([each.tau_space for each in decoded]),
+        _band([each.survival for each in decoded]),
+        _band([each.expected_reward for each in decoded]),
+        _band([each.horizon_values for each in decoded]),
+        share,
+        studies,
+    )
 
 
 def _band(arrays: list[np.ndarray]) -> Band:
@@ -148,11 +156,11 @@ def _point(value: float) -> tuple[np.ndarray, np.ndarray]:
 
 
 @lru_cache(maxsize=16)
-def _true_return(world: World, state: int, action: int, acting_gamma: float, gamma: float):
+def _true_return(world: World, state: int, action: int, acting_gamma: float, gamma: float) -> ReturnDistribution:
     return return_distribution(world, state, action, _best_policy(world, acting_gamma), gamma)
 
 
-def bounds_of(world: World, learning: LearnSettings) -> tuple[float, float]:
+def bounds_of(world: World, learning: ResolvedLearning) -> tuple[float, float]:
     """What the peers' atoms span: bounds of the return under the policy that is best at the acting gamma."""
     return return_bounds(world, _best_policy(world, learning.acting_gamma), learning.peer_gamma)
 

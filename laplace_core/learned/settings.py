@@ -7,7 +7,8 @@ The command line, the app and the saved files read and write these settings thro
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, fields, replace
+from dataclasses import asdict, dataclass, fields
+from typing import Any
 
 import numpy as np
 
@@ -56,11 +57,54 @@ class LearnSettings:
     expectiles: int | None = None
     quantile_half: float | None = None
 
-    def __post_init__(self):
+    def __post_init__(self) -> None:
         for parameter in LEARN_SCHEMA:
             value = getattr(self, parameter.name)
             if value is not None:
                 object.__setattr__(self, parameter.name, parameter.parse(value))
+
+
+@dataclass(frozen=True, kw_only=True)
+class ResolvedLearning(LearnSettings):
+    """Settings of one run of learning that leave nothing open; :func:`dataclasses.replace` keeps the type.
+
+    Raises:
+        InputError: None for a setting.
+    """
+
+    episodes: int
+    seeds: int
+    seed: int
+    policy: str
+    rate_first: float
+    rate_half: float
+    rate_floor: float
+    epsilon_first: float
+    epsilon_half: float
+    epsilon_floor: float
+    max_steps: int
+    starts: str
+    gammas: int
+    spacing: str
+    gamma_min: float
+    gamma_max: float
+    acting_gamma: float
+    peers: bool
+    peer_gamma: float
+    atoms: int
+    quantiles: int
+    expectiles: int
+    quantile_half: float
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        for parameter in LEARN_SCHEMA:
+            if getattr(self, parameter.name) is None:
+                raise InputError(f"{parameter.name} is not decided: resolve the settings first.")
+
+    def chosen(self) -> LearnSettings:
+        """The same values as if each had been chosen."""
+        return LearnSettings(**asdict(self))
 
     @property
     def rate(self) -> Decay:
@@ -76,7 +120,7 @@ class LearnSettings:
 
     @property
     def discounts(self) -> np.ndarray:
-        """The discount grid of resolved settings, ``(G,)``."""
+        """The discount grid, ``(G,)``."""
         return discount_grid(self.gammas, self.spacing, self.gamma_min, self.gamma_max)
 
 
@@ -126,7 +170,7 @@ _MEASURED: dict[str, tuple[int, str]] = {
 }
 
 
-def parse_learn_settings(given: Mapping[str, object]) -> LearnSettings:
+def parse_learn_settings(given: Mapping[str, Any]) -> LearnSettings:
     """Settings from text values by name.
 
     Raises:
@@ -138,7 +182,7 @@ def parse_learn_settings(given: Mapping[str, object]) -> LearnSettings:
     return LearnSettings(**given)
 
 
-def resolve_learning(settings: LearnSettings, world: World) -> LearnSettings:
+def resolve_learning(settings: LearnSettings, world: World) -> ResolvedLearning:
     """Fill every None with what suits the world; resolving again changes nothing.
 
     Raises:
@@ -147,7 +191,7 @@ def resolve_learning(settings: LearnSettings, world: World) -> LearnSettings:
     chosen = {f.name: getattr(settings, f.name) for f in fields(settings)}
     chosen = {name: value for name, value in chosen.items() if value is not None}
     grid = resolve(Settings(**{name: chosen[name] for name in GRID_NAMES if name in chosen}), world)
-    values = {parameter.name: parameter.default for parameter in LEARN_SCHEMA}
+    values: dict[str, Any] = {parameter.name: parameter.default for parameter in LEARN_SCHEMA}
     values |= {name: getattr(grid, name) for name in GRID_NAMES} | _suggested(world) | chosen
     if values["spacing"] == "paper":  # these fifteen and no others
         values |= {name: getattr(grid, name) for name in ("gammas", "gamma_min", "gamma_max")}
@@ -155,7 +199,7 @@ def resolve_learning(settings: LearnSettings, world: World) -> LearnSettings:
         values["peer_gamma"] = values["acting_gamma"]
     if values["epsilon_half"] is None:
         values["epsilon_half"] = max(1.0, values["episodes"] / 10.0)
-    resolved = replace(settings, **values)
+    resolved = ResolvedLearning(**values)
     for name in ("rate", "epsilon"):
         if values[f"{name}_floor"] > values[f"{name}_first"]:
             raise InputError(f"{name}_floor must not be above {name}_first, {values[f'{name}_first']:g}.")
@@ -171,7 +215,7 @@ def resolve_learning(settings: LearnSettings, world: World) -> LearnSettings:
     return resolved
 
 
-def table_shapes(settings: LearnSettings, world: World) -> dict[str, tuple[int, ...]]:
+def table_shapes(settings: ResolvedLearning, world: World) -> dict[str, tuple[int, ...]]:
     """The tables of all learners, by name; N seeds first."""
     pairs = (settings.seeds, world.n_states, world.n_actions)
     shapes = {"basis": (*pairs, len(settings.discounts), world.reward_values.size), "acting_values": pairs}

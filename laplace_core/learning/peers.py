@@ -83,7 +83,9 @@ class Categorical(_Peer):
         atoms: increasing, ``(N,)``; a target beyond them is moved to the outermost.
     """
 
-    def __init__(self, world: World, gamma: float, atoms: np.ndarray, policy=None, rate: Decay = _RATE):
+    def __init__(
+        self, world: World, gamma: float, atoms: np.ndarray, policy: np.ndarray | None = None, rate: Decay = _RATE
+    ):
         super().__init__(world, gamma, policy, rate)
         self.atoms = np.asarray(atoms, dtype=float)
         if self.atoms.ndim != 1 or self.atoms.size < 2 or not np.all(np.diff(self.atoms) > 0):
@@ -117,8 +119,8 @@ class Quantile(_Peer):
     """
 
     def __init__(
-        self, world: World, gamma: float, count: int = 51, scale: float = 1.0, policy=None, rate: Decay = _RATE,
-        takes_over: float = np.inf,
+        self, world: World, gamma: float, count: int = 51, scale: float = 1.0, policy: np.ndarray | None = None,
+        rate: Decay = _RATE, takes_over: float = np.inf,
     ):  # fmt: skip
         super().__init__(world, gamma, policy, rate)
         self.takes_over = takes_over
@@ -166,7 +168,14 @@ class Expectile(_Peer):
     """
 
     def __init__(
-        self, world: World, gamma: float, low: float, high: float, count: int = 11, policy=None, rate: Decay = _RATE
+        self,
+        world: World,
+        gamma: float,
+        low: float,
+        high: float,
+        count: int = 11,
+        policy: np.ndarray | None = None,
+        rate: Decay = _RATE,
     ):
         super().__init__(world, gamma, policy, rate)
         if count < 1 or count % 2 == 0 or not low < high:
@@ -278,7 +287,9 @@ def _expand(bounds: np.ndarray, rows: np.ndarray) -> tuple[np.ndarray, np.ndarra
     return source, bounds[rows][source] + within
 
 
-def _merge(groups: np.ndarray, values: np.ndarray, masses: np.ndarray, cell: float, most: int):
+def _merge(
+    groups: np.ndarray, values: np.ndarray, masses: np.ndarray, cell: float, most: int
+) -> tuple[np.ndarray, np.ndarray, np.ndarray, float, float]:
     """Replace the values of a group that share a cell by their mean; widen the cell until ``most`` are left.
 
     Returns the groups, values, masses, the mass moved times its distance squared, and the cell.

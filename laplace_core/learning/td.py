@@ -17,7 +17,7 @@ from __future__ import annotations
 from bisect import bisect_right
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -56,7 +56,7 @@ class Decay:
     half: float = 10.0
     floor: float = 0.0
 
-    def __post_init__(self):
+    def __post_init__(self) -> None:
         if not (0.0 <= self.floor <= self.first <= 1.0 and self.half > 0.0):
             raise InputError(f"a decay needs 0 <= floor <= first <= 1 and half > 0, not {self}.")
 
@@ -82,7 +82,7 @@ class Schedule:
     starts: str = "world"
     every: int = 1
 
-    def __post_init__(self):
+    def __post_init__(self) -> None:
         if min(self.episodes, self.max_steps, self.every) < 1 or self.seed < 0:
             raise InputError("episodes, max_steps and every must be at least 1, and the seed not negative.")
         if self.starts not in ("world", "everywhere"):
@@ -214,16 +214,17 @@ class LaplaceTD:
         shape = (world.n_states, world.n_actions, gammas.size, channels.shape[1] + 1)
         if np.prod(shape, dtype=float) > MAX_TABLE:
             raise InputError(f"a table of {shape} exceeds {MAX_TABLE:,} numbers: fewer discounts or channels fit.")
-        self.policy = policy if isinstance(policy, str) else check_policy(world, policy)
-        self._mode = policy if isinstance(policy, str) else ("given" if self.policy.ndim == 1 else "mixed")
-        self._cumulated = _cumulated(self.policy) if self._mode == "mixed" else None
+        given: np.ndarray = np.zeros(0) if isinstance(policy, str) else check_policy(world, policy)
+        self.policy = policy if isinstance(policy, str) else given
+        self._mode = policy if isinstance(policy, str) else ("given" if given.ndim == 1 else "mixed")
+        self._mixed, self._cumulated = given, _cumulated(given) if self._mode == "mixed" else given
         self.rate, self._visits = rate, [[0] * world.n_actions for _ in world.states]
         self._table = np.zeros(shape)
         self._now = np.column_stack([channels, rewards])
         self._gammas, self._rows, self._work = gammas[:, None], np.arange(gammas.size), np.empty(shape[2:])
         self._greedy = np.zeros((world.n_states, gammas.size), dtype=np.int64)  # a* at each discount
         if self._mode == "given":
-            self._greedy += self.policy[:, None]
+            self._greedy += given[:, None]
 
     @property
     def table(self) -> np.ndarray:
@@ -262,7 +263,7 @@ class LaplaceTD:
         """Values of a state under the target policy, ``(G, C)``."""
         values = self._table[state]
         if self._mode == "mixed":
-            return np.tensordot(self.policy[state], values, axes=1)
+            return np.tensordot(self._mixed[state], values, axes=1)
         if self._mode == "per_gamma":
             return values[self._greedy[state], self._rows]
         return values[self._greedy[state, -1]]
@@ -276,7 +277,7 @@ def first_best(values: Sequence[float]) -> int:
     return next(a for a, value in enumerate(values) if value >= enough)
 
 
-def learn(world: World, learners: Sequence, schedule: Schedule) -> Iterator[Progress]:
+def learn(world: World, learners: Sequence[Any], schedule: Schedule) -> Iterator[Progress]:
     """Feed the same sampled transitions to all learners (``values``, ``act``, ``update``); the first one acts.
 
     A generator: between two events learning stands still, may be read, and may be left for good.

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import torch
@@ -20,7 +21,7 @@ from laplace_core.training.tensor_file import read_tensors, write_tensors
 MAX_BYTES = 64_000_000
 LARGEST_WEIGHT = 1e6
 
-_FIELDS = {
+_FIELDS: dict[str, type | tuple[type, ...]] = {
     "algorithm": str, "environment": str, "settings": dict, "seed": int, "step": int, "score": (float, int, type(None)),
     "episodes": int, "version": str,
 }  # fmt: skip
@@ -104,7 +105,7 @@ def load_checkpoint(path: str | Path) -> Loaded:
     return Loaded(**(about | {"settings": settings}), agent=agent)
 
 
-def _settings(kind: type[LoopSettings], given: dict[str, object], name: str) -> LoopSettings:
+def _settings(kind: type[LoopSettings], given: dict[str, Any], name: str) -> LoopSettings:
     types = {parameter.name: parameter.type for parameter in kind.SCHEMA}
     for key, value in given.items():
         wanted = types.get(key)

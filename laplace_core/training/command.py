@@ -10,7 +10,7 @@ import sys
 import threading
 import time
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -42,7 +42,7 @@ REPORT_EVERY = 0.5
 _RECENT = 50  # episodes in the mean return of the progress line
 
 
-def add_train(verbs) -> None:
+def add_train(verbs: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     """The parser of the verb ``train``."""
     train = verbs.add_parser(
         "train",
@@ -79,7 +79,8 @@ def run_train(options: argparse.Namespace) -> None:
     progress = _Json() if options.json else _Line(folder, settings.steps)
     file, step = ProgressFile(folder, settings.steps), 0
     with Stop() as stop:
-        for event in train(None if options.resume else settings, folder, bool(options.resume), lambda: stop.asked):
+        new = None if options.resume else settings
+        for event in train(new, folder, bool(options.resume), lambda: bool(stop.asked)):
             progress.show(event)
             step = event.step
             file.at(step)
@@ -99,21 +100,21 @@ class Stop:
         asked: the number of the signal; 0 before there was one.
     """
 
-    def __init__(self):
+    def __init__(self) -> None:
         self.asked = 0
-        self._before: dict[int, object] = {}
+        self._before: dict[int, Any] = {}
 
     def __enter__(self) -> Stop:
         if threading.current_thread() is threading.main_thread():  # no other may listen
             self._before = {number: signal.signal(number, self._ask) for number in (signal.SIGTERM, signal.SIGINT)}
         return self
 
-    def __exit__(self, *_) -> None:
+    def __exit__(self, *_: object) -> None:
         for number, handler in self._before.items():
             signal.signal(number, handler)
         self._before = {}
 
-    def _ask(self, number: int, _) -> None:
+    def _ask(self, number: int, _: object) -> None:
         self.asked = number
         self.__exit__()
 
@@ -134,7 +135,7 @@ def command_of(settings: LoopSettings, folder: str) -> list[str]:
     return [*words, "--run", folder]
 
 
-def settings_of(algorithm: str | None, environment: str | None, given: dict[str, object]):
+def settings_of(algorithm: str | None, environment: str | None, given: dict[str, Any]) -> LoopSettings:
     """Settings for an algorithm and environment: its file's, with those given in their place.
 
     Raises:
@@ -182,18 +183,20 @@ def unheard(settings: LoopSettings) -> dict[str, str]:
     return found
 
 
-def _of_world(kind: type[LoopSettings], environment: str) -> dict[str, object]:
+def _of_world(kind: type[LoopSettings], environment: str) -> dict[str, Any]:
     """For a tabular world without a file of its own: what reaches beyond its rewards, or beyond its best returns."""
     if environment in GYMNASIUM_ENVIRONMENTS:
         return {}
-    names, found = {parameter.name for parameter in kind.SCHEMA}, {"epsilon_final": 0.2}
+    names = {parameter.name for parameter in kind.SCHEMA}
+    found: dict[str, Any] = {"epsilon_final": 0.2}
     world = load_world(environment)
     if "thetas" in names:
         suited = resolve(Settings(world=environment), world)
         low, high = min(suited.theta_min, -0.5), max(suited.theta_max, 0.5)
         found |= {"theta_min": low, "theta_max": high, "thetas": 41, "consistency": 0.0}
     if "v_min" in names:
-        gamma = kind().gamma
+        usual: Any = kind()  # of a peer: one with a discount of its own
+        gamma = usual.gamma
         (policy,) = policies_of(world, np.array([gamma]), "shared", gamma)
         found["v_min"], found["v_max"] = return_bounds(world, policy, gamma)
     return found
@@ -202,7 +205,7 @@ def _of_world(kind: type[LoopSettings], environment: str) -> dict[str, object]:
 class _Json:
     """One JSON line an event that says something."""
 
-    def show(self, event) -> None:
+    def show(self, event: Any) -> None:
         if not isinstance(event, Step):
             print(json.dumps({"event": type(event).__name__.lower(), **vars(event)}), flush=True)
 
@@ -217,9 +220,11 @@ class _Line:
         self.folder, self.total = folder, total
         self.started = self.shown = time.monotonic()
         self.first: int | None = None
-        self.step, self.score, self.returns = 0, None, []
+        self.step = 0
+        self.score: float | None = None
+        self.returns: list[float] = []
 
-    def show(self, event) -> None:
+    def show(self, event: Any) -> None:
         self.step = event.step
         self.first = event.step if self.first is None else self.first
         if isinstance(event, Episode):
@@ -279,7 +284,7 @@ def return_notes(agent: Agent, scores: Scores) -> list[str]:
     ]
 
 
-def add_evaluate(verbs) -> None:
+def add_evaluate(verbs: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     """The parser of the verb ``evaluate``."""
     evaluate = verbs.add_parser(
         "evaluate",
@@ -311,7 +316,7 @@ def run_evaluate(options: argparse.Namespace) -> None:
     """Evaluate one checkpoint."""
     episodes = checked_number("episodes", options.episodes, int, 1, 100_000)
     seed = checked_number("seed", options.seed, int, 0, 10**6)
-    told_rule = {
+    told_rule: dict[str, Any] = {
         name: checked_number(name, getattr(options, name), float, low, high)
         for name, low, high in (("softness", 0.0, 10.0), ("alpha", 1e-9, 1e6), ("stretch", 1e-2, 100.0))
         if getattr(options, name) is not None

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -129,7 +130,15 @@ def _choice(judge: Judge | None, actions: int, dice: np.random.Generator) -> Cho
     return lambda seen, time: greedy_action(judge(seen, time))
 
 
-def _play(envs: list, start: np.ndarray, first: int, steps: int, past: int, choose: Choose, told) -> Continuations:
+def _play(
+    envs: list[Any],
+    start: np.ndarray,
+    first: int,
+    steps: int,
+    past: int,
+    choose: Choose,
+    told: Callable[[int, int], None],
+) -> Continuations:
     count = len(envs)
     rewards, alive = np.zeros((count, steps)), np.zeros((count, steps), dtype=bool)
     observations, going = np.tile(start, (count, 1)), np.arange(count)
@@ -183,7 +192,7 @@ def outcomes_of_states(
         if rule not in _TIMELESS:
             length = length_of(agent, environment, like.horizon)
             steps = min(steps, (length + 1) // 2)
-    parts: list[tuple] = []
+    parts: list[tuple[Any, ...]] = []
     for i in range(episodes):
         found = roll_out(agent, environment, seed + i, rule, length, gamma, limited=False, spaces=False)
         whole = len(found) if found.terminated else len(found) - steps

@@ -24,6 +24,7 @@ _MARK = 64  # bytes before the place read to, by which a file that was cut back 
 _BY_DISCOUNT = ("values", "discounted", "discounted_errors")
 _SMOOTHING = 0.02  # of all episodes, on either side
 _LEAST_SMOOTHING = 5
+_Numbers = tuple[float, ...]
 
 
 @dataclass(frozen=True, eq=False)
@@ -64,7 +65,9 @@ class Reader:
         self._offset, self._mark, self._skipping = 0, b"", False
         self._bins: list[tuple[float, float, int]] = []  # last step, sum of returns, episodes
         self._per_bin = 1
-        self._evaluations: list[tuple[int, float, float, tuple, tuple, tuple]] = []
+        self._evaluations: list[
+            tuple[float, float, float, tuple[float, ...], tuple[float, ...], tuple[float, ...]]
+        ] = []
         self._curves: Curves | None = None
         self.behind = False
 
@@ -116,9 +119,11 @@ class Reader:
             if kind == "Episode":
                 self._add_episode(step, _number(about["episode_return"]))
             elif kind == "Evaluation":
-                lists = tuple(tuple(map(_number, about.get(name) or ())) for name in _BY_DISCOUNT)
-                lists = lists if len(set(map(len, lists))) == 1 and len(lists[0]) <= 1000 else ((), (), ())
-                self._evaluations.append((step, _number(about["score"]), _number(about["standard_error"]), *lists))
+                one, other, third = (tuple(map(_number, about.get(name) or ())) for name in _BY_DISCOUNT)
+                if not len(one) == len(other) == len(third) <= 1000:
+                    one = other = third = ()
+                score, error = _number(about["score"]), _number(about["standard_error"])
+                self._evaluations.append((step, score, error, one, other, third))
                 if len(self._evaluations) > MOST_EVALUATIONS:
                     best = max(self._evaluations, key=lambda one: one[1])
                     last = len(self._evaluations) - 1
@@ -144,11 +149,16 @@ class Reader:
         smooth, around = _sum_around(sums, width), _sum_around(counts, width)
         told = self._evaluations
         heads = len(told[-1][3]) if told else 0
-        lists = [[e[k] if len(e[k]) == heads else (math.nan,) * heads for e in told] for k in (3, 4, 5)]
+        missing = (math.nan,) * heads
+        lists = (
+            [each if len(each) == heads else missing for each in some]
+            for some in ([e[3] for e in told], [e[4] for e in told], [e[5] for e in told])
+        )
+        by_discount = [np.array(part, dtype=float).reshape(len(told), heads) for part in lists]
         scores = np.array([e[1] for e in told])
         return Curves(
             steps, sums / np.maximum(counts, 1), smooth / np.maximum(around, 1), np.array([e[0] for e in told]), scores,
-            np.array([e[2] for e in told]), *(np.array(part, dtype=float).reshape(len(told), heads) for part in lists),
+            np.array([e[2] for e in told]), by_discount[0], by_discount[1], by_discount[2],
             int(counts.sum()), len(scores) - 1 - int(scores[::-1].argmax()) if told else None,
         )  # fmt: skip
 

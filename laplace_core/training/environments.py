@@ -7,11 +7,11 @@ transition: :class:`Environments` marks it, and hands out the true final observa
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import gymnasium
 import numpy as np
-from gymnasium.spaces import Box
+from gymnasium.spaces import Box, Discrete
 from gymnasium.vector import AutoresetMode, SyncVectorEnv
 from gymnasium.wrappers import TimeLimit
 
@@ -33,10 +33,12 @@ class OneHot(gymnasium.ObservationWrapper):
 
     def __init__(self, env: gymnasium.Env):
         super().__init__(env)
+        assert isinstance(env.observation_space, Discrete)
         self.observation_space = Box(0.0, 1.0, (int(env.observation_space.n),), np.float32)
+        self._size = int(env.observation_space.n)
 
     def observation(self, observation: int) -> np.ndarray:
-        vector = np.zeros(self.observation_space.shape, np.float32)
+        vector = np.zeros(self._size, np.float32)
         vector[observation] = 1.0
         return vector
 
@@ -137,7 +139,7 @@ class Environments:
         self._over = np.zeros(self.count, dtype=bool)
         self._elapsed = np.zeros(self.count, dtype=np.int64)
         self.fresh = np.ones(self.count, dtype=bool)
-        self.observations = self._flat(self._vector.reset(seed=seeds)[0])
+        self.observations = self._flat(self._vector.reset(seed=list(seeds))[0])
 
     def _flat(self, observations: np.ndarray) -> np.ndarray:
         return np.asarray(observations, dtype=np.float32).reshape(self.count, -1)
@@ -156,7 +158,7 @@ class Environments:
         """Whether the inner state of these environments can be written down."""
         return all(_savable(env) for env in self._vector.envs)
 
-    def state(self) -> dict[str, object]:
+    def state(self) -> dict[str, Any]:
         """All that decides what the environments do next, for JSON."""
         return {
             "over": self._over.tolist(),
@@ -166,7 +168,7 @@ class Environments:
             "inner": [_inner_state(env) for env in self._vector.envs],
         }
 
-    def restore(self, state: dict[str, object]) -> None:
+    def restore(self, state: dict[str, Any]) -> None:
         """Undo everything that has happened since :meth:`state`."""
         self._over = np.array(state["over"], dtype=bool)
         self._elapsed = np.array(state["elapsed"], dtype=np.int64)
@@ -192,21 +194,21 @@ def _time_limit(env: gymnasium.Env) -> TimeLimit | None:
     return None
 
 
-def _inner_state(env: gymnasium.Env) -> dict[str, object]:
+def _inner_state(env: gymnasium.Env) -> dict[str, Any]:
     inner, limit = env.unwrapped, _time_limit(env)
-    kept: dict[str, object] = {"random": inner.np_random.bit_generator.state}
+    kept: dict[str, Any] = {"random": inner.np_random.bit_generator.state}
     if limit is not None:
         kept["steps"] = limit._elapsed_steps
     if isinstance(inner, TabularEnv):
         return kept | {"_state": inner._state}
-    values = {name: getattr(inner, name) for name in _INNER[env.spec.id]}
+    values = {name: getattr(inner, name) for name in _INNER[env.spec.id if env.spec else ""]}
     return kept | {
         name: {"dtype": str(value.dtype), "values": value.tolist()} if isinstance(value, np.ndarray) else value
         for name, value in values.items()
     }
 
 
-def _restore_inner(env: gymnasium.Env, kept: dict[str, object]) -> None:
+def _restore_inner(env: gymnasium.Env, kept: dict[str, Any]) -> None:
     inner, limit = env.unwrapped, _time_limit(env)
     inner.np_random.bit_generator.state = kept["random"]
     if limit is not None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -93,14 +94,18 @@ def evaluate(
     return Scores(*(np.concatenate(column) for column in zip(*parts, strict=True)))
 
 
-def _part_of(told: Callable[[int, int], None] | None, part: int, parts: int, length: int | None):
+def _part_of(
+    told: Callable[[int, int], None] | None, part: int, parts: int, length: int | None
+) -> Callable[[int], None]:
     """What one part of the episodes tells after each step: the steps of all parts."""
     if told is None or length is None:
         return lambda time: None
     return lambda time: told(part * length + time, parts * length)
 
 
-def _episodes(choose, environment: str, starts: list[int], length: int | None, gammas: np.ndarray, hear):
+def _episodes(
+    choose: Any, environment: str, starts: list[int], length: int | None, gammas: np.ndarray, hear: Any
+) -> Any:
     """The columns of :class:`Scores`, of one episode from each start seed, all in step."""
     envs = [environments.make(environment) for _ in starts]
     observations = np.array([env.reset(seed=start)[0].ravel() for env, start in zip(envs, starts, strict=True)])

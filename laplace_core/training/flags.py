@@ -59,5 +59,5 @@ def flag_steps(
             found[step, order[artefact.name]] = True
         if told is not None:
             told(step + 1, len(rollout))
-    there = found.any(axis=0)
+    there = np.asarray(found.any(axis=0))
     return Flags(tuple(name for name, seen in zip(MEASURES, there, strict=True) if seen), found[:, there])

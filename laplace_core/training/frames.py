@@ -8,6 +8,7 @@ from __future__ import annotations
 import io
 import os
 from collections.abc import Sequence
+from typing import Any
 
 import gymnasium
 import numpy as np
@@ -41,7 +42,7 @@ def picture_of(env: gymnasium.Env) -> bytes | None:
         return None
     os.environ.setdefault("SDL_VIDEODRIVER", "dummy")  # no window is ever opened
     try:
-        return encoded(env.render())
+        return encoded(np.asarray(env.render()))
     except gymnasium.error.DependencyNotInstalled:
         raise InputError("pictures need pygame, which is not installed: ask for none.") from None
 
@@ -84,7 +85,7 @@ def side_by_side(left: bytes, right: bytes, captions: tuple[str, str]) -> bytes:
     return file.getvalue()
 
 
-def _pillow():
+def _pillow() -> Any:
     try:
         from PIL import Image
     except ImportError:

@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterator
 from functools import partial
 from pathlib import Path
 from time import perf_counter
+from typing import Any
 
 import numpy as np
 import torch
@@ -115,7 +116,7 @@ class _Run:
         faded = min(1.0, self.step / max(1.0, s.exploration * s.steps))
         return s.epsilon_first + faded * (s.epsilon_final - s.epsilon_first)
 
-    def _act(self):
+    def _act(self) -> Any:
         """One step of all environments, stored; returns what came of it."""
         s, envs, random = self.settings, self.envs, self.random
         self._choose_heads()
@@ -144,7 +145,7 @@ class _Run:
             explores = self.random.random(fresh.size) < share
             self.heads[fresh] = np.where(explores, others, self.agent.acting_head)
 
-    def _episodes(self, stepped) -> Iterator[Event]:
+    def _episodes(self, stepped: Any) -> Iterator[Event]:
         for i in np.flatnonzero(stepped.real & (stepped.terminated | stepped.truncated)):
             self.episodes += 1
             total, count = self.losses
@@ -224,7 +225,7 @@ class _Run:
         }
         self.folder.save(arrays_of(self.agent, self.replay), about)
 
-    def _restore(self, arrays: dict[str, np.ndarray], about: dict[str, object]) -> Iterator[Event]:
+    def _restore(self, arrays: dict[str, np.ndarray], about: dict[str, Any]) -> Iterator[Event]:
         restore_agent(self.agent, self.replay, arrays, self.folder.resume_point.name)
         self.step, self.episodes, self.best = about["step"], about["episodes"], about["best"]
         self.losses = about["losses"]

@@ -72,7 +72,7 @@ class Queue:
 
     def __init__(self, folder: str | Path, most: int = MOST_TRAINING):
         self.folder, self._most = Path(folder), most
-        self._children: dict[str, subprocess.Popen] = {}
+        self._children: dict[str, subprocess.Popen[bytes]] = {}
         self._new = True
         self._turn = threading.RLock()
         self._thread: threading.Thread | None = None
@@ -247,7 +247,7 @@ class Queue:
             return
         error = error_in(path)
         if child is not None:
-            if error is None and status < 0:
+            if error is None and status is not None and status < 0:
                 error = f"its process was killed (signal {-status}); resume it, smaller if memory was short."
             error = error or f"its process ended too early, with status {status}; resume it."
         write_job(path, Job("run", job.ticket) if error is None else Job("fail", 0, error=error))

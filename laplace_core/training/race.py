@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -83,7 +84,7 @@ class Races:
         found = self.right - self.left
         return np.where(np.abs(found) <= LEVEL * np.maximum(1.0, np.abs(self.left)), 0.0, found)
 
-    def summary(self) -> dict[str, object]:
+    def summary(self) -> dict[str, Any]:
         """Means, mean difference, its standard error and 95% bootstrap interval over starts, and shares of starts."""
         found, count = self.differences, len(self.starts)
         return {

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 import json
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from laplace_core.errors import InputError
 from laplace_core.words import checked_number
@@ -13,7 +13,7 @@ if TYPE_CHECKING:  # these bring torch along
     from laplace_core.training.race import Race, Races
 
 
-def add_race(verbs) -> None:
+def add_race(verbs: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     """The parser of the verb ``race``."""
     race = verbs.add_parser(
         "race",
@@ -67,7 +67,7 @@ def run_race(options: argparse.Namespace) -> None:
         _print_one(race(loaded.environment, left, right, start, horizon), told | {"start": start}, options.json)
 
 
-def _print_many(found: Races, told: dict[str, object], as_json: bool) -> None:
+def _print_many(found: Races, told: dict[str, Any], as_json: bool) -> None:
     summary = found.summary()
     if as_json:
         returns = {"left": found.left.tolist(), "right": found.right.tolist(), "all_starts": found.starts.tolist()}
@@ -83,7 +83,7 @@ def _print_many(found: Races, told: dict[str, object], as_json: bool) -> None:
         print("  the interval covers 0: these starts do not tell which is better")
 
 
-def _print_one(found: Race, told: dict[str, object], as_json: bool) -> None:
+def _print_one(found: Race, told: dict[str, Any], as_json: bool) -> None:
     sides = {"left": found.left, "right": found.right}
     if as_json:
         told |= {"difference": found.difference, "parting": found.parting}

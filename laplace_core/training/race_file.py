@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import json
+from typing import Any
 
 import numpy as np
 
@@ -34,7 +35,7 @@ def races_csv(found: Races, left: str, right: str) -> str:
     return file.getvalue()
 
 
-def races_npz(found: Races, settings: dict[str, object]) -> bytes:
+def races_npz(found: Races, settings: dict[str, Any]) -> bytes:
     """The same as arrays, and as ``settings`` a JSON string that says how they came about."""
     file = io.BytesIO()
     told = {"environment": found.environment, "horizon": found.horizon, "first_seed": FIRST_START} | settings

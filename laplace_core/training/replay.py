@@ -47,7 +47,17 @@ class Replay:
     def __len__(self) -> int:
         return int(self.sizes.sum())
 
-    def add(self, real, observations, actions, rewards, next_observations, terminated, truncated, elapsed) -> None:
+    def add(
+        self,
+        real: np.ndarray,
+        observations: np.ndarray,
+        actions: np.ndarray,
+        rewards: np.ndarray,
+        next_observations: np.ndarray,
+        terminated: np.ndarray,
+        truncated: np.ndarray,
+        elapsed: np.ndarray,
+    ) -> None:
         """Store one step of every environment, arrays ``(N, ...)``, but for those where ``real`` is False."""
         rings = np.flatnonzero(real)
         places = rings, self.heads[rings]
@@ -58,14 +68,14 @@ class Replay:
         self.terminated[places] = terminated[rings]
         self.ended[places] = (terminated | truncated)[rings]
         self.elapsed[places] = elapsed[rings]
-        if self.tree is not None:
+        if self.tree is not None and self.exponent is not None:
             self.tree.set(rings * self.length + places[1], np.full(rings.size, self.top**self.exponent))
         self.heads[rings] = (places[1] + 1) % self.length
         self.sizes[rings] = np.minimum(self.sizes[rings] + 1, self.length)
 
     def sample(self, count: int, random: np.random.Generator, correction: float = 1.0) -> tuple[Batch, np.ndarray]:
         """A batch of ``count`` rows, and the places of its transitions ``(count, g)`` for :meth:`prioritise`."""
-        weights = np.ones(count, np.float32)
+        weights: np.ndarray = np.ones(count, np.float32)
         if self.own:
             # An offset counts from the oldest transition of its ring.
             rings = np.broadcast_to(np.arange(self.rings), (count, self.rings))

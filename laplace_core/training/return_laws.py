@@ -10,10 +10,13 @@ import io
 import json
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
 from laplace_core.agents.agent import Agent
+from laplace_core.agents.capabilities import HasGammaSpace
+from laplace_core.errors import InputError
 from laplace_core.inverse import decode
 from laplace_core.learned.returns import independent_steps_return, wasserstein
 from laplace_core.training import environments
@@ -119,6 +122,8 @@ def return_laws(
         locations, masses = agent.return_distribution(observation)
         kind = MEAN if locations.shape[1] == 1 else LEARNED
         return [ReturnLaw(kind, gamma, locations[action], masses[action]) for action in actions]
+    if not isinstance(agent, HasGammaSpace):
+        raise InputError("this agent says nothing of its return but a mean.")
     space, steps = agent.gamma_space(observation), steps_until_cut(gamma)
     tau_space = decode(space.differences[list(actions)], space.gammas, steps, alpha)
     rewards, discounts = space.bin_values, gamma ** np.arange(steps)
@@ -133,7 +138,8 @@ def said_along(agent: Agent, rollout: Rollout) -> dict[str, np.ndarray]:
         knows the time to go; nothing for others, or if it were more than ``MOST_SAID`` numbers.
     """
     if hasattr(agent, "horizon"):
-        names, read = ("horizon_values",), lambda some: (agent.action_values(some),)
+        names: tuple[str, ...] = ("horizon_values",)
+        read: Callable[[np.ndarray], tuple[np.ndarray, ...]] = lambda some: (agent.action_values(some),)  # noqa: E731
     elif hasattr(agent, "return_distributions"):
         names, read = ("locations", "masses"), agent.return_distributions
     else:
@@ -179,7 +185,7 @@ def simulate_returns(
     gamma = acting_gamma(agent)
     steps = steps_until_cut(gamma)
     count = count if environments.chance(rollout.environment) else 1
-    found = continue_from(agent, rollout, step, action, count, steps, seed, told)
+    found = continue_from(agent, rollout, step, action, count, steps, seed, told=told)
     running = float(found.alive[:, -1].mean())
     missing = running * gamma**steps / (1.0 - gamma) * float(np.abs(found.rewards).max())
     return SimulatedReturns(found.rewards @ gamma ** np.arange(steps), gamma, steps, running, missing)
@@ -188,7 +194,7 @@ def simulate_returns(
 def laws_npz(names: Sequence[str], laws: Sequence[ReturnLaw], came: Sequence[SimulatedReturns] | None = None) -> bytes:
     """Laws side by side as an ``.npz`` file: ``I_NAME_locations``, ``_masses`` and, where known, ``_came`` for agent I,
     and a JSON string ``settings`` with the discount and the kind of each."""
-    arrays: dict[str, np.ndarray] = {}
+    arrays: dict[str, Any] = {}
     for i, (name, law) in enumerate(zip(names, laws, strict=True)):
         arrays |= {f"{i}_{name}_locations": law.locations, f"{i}_{name}_masses": law.masses}
         if came is not None:

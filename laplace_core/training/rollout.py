@@ -18,8 +18,9 @@ import numpy as np
 import torch
 
 from laplace_core.agents.agent import Agent
+from laplace_core.agents.capabilities import HasGammaSpace
 from laplace_core.errors import InputError
-from laplace_core.pipeline import GammaSpace
+from laplace_core.gamma_space import GammaSpace
 from laplace_core.ties import greedy_action
 from laplace_core.training import environments
 from laplace_core.training.frames import picture_of
@@ -90,7 +91,7 @@ class Rollout:
 
     def space(self, step: int) -> GammaSpace:
         """Gamma-space of the observation before a step, ready to be decoded."""
-        if self.spaces is None:
+        if self.spaces is None or self.constants is None or self.gammas is None or self.thetas is None:
             raise InputError("this agent has no gamma-space.")
         values, constant = self.spaces[step].astype(float), self.constants[step].astype(float)
         return GammaSpace(values, constant, self.gammas, self.thetas, open_ends=True)
@@ -104,7 +105,7 @@ class Rollout:
 
 def longest(agent: Agent) -> int:
     """Steps of a rollout of this agent whose gamma-spaces fit into ``MOST_BYTES``, at most ``MOST_STEPS``."""
-    if not hasattr(agent, "gamma_spaces"):
+    if not isinstance(agent, HasGammaSpace):
         return MOST_STEPS
     one = 4 * agent.n_actions * len(agent.gammas) * (len(agent.thetas) + 1)
     return min(MOST_STEPS, MOST_BYTES // one)
@@ -147,11 +148,12 @@ def roll_out(
             agent, environment, seed, judge, length, pictures, limited, told or (lambda done, of: None)
         )
         greedy_values = _in_parts(lambda some: agent.action_values(some, agent.acting_head), observations)
-        kept = _spaces(agent, observations[:-1]) if spaces else (None,) * 4
+        kept = _spaces(agent, observations[:-1]) if spaces else _NONE
+        predicted, received, surprise = _expected(greedy_values, actions, rewards, terminated, acting)
     return Rollout(
         environment, seed, rule, horizon, gamma, acting, observations, actions, rewards,
         greedy_values[:-1] if judge is None else values, greedy_values[:-1],
-        *_expected(greedy_values, actions, rewards, terminated, acting), terminated, *kept, frames,
+        predicted, received, surprise, terminated, *kept, frames,
     )  # fmt: skip
 
 
@@ -212,12 +214,14 @@ def acting_gamma(agent: Agent) -> float:
 def _act(
     agent: Agent, environment: str, seed: int, judge: Judge | None, length: int, pictures: bool,
     limited: bool, told: Callable[[int, int], None],
-):  # fmt: skip
+) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, bool, tuple[bytes, ...]]:  # fmt: skip
     """Observations ``(N + 1, O)``, values, actions, rewards, whether it terminated, and frames."""
     env, random = environments.make(environment, pictures, limited), np.random.default_rng(seed)
     try:
         seen = [env.reset(seed=seed)[0].ravel()]
-        values, actions, rewards = [], [], []
+        values: list[np.ndarray] = []
+        actions: list[int] = []
+        rewards: list[float] = []
         frames = [picture_of(env)] if pictures else []
         over = terminated = False
         while not over and len(actions) < length:
@@ -236,9 +240,9 @@ def _act(
             told(len(actions), length)
     finally:
         env.close()
-    kept = () if None in frames else tuple(frames)
+    kept = tuple(frame for frame in frames if frame is not None)
     found = np.array(seen, dtype=np.float32), np.array(values), np.array(actions), np.array(rewards)
-    return *found, bool(terminated), kept
+    return *found, bool(terminated), kept if len(kept) == len(frames) else ()
 
 
 def _expected(
@@ -255,10 +259,14 @@ def _expected(
     return predicted, received, rewards + gamma * following - predicted
 
 
-def _spaces(agent: Agent, observations: np.ndarray):
+_Kept = tuple[np.ndarray | None, np.ndarray | None, np.ndarray | None, np.ndarray | None]
+_NONE: _Kept = (None, None, None, None)
+
+
+def _spaces(agent: Agent, observations: np.ndarray) -> _Kept:
     """``spaces``, ``constants``, ``gammas``, ``thetas``; the network computes in single precision: nothing is lost."""
-    if not hasattr(agent, "gamma_spaces"):
-        return None, None, None, None
+    if not isinstance(agent, HasGammaSpace):
+        return _NONE
     parts = [
         [each.astype(np.float32) for each in agent.gamma_spaces(observations[i : i + _AT_ONCE])]
         for i in range(0, len(observations), _AT_ONCE)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import json
+from typing import Any
 
 import numpy as np
 
@@ -14,7 +15,7 @@ _ARRAYS = (
 )  # fmt: skip
 
 
-def rollout_arrays(rollout: Rollout) -> dict[str, np.ndarray]:
+def rollout_arrays(rollout: Rollout) -> dict[str, Any]:
     """Arrays by name, steps first: those of :class:`Rollout`; its ``spaces`` are called as in every file of ours."""
     arrays = {name: getattr(rollout, name) for name in _ARRAYS}
     if rollout.spaces is not None:

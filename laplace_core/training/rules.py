@@ -13,10 +13,12 @@ from dataclasses import dataclass
 import numpy as np
 
 from laplace_core.agents.agent import Agent
+from laplace_core.agents.capabilities import HasGammaSpace
 from laplace_core.errors import InputError
+from laplace_core.gamma_space import GammaSpace
 from laplace_core.horizon import readout_weights, target_discounts
-from laplace_core.pipeline import GammaSpace, decode_and_read
-from laplace_core.settings import Settings
+from laplace_core.pipeline import decode_and_read
+from laplace_core.settings import Settings, resolve_for_gamma_space
 from laplace_core.ties import greedy_action
 
 FADING_ALPHA = 1e-2
@@ -97,14 +99,16 @@ def _by_weights(agent: Agent, weights: np.ndarray, length: int) -> Judge:
 def decoded(agent: Agent, length: int | None, options: Options) -> Judge:
     """The same as ``readout`` through the tau-space, slowly."""
     gammas, length = _discounts(agent, length, "decoded")
-    settings = Settings(
+    chosen = Settings(
         alpha=options.alpha, steps=max(options.steps, length), time_step=1.0, normalise="none",
         acting_gamma=float(gammas[agent.acting_head]), softness=options.softness,
     )  # fmt: skip
+    settings = resolve_for_gamma_space(chosen, gammas)
 
     def judge(observations: np.ndarray, time: int) -> np.ndarray:
+        assert isinstance(agent, HasGammaSpace)  # its discounts were asked for
         found = zip(*agent.gamma_spaces(observations), strict=True)
-        spaces = [GammaSpace(*one, gammas, agent.thetas, open_ends=True) for one in found]
+        spaces = [GammaSpace(values, constant, gammas, agent.thetas, True) for values, constant in found]
         return np.array([decode_and_read(one, settings).horizon_values[:, length - time - 1] for one in spaces])
 
     return judge

@@ -12,6 +12,7 @@ import os
 import re
 from dataclasses import asdict
 from pathlib import Path
+from typing import Any, TextIO
 
 import numpy as np
 
@@ -54,7 +55,7 @@ class RunFolder:
                 raise InputError(f"{self.path.name} holds a run already: resume it, or choose another folder.")
             self.settings = settings
             new_run(self.path, settings)
-        self._file = None
+        self._file: TextIO | None = None
         other, self._process = read_process(self.path), Process.of(os.getpid())
         if other is not None and other != self._process and other.alive:
             raise InputError(f"{self.path.name} is being trained by the process {other.pid}: end that one first.")
@@ -62,7 +63,7 @@ class RunFolder:
             half.unlink(missing_ok=True)
         write_process(self.path, self._process)
 
-    def load(self) -> tuple[dict[str, np.ndarray], dict[str, object]] | None:
+    def load(self) -> tuple[dict[str, np.ndarray], dict[str, Any]] | None:
         """The resume point; None if the run was stopped before there was one."""
         if not self.resume_point.exists():
             return None
@@ -78,11 +79,13 @@ class RunFolder:
 
     def write(self, event: Event) -> None:
         """Append an event to the metrics."""
+        assert self._file is not None  # :meth:`open_metrics` came first
         self._file.write(json.dumps({"event": type(event).__name__, **asdict(event)}) + "\n")
         self._file.flush()
 
-    def save(self, arrays: dict[str, np.ndarray], about: dict[str, object]) -> None:
+    def save(self, arrays: dict[str, np.ndarray], about: dict[str, Any]) -> None:
         """Replace the resume point; the metrics so far belong to it."""
+        assert self._file is not None  # :meth:`open_metrics` came first
         os.fsync(self._file.fileno())
         about = about | {"metrics_bytes": self.metrics.stat().st_size}
         write_tensors(self.resume_point, arrays, about)
@@ -128,7 +131,7 @@ def settings_from_json(text: str, name: str) -> LoopSettings:
     return SETTINGS[about["algorithm"]].parse(about["settings"])
 
 
-def read_metrics(path: str | Path) -> list[dict[str, object]]:
+def read_metrics(path: str | Path) -> list[dict[str, Any]]:
     """Events of a run folder's metrics as dictionaries; a last line that is still being written is left out."""
     lines = _read_text(Path(path) / "metrics.jsonl").splitlines(keepends=True)
     return [json.loads(line) for line in lines if line.endswith("\n")]

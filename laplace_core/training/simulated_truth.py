@@ -12,12 +12,12 @@ import numpy as np
 import torch
 
 from laplace_core.agents.agent import Agent
+from laplace_core.agents.capabilities import HasGammaSpace
 from laplace_core.encoding import area_around_zero, reward_distance
 from laplace_core.errors import InputError
-from laplace_core.gamma_space import bin_differences, bin_values
+from laplace_core.gamma_space import GammaSpace, bin_differences, bin_values
 from laplace_core.horizon import expected_rewards
 from laplace_core.inverse import decode
-from laplace_core.pipeline import GammaSpace
 from laplace_core.training.continuations import Calibration, Continuations, Outcomes, calibration, standard_error
 
 
@@ -63,7 +63,9 @@ def with_ends(tails: np.ndarray, alive: np.ndarray) -> np.ndarray:
 
 def empirical(agent: Agent, found: Continuations) -> Empirical:
     """What an agent with a gamma-space should have decoded."""
-    passed, thetas = _passed(agent, found), agent.thetas
+    passed = _passed(agent, found)
+    assert isinstance(agent, HasGammaSpace)  # or nothing would have passed
+    thetas = agent.thetas
     places, ends = np.concatenate([thetas[:1], thetas, thetas[-1:]]), with_ends(passed, found.alive.astype(float))
     # The mean of the absolute value of a normal number is sqrt(2 / pi) times its standard deviation.
     chance = np.sqrt(2.0 / np.pi) * area_around_zero(ends[..., :1] - ends, places, standard_error)
@@ -76,7 +78,7 @@ def _passed(agent: Agent, found: Continuations) -> np.ndarray:
     Raises:
         InputError: an agent without a gamma-space.
     """
-    if not hasattr(agent, "gamma_spaces"):
+    if not isinstance(agent, HasGammaSpace):
         raise InputError("this agent has no gamma-space to hold against what came.")
     with torch.no_grad():
         passed = agent.sensitivities.tails(torch.as_tensor(found.rewards, dtype=torch.float32))[..., 1:].double()
@@ -113,7 +115,7 @@ def confront_states(agent: Agent, found: Outcomes, alpha: float) -> Confronted:
     Raises:
         InputError: an agent without a gamma-space.
     """
-    if not hasattr(agent, "gamma_spaces"):
+    if not isinstance(agent, HasGammaSpace):
         raise InputError("this agent has no gamma-space to hold against what came.")
     values, constant = agent.gamma_spaces(found.observations)
     row = np.arange(len(values))
@@ -125,11 +127,12 @@ def _confronted(
     agent: Agent, found: Continuations, tails: np.ndarray, constant: np.ndarray, open_ends: bool, alpha: float
 ) -> Confronted:
     """Gamma-space of one state or of as many as there are simulations: tails ``(S, G, H)``, constant ``(S, G)``."""
+    happened = _passed(agent, found)
+    assert isinstance(agent, HasGammaSpace)  # or nothing would have happened
     steps, gammas, thetas = found.rewards.shape[1], agent.gammas, agent.thetas
     tau_space = decode(bin_differences(tails, constant, open_ends), gammas, steps, alpha).mean(axis=0)
     alive = decode(constant[..., None], gammas, steps, alpha)[..., 0].mean(axis=0)
     simulated = empirical(agent, found)
-    happened = _passed(agent, found)
     said = np.broadcast_to(decode(tails, gammas, steps, alpha), happened.shape)
     return Confronted(
         simulated, expected_rewards(tau_space, bin_values(thetas, open_ends)), alive,

@@ -11,6 +11,7 @@ import math
 import os
 import stat
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import safetensors.numpy
@@ -35,13 +36,13 @@ def write_whole(path: Path, data: bytes) -> None:
         os.fsync(file.fileno())
 
 
-def write_tensors(path: Path, arrays: dict[str, np.ndarray], about: dict[str, object]) -> None:
+def write_tensors(path: Path, arrays: dict[str, np.ndarray], about: dict[str, Any]) -> None:
     """Write arrays and what they are about."""
     arrays = {name: np.asarray(array, order="C") for name, array in arrays.items()}
     write_whole(path, safetensors.numpy.save(arrays, {_KEY: json.dumps(about, allow_nan=False)}))
 
 
-def read_tensors(path: str | Path, limit: int) -> tuple[dict[str, np.ndarray], dict[str, object]]:
+def read_tensors(path: str | Path, limit: int) -> tuple[dict[str, np.ndarray], dict[str, Any]]:
     """Arrays and the JSON object about them.
 
     Args:
@@ -78,7 +79,7 @@ def _read_bytes(path: Path, name: str, limit: int) -> bytes:
         raise InputError(f"{name!r} cannot be the name of a file.") from None
 
 
-def _header(data: bytes, name: str) -> dict[str, object]:
+def _header(data: bytes, name: str) -> dict[str, Any]:
     if data[:2] == b"PK":
         raise InputError(f"{name!r} is a zip archive, not a safetensors file.")
     if len(data) < 10:
@@ -92,7 +93,7 @@ def _header(data: bytes, name: str) -> dict[str, object]:
     return header
 
 
-def parse_json(text: bytes | str, what: str) -> object:
+def parse_json(text: bytes | str, what: str) -> Any:
     """Strict JSON: no NaN, no name twice in an object, no absurd nesting.
 
     Raises:
@@ -104,7 +105,7 @@ def parse_json(text: bytes | str, what: str) -> object:
         raise InputError(f"{what} is not proper JSON.") from None
 
 
-def _object(pairs: list[tuple[str, object]]) -> dict[str, object]:
+def _object(pairs: list[tuple[str, object]]) -> dict[str, Any]:
     found = dict(pairs)
     if len(found) < len(pairs):
         raise ValueError("a name comes twice")
@@ -115,7 +116,7 @@ def _refuse(constant: str) -> None:
     raise ValueError(constant)
 
 
-def _about(metadata: object, name: str) -> dict[str, object]:
+def _about(metadata: object, name: str) -> dict[str, Any]:
     if not isinstance(metadata, dict) or not isinstance(metadata.get(_KEY), str) or len(metadata) != 1:
         raise InputError(f"{name!r} does not say what it holds: its metadata must be one text named {_KEY!r}.")
     about = parse_json(metadata[_KEY], f"the metadata of {name!r}")
@@ -124,7 +125,7 @@ def _about(metadata: object, name: str) -> dict[str, object]:
     return about
 
 
-def _check_layout(header: dict[str, object], room: int, name: str) -> None:
+def _check_layout(header: dict[str, Any], room: int, name: str) -> None:
     """Every array has a known type and a sane shape, and together they fill the file without gap or overlap."""
     spans = []
     for key, entry in header.items():

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import ClassVar
+from typing import Any
 
 import gymnasium
 import numpy as np
@@ -19,7 +19,10 @@ class TabularEnv(gymnasium.Env):
     There is no time limit: wrap in ``gymnasium.wrappers.TimeLimit`` where the world may run for ever.
     """
 
-    metadata: ClassVar[dict] = {"render_modes": ["ansi"], "render_fps": 4}
+    metadata: dict[str, Any] = {  # noqa: RUF012 - gymnasium declares it so
+        "render_modes": ["ansi"],
+        "render_fps": 4,
+    }
 
     def __init__(self, world: World, render_mode: str | None = None):
         if render_mode not in (None, "ansi"):
@@ -33,7 +36,7 @@ class TabularEnv(gymnasium.Env):
         pairs = np.arange(world.n_states * world.n_actions + 1)
         self._bounds = np.searchsorted(world.state * world.n_actions + world.action, pairs)
 
-    def reset(self, *, seed: int | None = None, options: dict | None = None):
+    def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[int, dict[str, Any]]:
         """Draw a first state; ``options={"state": name_or_index}`` starts from a given one."""
         super().reset(seed=seed)
         given = (options or {}).get("state")
@@ -43,7 +46,7 @@ class TabularEnv(gymnasium.Env):
         )
         return self._state, {}
 
-    def step(self, action: int):
+    def step(self, action: int) -> tuple[int, float, bool, bool, dict[str, Any]]:
         if self._state is None:
             raise gymnasium.error.ResetNeeded("call reset() before step(): no episode is running")
         if not self.action_space.contains(action):

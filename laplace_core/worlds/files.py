@@ -10,6 +10,7 @@ from collections import Counter
 from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
+from typing import Any, NoReturn
 
 import numpy as np
 
@@ -126,10 +127,10 @@ def dump_world(world: World) -> str:
 
 
 def _load_json(text: str) -> object:
-    def refuse_constant(constant: str):
+    def refuse_constant(constant: str) -> NoReturn:
         raise InputError(f"the world file contains {constant}; every number must be finite.")
 
-    def refuse_duplicates(pairs: list[tuple[str, object]]) -> dict:
+    def refuse_duplicates(pairs: list[tuple[str, object]]) -> dict[str, object]:
         found = dict(pairs)
         if len(found) < len(pairs):
             twice = Counter(name for name, _ in pairs).most_common(1)[0][0]
@@ -214,7 +215,7 @@ def _parse_positions(table: object, states: list[str]) -> np.ndarray:
     return positions
 
 
-def _parse_transitions(entries: list, states: list[str], actions: list[str]) -> Iterator[Outcome]:
+def _parse_transitions(entries: list[object], states: list[str], actions: list[str]) -> Iterator[Outcome]:
     """Outcomes of every (state, action); ``*`` fills the actions that no entry of that state names.
 
     A generator, so that the world checks the names of states and actions before the first entry is read.
@@ -240,28 +241,30 @@ def _parse_transitions(entries: list, states: list[str], actions: list[str]) -> 
         action = entry["action"]
         if not isinstance(action, str) or (action != "*" and action not in action_index):
             raise InputError(f"{where} names the action {_show(action)}, which is not in 'actions'.")
-        place, key = (fillers, s) if action == "*" else (covered, (s, action_index[action]))
-        if key in place:
+        if s in fillers if action == "*" else (s, action_index[action]) in covered:
             raise InputError(f"{where} covers state {states[s]!r}, action {action!r} a second time.")
-        place[key] = rows
+        if action == "*":
+            fillers[s] = rows
+        else:
+            covered[s, action_index[action]] = rows
         size += len(rows)
         if size > MAX_OUTCOMES:  # stop before a small file of products fills the memory
             raise InputError(f"{where} brings the world above {MAX_OUTCOMES:,} outcomes.")
     size = 0
     for s, state in enumerate(states):
         for a, action in enumerate(actions):
-            rows = covered.get((s, a), fillers.get(s))
-            if rows is None:
+            found = covered.get((s, a), fillers.get(s))
+            if found is None:
                 raise InputError(f"no transition covers state {state!r}, action {action!r}; add it or use '*'.")
-            size += len(rows)
+            size += len(found)
             if size > MAX_OUTCOMES:
                 raise InputError(f"the world has more than {MAX_OUTCOMES:,} outcomes.")
-            yield from (Outcome(s, a, *row) for row in rows)
+            yield from (Outcome(s, a, *row) for row in found)
 
 
-def _independent(entry: dict, state_index: dict[str, int], where: str) -> list[tuple[float, int, float]]:
+def _independent(entry: dict[str, Any], state_index: dict[str, int], where: str) -> list[tuple[float, int, float]]:
     successors = _distribution(entry["next"], f"{where}, 'next'")
-    rewards = {}
+    rewards: dict[float, float] = {}
     for text, p in _distribution(entry["reward"], f"{where}, 'reward'").items():
         if not NUMBER.fullmatch(text):
             raise InputError(f"{where} has the reward {text[:40]!r}; it must be a number in quotes.")
@@ -273,7 +276,7 @@ def _independent(entry: dict, state_index: dict[str, int], where: str) -> list[t
     return [(p * q, successor, reward) for successor, p in reached for reward, q in rewards.items() if p * q > 0]
 
 
-def _joint(entry: dict, state_index: dict[str, int], where: str) -> list[tuple[float, int, float]]:
+def _joint(entry: dict[str, Any], state_index: dict[str, int], where: str) -> list[tuple[float, int, float]]:
     if not isinstance(entry["outcomes"], list) or not entry["outcomes"]:
         raise InputError(f"{where}, 'outcomes' must be a list of objects with p, next and reward.")
     rows = []

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, fields
 from functools import cached_property, partial
 from types import MappingProxyType
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from scipy import sparse
@@ -96,7 +96,7 @@ class World:
             name, states, actions, start, state, action, next_state, probability, reward, suggested or {}, positions
         )
 
-    def __post_init__(self):
+    def __post_init__(self) -> None:
         put = partial(object.__setattr__, self)
         put("states", tuple(self.states))
         put("actions", tuple(self.actions))
@@ -122,7 +122,7 @@ class World:
         # What is cached is left behind, and a mapping proxy cannot be pickled.
         return {entry.name: getattr(self, entry.name) for entry in fields(self)} | {"suggested": dict(self.suggested)}
 
-    def __setstate__(self, state: dict[str, object]) -> None:
+    def __setstate__(self, state: dict[str, Any]) -> None:
         self.__dict__.update(state | {"suggested": MappingProxyType(state["suggested"])})
         for value in state.values():
             if isinstance(value, np.ndarray):
@@ -261,7 +261,16 @@ def _column(world: World, name: str, kind: type) -> np.ndarray:
     return given.astype(kind)
 
 
-def _check_outcomes(name, states, actions, state, action, next_state, probability, reward) -> None:
+def _check_outcomes(
+    name: str,
+    states: tuple[str, ...],
+    actions: tuple[str, ...],
+    state: np.ndarray,
+    action: np.ndarray,
+    next_state: np.ndarray,
+    probability: np.ndarray,
+    reward: np.ndarray,
+) -> None:
     sizes = {column.size for column in (state, action, next_state, probability, reward)}
     if len(sizes) > 1:
         raise InputError(f"world {name!r} has columns of {min(sizes)} to {max(sizes)} outcomes; all must be as long.")

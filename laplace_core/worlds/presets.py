@@ -8,6 +8,7 @@ from __future__ import annotations
 import inspect
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -42,7 +43,9 @@ def _chain_steps(states: list[int], actions: range, rewards: list[float]) -> lis
     return [Outcome(s, a, 1.0, following[i], rewards[i]) for i, s in enumerate(states) for a in actions]
 
 
-def _branch(first: int, length: int, r1: float, r2: float, auxiliary: bool, slip: float, base: Callable[[int], int]):
+def _branch(
+    first: int, length: int, r1: float, r2: float, auxiliary: bool, slip: float, base: Callable[[int], int]
+) -> Any:
     """The branching decision in state ``first``; later states are numbered by ``base(0), base(1), ...``.
 
     Returns the outcomes and the names of the later states.
@@ -69,7 +72,7 @@ _BRANCH_PARAMETERS = (
 )
 
 
-def two_branch(length=3, r1=5.0, r2=10.0, auxiliary=False, slip=0.0) -> World:
+def two_branch(length: int = 3, r1: float = 5.0, r2: float = 10.0, auxiliary: bool = False, slip: float = 0.0) -> World:
     """The toy MDP of the paper's Fig. 4: take r1 now and end, or wait for r2.
 
     Diagnoses the repeated reward: rescaled rows keep paying r1 after the short branch has ended.
@@ -80,7 +83,9 @@ def two_branch(length=3, r1=5.0, r2=10.0, auxiliary=False, slip=0.0) -> World:
     return World.from_outcomes("two_branch", ["start", *names], ["short", "long"], rows, suggested=suggested)
 
 
-def two_decisions(length=3, r1=5.0, r2=10.0, auxiliary=False, slip=0.0, r0=4.0) -> World:
+def two_decisions(
+    length: int = 3, r1: float = 5.0, r2: float = 10.0, auxiliary: bool = False, slip: float = 0.0, r0: float = 4.0
+) -> World:
     """The same branch behind a first decision: take r0 and end, or go on to the branch.
 
     Diagnoses mixed policies: after "go on", low discounts take r1 and high ones wait for r2, so that the
@@ -93,7 +98,7 @@ def two_decisions(length=3, r1=5.0, r2=10.0, auxiliary=False, slip=0.0, r0=4.0) 
     return World.from_outcomes("two_decisions", states, actions, rows, suggested=suggested)
 
 
-def fig6_chain(outer=2.0, inner=1.0) -> World:
+def fig6_chain(outer: float = 2.0, inner: float = 1.0) -> World:
     """The chain of the paper's Fig. 6: +-outer at steps 0 and 1, +-inner at steps 2 and 3, then the end.
 
     Diagnoses resolution in time and in reward on one clean process; nothing is decided in it.
@@ -106,7 +111,9 @@ def fig6_chain(outer=2.0, inner=1.0) -> World:
     return World.from_outcomes("fig6_chain", [f"step {i}" for i in range(4)], ["go"], rows, suggested=suggested)
 
 
-def double_chain(early=2, late=6, r_early=0.6, r_late=1.0, p_early=0.5) -> World:
+def double_chain(
+    early: int = 2, late: int = 6, r_early: float = 0.6, r_late: float = 1.0, p_early: float = 0.5
+) -> World:
     """One of two chains by chance: r_early at step ``early`` or r_late at step ``late``.
 
     Diagnoses what marginals hold: both rewards show up in tau-space, each at its own step with its own
@@ -123,7 +130,7 @@ def double_chain(early=2, late=6, r_early=0.6, r_late=1.0, p_early=0.5) -> World
     return World.from_outcomes("double_chain", states, ["go"], rows, suggested=suggested)
 
 
-def rise_and_fade(length=15, low=-1.0, high=2.0) -> World:
+def rise_and_fade(length: int = 15, low: float = -1.0, high: float = 2.0) -> World:
     """A chain whose rewards rise from ``low``, stay ``high`` and fade to zero, a third of the length each.
 
     Diagnoses blur in time: how well a slow, smooth timeline survives the inverse.
@@ -138,7 +145,7 @@ def rise_and_fade(length=15, low=-1.0, high=2.0) -> World:
 _PAY_AFTER = (1, 3, 10, 30, 100)
 
 
-def discounting_chain(reward=1.0, bonus=2.0, bonus_chain=4) -> World:
+def discounting_chain(reward: float = 1.0, bonus: float = 2.0, bonus_chain: int = 4) -> World:
     """Five actions that look alike and pay after 1, 3, 10, 30 or 100 steps; one chain pays more.
 
     Diagnoses the horizon: an action is worth something only once the horizon exceeds its delay
@@ -157,7 +164,9 @@ def discounting_chain(reward=1.0, bonus=2.0, bonus_chain=4) -> World:
     return World.from_outcomes("discounting_chain", states, actions, rows, suggested=suggested)
 
 
-def cliff_grid(width=6, height=4, slip=0.0, goal=10.0, cliff=-10.0, step=-0.2) -> World:
+def cliff_grid(
+    width: int = 6, height: int = 4, slip: float = 0.0, goal: float = 10.0, cliff: float = -10.0, step: float = -0.2
+) -> World:
     """A gridworld: from the bottom left to the bottom right along a cliff that ends the episode.
 
     Diagnoses deadlines: the goal is worth its price only while it can still be reached; with slip the
@@ -194,7 +203,7 @@ def cliff_grid(width=6, height=4, slip=0.0, goal=10.0, cliff=-10.0, step=-0.2) -
     return World.from_outcomes("cliff_grid", states, actions, rows, suggested=suggested, positions=positions)
 
 
-_PARAMETERS = {
+_PARAMETERS: dict[Callable[..., World], tuple[str, tuple[Parameter, ...]]] = {
     two_branch: ("Two branches (Fig. 4)", _BRANCH_PARAMETERS),
     two_decisions: (
         "Two decisions in a row",
@@ -247,6 +256,6 @@ _PARAMETERS = {
 }
 
 PRESETS: dict[str, Preset] = {
-    build.__name__: Preset(build.__name__, title, inspect.getdoc(build).split("\n")[0], parameters, build)
+    build.__name__: Preset(build.__name__, title, (inspect.getdoc(build) or "").split("\n")[0], parameters, build)
     for build, (title, parameters) in _PARAMETERS.items()
 }

@@ -7,6 +7,7 @@ any cell; it is refused with one sentence that names the row, counted from 1.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
+from typing import Any
 
 import numpy as np
 
@@ -24,7 +25,7 @@ from laplace_core.worlds.model import (
 COLUMNS = ("state", "action", "probability", "reward", "next")
 
 
-def world_rows(world: World) -> list[dict[str, object]]:
+def world_rows(world: World) -> list[dict[str, Any]]:
     """Every outcome as a row of names and numbers, in the order of states and actions; next "END" terminates."""
     following = (*world.states, "END")  # END is -1: the last
     columns = (world.state, world.action, world.probability, world.reward, world.next_state)
@@ -35,12 +36,12 @@ def world_rows(world: World) -> list[dict[str, object]]:
 
 
 def world_from_rows(
-    rows: Iterable[Mapping[str, object]],
+    rows: Iterable[Mapping[str, Any]],
     name: str = "my_world",
     states: Sequence[str] | None = None,
     actions: Sequence[str] | None = None,
     start: Mapping[str, float] | np.ndarray | None = None,
-    suggested: Mapping[str, object] | None = None,
+    suggested: Mapping[str, Any] | None = None,
     positions: np.ndarray | None = None,
 ) -> World:
     """A world from the rows of a table. Blank rows are left out, and rows of probability 0 have no effect.
@@ -76,16 +77,16 @@ def world_from_rows(
     )
 
 
-def rescaled(rows: Iterable[Mapping[str, object]]) -> list[dict[str, object]]:
+def rescaled(rows: Iterable[Mapping[str, Any]]) -> list[dict[str, Any]]:
     """The same rows with the probabilities of every state and action divided by their sum.
 
     Raises:
         InputError: a row without a state, action or probability, or probabilities that add up to 0.
     """
-    rows = [dict(row) for row in rows]
+    copies = [dict(row) for row in rows]
     totals: dict[tuple[str, str], float] = {}
     read = []
-    for number, row in enumerate(rows, 1):
+    for number, row in enumerate(copies, 1):
         if is_blank_row(row, COLUMNS):
             continue
         pair = (name_in(row, "state", number), name_in(row, "action", number))
@@ -99,15 +100,15 @@ def rescaled(rows: Iterable[Mapping[str, object]]) -> list[dict[str, object]]:
             )
     for row, pair, probability in read:
         row["probability"] = probability / totals[pair]
-    return rows
+    return copies
 
 
-def is_blank_row(row: Mapping[str, object], columns: Sequence[str]) -> bool:
+def is_blank_row(row: Mapping[str, Any], columns: Sequence[str]) -> bool:
     """Whether none of the columns holds anything."""
     return all(_is_blank(row.get(column)) for column in columns)
 
 
-def name_in(row: Mapping[str, object], column: str, number: int) -> str:
+def name_in(row: Mapping[str, Any], column: str, number: int) -> str:
     """The name in a cell, without the blanks around it.
 
     Raises:
@@ -121,25 +122,26 @@ def name_in(row: Mapping[str, object], column: str, number: int) -> str:
     return value.strip()
 
 
-def number_in(row: Mapping[str, object], column: str, number: int, largest: float = MAX_REWARD) -> float:
+def number_in(row: Mapping[str, Any], column: str, number: int, largest: float = MAX_REWARD) -> float:
     """The number in a cell, as a number or as text.
 
     Raises:
         InputError: an empty cell, no number, or one outside +-``largest``.
     """
-    value = row.get(column)
+    value: Any = row.get(column)
     if _is_blank(value):
         raise InputError(f"row {number} has no {column}: fill it in or delete the row.")
     if isinstance(value, str) and NUMBER.fullmatch(value.strip()):
         value = float(value)
     if isinstance(value, bool | np.bool_) or not isinstance(value, int | float | np.integer | np.floating):
         raise InputError(f"row {number}, {column} is {_show(value)}; it must be a number.")
-    if not abs(value) <= largest:
+    size: Any = abs(value)
+    if not size <= largest:
         raise InputError(f"row {number}, {column} is {_show(value)}; it must be a number within +-{largest:g}.")
     return float(value)
 
 
-def probability_in(row: Mapping[str, object], number: int, largest: float = 1.0 + PROBABILITY_TOLERANCE) -> float:
+def probability_in(row: Mapping[str, Any], number: int, largest: float = 1.0 + PROBABILITY_TOLERANCE) -> float:
     """The probability in a row, from 0 to ``largest``."""
     value = number_in(row, "probability", number)
     if not 0.0 <= value <= largest:
@@ -168,7 +170,7 @@ def _show(value: object) -> str:
     return "neither a number nor a text"
 
 
-def _indexed(column: str, known: list[str], read: list[tuple[int, Mapping[str, object]]]) -> dict[str, int]:
+def _indexed(column: str, known: list[str], read: list[tuple[int, Mapping[str, Any]]]) -> dict[str, int]:
     """Index of every name: the known ones, then the new ones of the column in the order of appearance."""
     index = {name: i for i, name in enumerate(known)}
     for number, row in read:
@@ -182,7 +184,7 @@ def _indexed(column: str, known: list[str], read: list[tuple[int, Mapping[str, o
     return index
 
 
-def _outcome(number: int, row: Mapping[str, object], states: Mapping[str, int], actions: Mapping[str, int]) -> Outcome:
+def _outcome(number: int, row: Mapping[str, Any], states: Mapping[str, int], actions: Mapping[str, int]) -> Outcome:
     probability, reward = probability_in(row, number), number_in(row, "reward", number)
     following = _matched(row, "next", number, states)
     if following != "END" and following not in states:
@@ -191,7 +193,7 @@ def _outcome(number: int, row: Mapping[str, object], states: Mapping[str, int], 
     return Outcome(states[state], actions[action], probability, states.get(following, END), reward)
 
 
-def _matched(row: Mapping[str, object], column: str, number: int, known: Mapping[str, int]) -> str:
+def _matched(row: Mapping[str, Any], column: str, number: int, known: Mapping[str, int]) -> str:
     """The name in a cell: as it stands if it is known so, else without the blanks around it."""
     given = row.get(column)
     return given if isinstance(given, str) and given in known else name_in(row, column, number)

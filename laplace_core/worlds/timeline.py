@@ -7,6 +7,7 @@ A row says that after ``action``, at step ``tau``, ``reward`` comes with ``proba
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from typing import Literal
 
 import numpy as np
 
@@ -47,7 +48,7 @@ def timeline_world(rows: Iterable[Mapping[str, object]], rest: str = "zero", nam
         first = len(states)  # the state of step 1; step 0 happens in "start"
         states += [f"{action}, tau {tau}" for tau in range(1, lengths[a])]
         for tau, (step, goes_on) in enumerate(_walk(action, drawn[action], lengths[a], rest)):
-            here = "start" if tau == 0 else first + tau - 1
+            here: int | Literal["start"] = "start" if tau == 0 else first + tau - 1
             onwards = (END, 0.0) if tau == lengths[a] - 1 else (first + tau, goes_on)
             size += 2 * len(step) * (1 if tau == 0 else len(names))
             if size > MAX_OUTCOMES:
@@ -148,7 +149,9 @@ def _check_alive(action: str, tau: int, total: float, following: float) -> None:
         )
 
 
-def _outcomes(here: int | str, action: int, n_actions: int, step: Step, onwards: int, goes_on: float):
+def _outcomes(
+    here: int | Literal["start"], action: int, n_actions: int, step: Step, onwards: int, goes_on: float
+) -> list[Outcome]:
     """One step of a chain: in "start" under its own action only, later under every action alike."""
     state, actions = (0, [action]) if here == "start" else (here, range(n_actions))
     ways = [(onwards, goes_on), (END, 1.0 - goes_on)]

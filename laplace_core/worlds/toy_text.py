@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from typing import Any
 
 import numpy as np
 
@@ -55,7 +56,7 @@ def toy_text_limit(name: str) -> int | None:
     return gymnasium.spec(toy_text_name(name)).max_episode_steps
 
 
-def toy_text_world(name: str, params: Mapping[str, object] | None = None) -> World:
+def toy_text_world(name: str, params: Mapping[str, Any] | None = None) -> World:
     """Build a world from the transition table ``P[s][a] = [(p, s', r, terminated), ...]``.
 
     Raises:
@@ -65,7 +66,7 @@ def toy_text_world(name: str, params: Mapping[str, object] | None = None) -> Wor
 
     name = toy_text_name(name)
     options = _options(name, dict(params or {}))
-    env = gymnasium.make(name, **options).unwrapped
+    env: Any = gymnasium.make(name, **options).unwrapped  # what toy text environments have, no type says
     try:
         n_states, n_actions = int(env.observation_space.n), int(env.action_space.n)
         rows = [
@@ -83,14 +84,14 @@ def toy_text_world(name: str, params: Mapping[str, object] | None = None) -> Wor
         rows = list(_fickle(env, rows, options["fickle_probability"]))
         states += [f"{state}, settled" for state in states]
         start = np.concatenate([start, np.zeros(n_states)])
-    actions = _ACTIONS.get(name.split("-")[0].removesuffix("8x8").removesuffix("Slippery"))
+    actions = _ACTIONS[name.split("-")[0].removesuffix("8x8").removesuffix("Slippery")]
     suggested = {"gammas": 30, "spacing": "log", "gamma_min": 0.3, "alpha": 0.01, "steps": 60}
     return World.from_outcomes(
         f"gym:{name}", states, actions, rows, start, suggested=suggested, positions=_positions(env, name, n_states)
     )
 
 
-def _options(name: str, params: dict[str, object]) -> dict[str, object]:
+def _options(name: str, params: dict[str, Any]) -> dict[str, Any]:
     """Every parameter of an environment.
 
     Raises:
@@ -108,7 +109,7 @@ def _options(name: str, params: dict[str, object]) -> dict[str, object]:
     return options
 
 
-def _fickle(env, rows: list[Outcome], chance: float) -> Iterator[Outcome]:
+def _fickle(env: Any, rows: list[Outcome], chance: float) -> Iterator[Outcome]:
     """The outcomes with a passenger who may change the destination once, on the first move with him aboard.
 
     gymnasium draws at the start whether he will, and tells nobody until he does: that is the same process as drawing
@@ -138,7 +139,7 @@ _ACTIONS = {
 }
 
 
-def _state_name(env, name: str, state: int) -> str:
+def _state_name(env: Any, name: str, state: int) -> str:
     if name.startswith("Taxi"):
         row, column, passenger, goal = env.decode(state)
         where = ("R", "G", "Y", "B", "taxi")[passenger]
@@ -148,7 +149,7 @@ def _state_name(env, name: str, state: int) -> str:
     return f"({row}, {column})"
 
 
-def _positions(env, name: str, n_states: int) -> np.ndarray | None:
+def _positions(env: Any, name: str, n_states: int) -> np.ndarray | None:
     if name.startswith("Taxi"):
         return None
     columns = 12 if name.startswith("Cliff") else env.ncol

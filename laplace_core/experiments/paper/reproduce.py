@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 from laplace_core.errors import InputError
 from laplace_core.experiments.paper import results
@@ -24,7 +25,7 @@ class Done:
     """
 
     training: Training
-    row: dict[str, object] | None = None
+    row: dict[str, Any] | None = None
     trouble: str | None = None
 
 

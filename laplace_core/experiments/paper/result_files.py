@@ -7,6 +7,7 @@ import json
 import math
 from collections.abc import Sequence
 from pathlib import Path
+from typing import Any
 
 from laplace_core.agents.settings import LoopSettings
 from laplace_core.errors import InputError
@@ -23,7 +24,7 @@ def result_file(folder: Path, experiment: Experiment) -> Path:
     return folder / f"{experiment.name}.json"
 
 
-def cells_in(path: Path) -> list[dict]:
+def cells_in(path: Path) -> list[dict[str, Any]]:
     """The cells of an experiment's file; none where there is no file.
 
     Raises:

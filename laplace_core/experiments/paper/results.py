@@ -10,6 +10,7 @@ from collections.abc import Sequence
 from datetime import UTC, datetime
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -29,7 +30,7 @@ _SMOOTHING = 0.02  # of all episodes, on either side
 _LEAST_SMOOTHING = 5
 
 
-def row_of(training: Training) -> dict[str, object]:
+def row_of(training: Training) -> dict[str, Any]:
     """The row of a finished training; evaluated once, then kept in its folder.
 
     Raises:
@@ -42,7 +43,7 @@ def row_of(training: Training) -> dict[str, object]:
     return row
 
 
-def kept_row(training: Training) -> dict[str, object] | None:
+def kept_row(training: Training) -> dict[str, Any] | None:
     """The row in the folder of a run, if it has one of these start seeds."""
     asked = {"episodes": EPISODES, "start_seed": START_SEEDS + training.settings.seed}
     with contextlib.suppress(OSError, ValueError, KeyError, TypeError):  # not there, or not to be used
@@ -92,7 +93,7 @@ def write(experiment: Experiment, trainings: Sequence[Training], folder: Path) -
     return path
 
 
-def _measured(training: Training, episodes: int, start_seed: int) -> dict[str, object]:
+def _measured(training: Training, episodes: int, start_seed: int) -> dict[str, Any]:
     """What docs/paper/README.md describes, entry by entry."""
     settings, events = training.settings, training.events
     best = load_checkpoint(training.folder / "best.safetensors")
@@ -130,7 +131,7 @@ def _measured(training: Training, episodes: int, start_seed: int) -> dict[str, o
 _LAST = (("score", "score"), ("standard_error", "standard_error"), ("episodes", "episodes"))
 
 
-def curves(returns: Sequence[float], steps: Sequence[int]) -> dict[str, object]:
+def curves(returns: Sequence[float], steps: Sequence[int]) -> dict[str, Any]:
     """Returns of the episodes in which the acting discount behaved, smoothed, at even places of either axis.
 
     Args:
@@ -143,7 +144,7 @@ def curves(returns: Sequence[float], steps: Sequence[int]) -> dict[str, object]:
     count = len(returns)
     reach = max(_LEAST_SMOOTHING, round(_SMOOTHING * count))
     if not count:
-        nothing = {"returns": []}
+        nothing: dict[str, list[float]] = {"returns": []}
         return {"by_episode": {"episodes": [], **nothing}, "by_step": {"steps": [], **nothing}, "smoothing": 0}
     summed = np.concatenate([[0.0], np.cumsum(np.asarray(returns, dtype=float))])
     low, high = np.maximum(np.arange(count) - reach, 0), np.minimum(np.arange(count) + reach + 1, count)

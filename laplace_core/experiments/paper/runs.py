@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
+from typing import Any
 
 from laplace_core.agents.settings import LoopSettings
 from laplace_core.errors import InputError
@@ -38,7 +39,7 @@ class Training:
         return self.folder.name
 
     @property
-    def events(self) -> list[dict[str, object]]:
+    def events(self) -> list[dict[str, Any]]:
         """All that the run has told so far; nothing where there is no run."""
         return read_metrics(self.folder) if (self.folder / "metrics.jsonl").exists() else []
 
@@ -126,7 +127,7 @@ class Speeds:
         return [speed for each, speed in self._measured if _without_seed(each) == kind]
 
 
-def _without_seed(settings: LoopSettings) -> dict[str, object]:
+def _without_seed(settings: LoopSettings) -> dict[str, Any]:
     return {"algorithm": settings.ALGORITHM, **settings.as_dict(), "seed": None}
 
 
@@ -170,7 +171,7 @@ class Budget:
     def unknown(self) -> int:
         return sum(self.speeds.of(each.settings) is None for each, _ in self._left)
 
-    def as_dict(self) -> dict[str, object]:
+    def as_dict(self) -> dict[str, Any]:
         return {
             "trainings": len(self.trainings),
             "finished": self.finished,
