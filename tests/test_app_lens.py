@@ -41,7 +41,7 @@ def test_the_verdict_speaks_of_the_state_that_is_handed_over():
     told, _ = handed(opened(world="two_branch", normalise="paper", alpha="0.1"))
     assert told["said"]["tone"] == "bad"
     assert told["said"]["state"] == told["state"]
-    assert told["said"]["remedies"] == ["Keep survival", "Add auxiliary states"]
+    assert told["said"]["remedies"][:2] == ["Keep survival", "Add auxiliary states"]
 
 
 def test_reset_leads_to_the_world_s_own_settings():

@@ -192,7 +192,7 @@ def test_a_trained_network_has_the_gamma_space_of_its_world(name, tmp_path):
         np.testing.assert_allclose(found.values, true.values, atol=0.03 * np.ptp(true.values))
         np.testing.assert_allclose(found.constant, true.constant, atol=0.03 * np.ptp(true.values))
         if index == 0:
-            pictures = [decode(space.differences, space.gammas, 4, 0.1) for space in (found, true)]
+            pictures = [decode(-np.diff(space.values, axis=-1), space.gammas, 4, 0.1) for space in (found, true)]
             np.testing.assert_allclose(*pictures, atol=0.08 * pictures[1].max())
 
 

@@ -84,14 +84,23 @@ def _tone(judged: Verdict) -> str:
 
 
 def _sentence(judged: Verdict, view: View) -> str:
-    return judged.sentence if compute.is_explained(view) else f"{judged.sentence} The cause is being searched for."
+    asked = (view.settings, view.action, view.horizon)
+    if view.learned is not None or compute.is_explained(view) or st.session_state.get("_searched_for") == asked:
+        return judged.sentence
+    return f"{judged.sentence} The cause is being searched for."
 
 
 def explain(view: View) -> None:
-    """Find the cause of what is wrong, if that is still to be done, once everything else is on the page."""
-    if not compute.is_explained(view):
-        compute.verdict_for(view)
-        st.rerun()
+    """Find the cause of what is wrong, if that is still to be done, once everything else is on the page.
+
+    One search a view: what is learned meanwhile is another object at every run of the page, and would never be found.
+    """
+    asked = (view.settings, view.action, view.horizon)
+    if compute.is_explained(view) or st.session_state.get("_searched_for") == asked:
+        return
+    st.session_state["_searched_for"] = asked
+    compute.verdict_for(view)
+    st.rerun()
 
 
 def _graph(view: View) -> Graph | None:

@@ -42,7 +42,8 @@ def _view(running: bool) -> None:
     export.footer(view)
     compare.comparison(view)
     bring.editor(view)
-    panels.explain(view)
+    if not running:  # what is learned changes under the search
+        panels.explain(view)
     if learning.at_work() != running:  # learning began or ended: look oftener, or no more
         st.rerun()
 
