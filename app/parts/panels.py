@@ -84,7 +84,7 @@ def _tone(judged: Verdict) -> str:
 
 
 def _sentence(judged: Verdict, view: View) -> str:
-    asked = (view.settings, view.action, view.horizon)
+    asked = dict(state.chosen())
     if view.learned is not None or compute.is_explained(view) or st.session_state.get("_searched_for") == asked:
         return judged.sentence
     return f"{judged.sentence} The cause is being searched for."
@@ -95,7 +95,7 @@ def explain(view: View) -> None:
 
     One search a view: what is learned meanwhile is another object at every run of the page, and would never be found.
     """
-    asked = (view.settings, view.action, view.horizon)
+    asked = dict(state.chosen())
     if compute.is_explained(view) or st.session_state.get("_searched_for") == asked:
         return
     st.session_state["_searched_for"] = asked
