@@ -81,7 +81,7 @@ def test_an_experiment_is_trained_listed_and_kept(small, tmp_path, capsys):
     assert left["experiments"]["first"] == {
         "trainings": 3, "finished": 3, "steps": 0, "hours": 0.0, "rough_speed": 0, "unknown_speed": 0,
     }  # fmt: skip
-    # CartPole's speed is told by no run: there is none of its environment.
+    # No run of CartPole exists, so that its speed is unknown.
     assert left["together"]["steps"] == STEPS
     assert left["together"]["unknown_speed"] == 1
 

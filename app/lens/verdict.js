@@ -8,8 +8,8 @@ const VALUE_TOLERANCE = 0.1, SOUND = 0.1, RUINED = 1 / 3; // as in laplace_core.
 export const WORDS = { bad: 'Wrong', warn: 'Right, for the wrong reason', ok: 'Right', unknown: 'No truth to compare with',
   smeared: 'Right choice, smeared timeline', ruined: 'Right choice, ruined timeline' };
 
-// Decimals, never a negative zero; significant digits where all values are below .01 and more than rounding of terms of
-// this size; more of either where they are to be told apart. As in laplace_core.verdict.
+// Decimals, never a negative zero. Values that are all below .01, but larger than rounding, get significant digits;
+// `apart` adds as many digits as make two values differ. As in laplace_core.verdict.in_words.
 const fixed = (value, digits) => (Math.round(value * 10 ** digits) / 10 ** digits + 0).toFixed(digits);
 const significant = (value, digits) => String(+value.toPrecision(digits) + 0);
 function inWords(values, scale, apart = false) {

@@ -6,8 +6,9 @@ The inverse is linear, so that before any rescaling the picture is a sum,
 
 with D the decode matrix and F the transform. Each artefact of the inverse is measured on its own summand, and by
 reward: midpoints are gathered at the world's nearest reward, so that the measures do not depend on how finely
-rewards are resolved, and noise that averages out between neighbouring thresholds does not count. What is held against
-the truth is gathered by whole step as well: a world pays at whole steps, however many rows lie around each.
+rewards are resolved, and noise that averages out between neighbouring thresholds does not count. Rows that
+are compared with the truth are added up by whole step as well: a world pays at whole steps, however many rows lie
+around each.
 """
 
 from __future__ import annotations

@@ -157,7 +157,7 @@ def _two_digits(x: float) -> float:
 
 def _preset(rng: np.random.Generator) -> tuple[World, int]:
     name = str(rng.choice(list(PRESETS)))
-    # The largest preset is as dear as ten others: a few are enough.
+    # The largest preset costs as much time as ten others, so that it is drawn rarely.
     while name == "discounting_chain" and rng.random() < 0.7:
         name = str(rng.choice(list(PRESETS)))
     params = {parameter.name: _value(rng, name, parameter) for parameter in PRESETS[name].parameters}
