@@ -86,22 +86,27 @@ def verdict_at_once(view: View) -> Verdict:
 
 
 @lru_cache(maxsize=128)
-def _artefacts(view: View, action: int, searching: bool) -> tuple[Artefact, ...]:
-    found, trials = study_for(view), _trials(view) if action == view.action else None
-    return tuple(find_artefacts(found, action, float(found.horizons[row_of(view)]), searching, trials))
+def _artefacts(view: View, action: int, *, searching: bool) -> tuple[Artefact, ...]:
+    found, trials = study_for(view), _trials(view) if searching and action == view.action else None
+    listed = find_artefacts(found, action, float(found.horizons[row_of(view)]), searching, trials)
+    return tuple(listed if searching else (replace(each, remedies=()) for each in listed))
 
 
-def artefacts_for(view: View, action: int | None = None, searching: bool = True) -> tuple[Artefact, ...]:
-    """Artefacts in the tau-space of the shown action, or of another, with remedies that were tried, if asked for."""
-    return _artefacts(view, view.action if action is None else action, searching)
+def artefacts_for(view: View, action: int | None = None) -> tuple[Artefact, ...]:
+    """Artefacts in the tau-space of the shown action, or of another.
+
+    Those of the shown action have their remedies once the cause is known: to try them is part of the same search.
+    """
+    other = action is not None and action != view.action
+    return _artefacts(view, view.action if action is None else action, searching=not other and is_explained(view))
 
 
 def artefacts_elsewhere(view: View) -> str:
     """One line that names artefacts which only other actions have."""
-    here = {artefact.name for artefact in artefacts_for(view, searching=False)}
+    here = {artefact.name for artefact in artefacts_for(view)}
     lines: dict[str, list[str]] = {}
     for other, name in enumerate(study_for(view).action_names):
-        for artefact in artefacts_for(view, other, searching=False) if other != view.action else ():
+        for artefact in artefacts_for(view, other) if other != view.action else ():
             if artefact.name not in here:
                 lines.setdefault(artefact.name, []).append(name)
     return " ".join(f"Also {name}, in {', '.join(actions)}." for name, actions in lines.items())

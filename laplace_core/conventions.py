@@ -61,7 +61,10 @@ def check_convention(values: np.ndarray, constant: np.ndarray | None, gammas: np
         action, g = np.unravel_index(facts.sized.argmax(), facts.sized.shape)
         told = f"{facts.sized[action, g] / sizes[g]:.4g} at gamma {gammas[g]:.4g}, well above 1 / (1 - gamma)"
         if _score(values[:, ::-1], None, sizes) < 0.5 * _score(values, None, sizes):
-            raise InputError(f"'gamma_space' holds {told}: its discounts seem to be in the reverse order of 'gammas'; reverse one of them.")
+            raise InputError(
+                f"'gamma_space' holds {told}: its discounts seem to be in the reverse order of 'gammas'; "
+                "reverse one of them."
+            )
         raise InputError(f"'gamma_space' holds {told}: give discounted sums of probabilities, not of rewards.")
     if facts.below:
         raise InputError(
