@@ -132,7 +132,7 @@ def _conventions() -> Iterator[tuple[str, bytes, tuple[str, ...]]]:
         own = None if known is None else known * sizes
         yield f"times 1 - gamma, {told} a constant", saved(values * sizes[:, None], own), ("times (1 - gamma)",)
     yield "rewards in place of probabilities", saved(20.0 * values), ("above 1 / (1 - gamma)",)
-    yield "rows against gammas", saved(values[:, ::-1]), ("run against 'gammas'",)
+    yield "rows against gammas", saved(values[:, ::-1]), ("reverse order of 'gammas'",)
     yield "constant channel too low", saved(values, constant * sizes), ("'constant_channel' lies below",)
     yield "thetas descending", saved(values[..., ::-1], None, thetas[::-1]), ("reverse 'thetas'", "last axis")
     for flag in (2.0, np.array([1.0, 0.0])):

@@ -127,5 +127,5 @@ def test_descending_thetas_are_told_how_to_be_mended_and_descending_discounts_wo
 
 def test_rows_against_the_discounts_are_refused():
     space = random_space(np.random.default_rng(8), (6, 10), "shared")
-    with pytest.raises(InputError, match="run against 'gammas'"):
+    with pytest.raises(InputError, match="reverse order of 'gammas'"):
         read_gamma_space(npz(gamma_space=space.values[:, ::-1], gammas=space.gammas, thetas=space.thetas))

@@ -86,10 +86,12 @@ const regular = ({ V, s, r, K }, alpha) => {
     weights: (target) => scaled(product(target, V, 1, K, r), 1) };
 };
 
-// The 2-norm of every row of the decode matrix, (n,): the components of the transform are orthonormal.
+// The 2-norm of every row of the decode matrix, (n,), the same for all actions: the components are orthonormal.
 export function rowNorms(inverse, r) {
+  if (inverse.norms?.length === inverse.n) return inverse.norms;
   const rows = inverse.decode(Float64Array.from({ length: r * r }, (_, i) => Number(i % (r + 1) === 0)), r);
-  return Float64Array.from({ length: inverse.n }, (_, k) => Math.hypot(...rows.subarray(k * r, (k + 1) * r)));
+  inverse.norms = Float64Array.from({ length: inverse.n }, (_, k) => Math.hypot(...rows.subarray(k * r, (k + 1) * r)));
+  return inverse.norms;
 }
 
 // The inverse of the first rows only (K = T), grown row by row: [F^T; alpha] = Q R by rotations, so that no square is

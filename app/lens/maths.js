@@ -231,7 +231,7 @@ function differencesOf(columns, grid, map, H, a, hum, noise) { // of one action,
   return hum ? Z.map((value, i) => value + noise * hum.differences[a][i]) : Z;
 }
 
-export const gammaSpace = ({ grid, columns, map, hum, H }, state) => // differences of the shown action, (G, H-1)
+export const gammaSpace = ({ grid, columns, map, hum, H }, state) => // differences of the shown action, (G, bins)
   differencesOf(columns, grid, map, H, state.action, hum, state.noise);
 
 // What alpha and T really weigh each future step with, what they should, and how much noise it lets through.
