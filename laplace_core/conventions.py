@@ -78,7 +78,7 @@ def check_convention(values: np.ndarray, constant: np.ndarray | None, gammas: np
         )
     if facts.against:
         raise InputError(
-            "'gamma_space' falls with gamma throughout: its rows seem to run against 'gammas'; reverse one of them."
+            "'gamma_space' falls with gamma throughout: its discounts seem to be in the reverse order of 'gammas'; reverse one."
         )
 
 
