@@ -78,7 +78,8 @@ def check_convention(values: np.ndarray, constant: np.ndarray | None, gammas: np
         )
     if facts.against:
         raise InputError(
-            "'gamma_space' falls with gamma throughout: its discounts seem to be in the reverse order of 'gammas'; reverse one."
+            "'gamma_space' falls with gamma throughout: its discounts seem to be in the reverse order of 'gammas'; "
+            "reverse one of them."
         )
 
 
