@@ -10,7 +10,8 @@ import numpy as np
 import pytest
 
 from laplace_core import GammaSpace, Settings
-from laplace_core.encoding import softening, theta_midpoints
+from laplace_core.encoding import softening
+from laplace_core.gamma_space import bin_edges
 from laplace_core.horizon import expected_rewards
 from laplace_core.interpolation import with_added
 from laplace_core.inverse import decode
@@ -44,7 +45,7 @@ def rolled_out(page, address, environment="CartPole-v1"):
 
 
 def shown(page) -> np.ndarray:
-    """Differences of the model that the lens shows, (A, G, H-1)."""
+    """Differences of the model that the lens shows, (A, G, B)."""
     return np.array(page.evaluate(
         "() => { const { model } = document.querySelector('.laplace-lens').lens;"
         " return model.grids.own.columns.shared.values.map((one) => Array.from(one)); }"
@@ -80,7 +81,7 @@ def test_the_whole_path_and_its_numbers(page, address, environment):
     space = loaded.agent.gamma_space(rollout.observations[STEP])
     tau_space = decode(space.differences, space.gammas, len(found), told["alpha"], 1.0)[told["action"]]
     np.testing.assert_allclose(found[:, -tau_space.shape[1] :], tau_space, atol=1e-6)
-    np.testing.assert_allclose(found[:, 1], expected_rewards(tau_space, theta_midpoints(space.thetas)), atol=1e-5)
+    np.testing.assert_allclose(found[:, 1], expected_rewards(tau_space, space.bin_values), atol=1e-5)
 
     file = np.load(io.BytesIO(saved(page, "NPZ")))
     np.testing.assert_array_equal(file["actions"], rollout.actions)
@@ -119,7 +120,7 @@ def test_a_softer_slope_and_added_discounts(page, address, wanted):
     space = exactly(page, loaded, rollout, added=1)
     found, told = taken_along(page)
     assert (told["added"], told["slope_share"]) == (1, 0.5)
-    soft = space.differences[told["action"]] @ softening(loaded.agent.sensitivities.places, 0.5)
+    soft = space.differences[told["action"]] @ softening(loaded.agent.sensitivities.places, 0.5, open_ends=True)
     wanted_ = decode(soft, space.gammas, len(found), told["alpha"], 1.0)
     np.testing.assert_allclose(found[:, -soft.shape[1] :], wanted_, atol=1e-9)
 
@@ -176,7 +177,7 @@ def test_scrubbing_needs_no_server_and_shows_the_next_step_at_once(page, address
     page.context.route("**/*", lambda route: route.abort())  # whatever is not there by now does not come
     page.on("websocket", lambda socket: sent.append(socket))
     page.evaluate("() => { document.querySelector('.laplace-player').times.length = 0; }")
-    exact = rollout.spaces[..., :-1] - rollout.spaces[..., 1:]
+    exact = np.array([rollout.space(i).differences for i in range(len(rollout.spaces))])
     for step in (1, 2, 30, 59):
         scrub(page, step)  # sooner than it comes to rest
         found = shown(page).reshape(exact.shape[1:])
@@ -226,7 +227,7 @@ def test_sensitivities_that_are_close_together_can_be_told_apart(page, address):
         const { X, toX } = document.querySelector('canvas.tau-space').scale, edges = thetas.map(X);
         return [edges, edges.map(toX)]; }"""
     )
-    thetas = load_checkpoint(CHECKPOINTS / "laplace_LunarLander-v3.safetensors").agent.thetas
+    thetas = bin_edges(load_checkpoint(CHECKPOINTS / "laplace_LunarLander-v3.safetensors").agent.thetas, open_ends=True)
     np.testing.assert_allclose(np.diff(edges), (edges[-1] - edges[0]) / (thetas.size - 1), rtol=1e-6)
     np.testing.assert_allclose(back, thetas, atol=1e-3)
     hover = "() => document.querySelector('.laplace-lens').lens.hover.theta"

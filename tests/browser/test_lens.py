@@ -260,7 +260,7 @@ def test_every_canvas_says_in_numbers_what_it_shows(page, demo):
     open_at(page, demo)
     assert page.locator("canvas[role=img]").count() == 7
     assert "short 14.85, long 9.738" in words(page, "values")
-    assert "decoded 5, 5, 5, true 5, 0, 0" in words(page, "rewards")
+    assert "decoded 5, 5, 5, true at the first steps 5, 0, 0" in words(page, "rewards")
     assert "3 usable" in words(page, "spectrum")
     assert "15 discounts" in words(page, "gamma-space")
     assert "probability 1 with mean reward 5" in words(page, "tau-space")
