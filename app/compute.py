@@ -29,7 +29,8 @@ def _study(subject: Subject, settings: Resolved) -> Study:
     if isinstance(subject, GammaSpace):
         return study_of_gamma_space(subject, settings)
     if isinstance(subject, Observed):
-        return replace(study_of_gamma_space(subject.gamma_space, settings), action_names=subject.action_names)
+        found = study_of_gamma_space(subject.gamma_space, settings, own_convention=False)
+        return replace(found, action_names=subject.action_names)
     if isinstance(subject, Learner):
         return study(subject.world, settings, learned=subject.basis(subject.world.state_index(settings.state)))
     return study(subject, settings)

@@ -24,6 +24,8 @@ RUINED = 1.0 / 3.0
 """The share from which on a smeared timeline is called ruined."""
 LEAST_MASS = 0.05
 """A true timeline that holds less probability than this counts as holding this much."""
+LEAST_SHOWN = 0.05
+"""A picture that holds a smaller share of the true timeline than this shows nothing of it."""
 
 Timeline = Literal["sound", "smeared", "ruined"]
 
@@ -92,11 +94,14 @@ def timeline_error(study: WorldStudy, action: int, decoded: Decoded | None = Non
     Half the sum of |decoded - true| over steps and rewards, by the sum of the true ones: 0 for a perfect inverse, 1
     where nothing lies where it should, more where probability is invented. Each bin counts for the world's nearest
     reward, and with a ``time_step`` below 1 each row for the nearest step, so that a finer picture is not a worse one.
-    Rows given survival are held against true rows given survival.
+    Rows given survival are held against true rows given survival. A picture whose sensitivities hold less than
+    ``LEAST_SHOWN`` of what truly comes counts as wholly misplaced.
     """
     decoded = study.decoded if decoded is None else decoded
     truth, s = study.truth, study.settings
     true = truth.tau_space[action]
+    if true.sum() < LEAST_SHOWN * truth.survival[action].sum():
+        return 1.0
     if s.normalise == "survival":
         alive = truth.survival[action][:, None]
         true = np.divide(true, alive, out=np.zeros_like(true), where=alive > SURVIVAL_FLOOR)

@@ -13,6 +13,7 @@ from functools import lru_cache
 
 import numpy as np
 
+from laplace_core.conventions import check_convention
 from laplace_core.encoding import bin_masses, discount_grid, sensitivity_grid
 from laplace_core.errors import InputError
 from laplace_core.gamma_space import GammaSpace, encode, with_noise
@@ -103,8 +104,24 @@ class Study:
         return row_horizons(self.settings.steps, self.settings.time_step)
 
     def row_at(self, horizon: float) -> int:
-        """The column of the horizon values that comes nearest to a horizon."""
+        """The column of the horizon values that comes nearest to a horizon.
+
+        Raises:
+            InputError: a horizon that is not a number above 0.
+        """
+        if not horizon > 0:
+            raise InputError(f"the horizon is {horizon:g}; it must be above 0.")
         return int(np.argmin(np.abs(self.horizons - horizon)))
+
+    def check_view(self, row: int | None = None, action: int | None = None) -> None:
+        """Refuse a row of no horizon, or an action that this study does not have.
+
+        Raises:
+            InputError: naming how many there are.
+        """
+        for name, index, count in (("row", row, len(self.horizons)), ("action", action, len(self.action_names))):
+            if index is not None and not 0 <= index < count:
+                raise InputError(f"{name} {index} is not there: this study has {count}, from 0 to {count - 1}.")
 
     @property
     def taus(self) -> np.ndarray:
@@ -161,8 +178,18 @@ def study(
     return WorldStudy(s, world.actions, gamma_space, midpoints, decoded, world, state, truth, learned, policy)
 
 
-def study_of_gamma_space(gamma_space: GammaSpace, settings: Settings) -> Study:
-    """Decode a gamma-space learned elsewhere: there is no world and no truth."""
+def study_of_gamma_space(gamma_space: GammaSpace, settings: Settings, *, own_convention: bool = True) -> Study:
+    """Decode a gamma-space learned elsewhere: there is no world and no truth.
+
+    Args:
+        own_convention: whether the values may follow another convention than ours, and are looked at for that; those
+            of an agent of this library do not.
+
+    Raises:
+        InputError: settings that the gamma-space decides, or values that are those of another convention.
+    """
+    if own_convention:
+        check_convention(gamma_space.values, gamma_space.constant, gamma_space.gammas, gamma_space.thetas)
     resolved = resolve_for_gamma_space(settings, gamma_space.gammas)
     gamma_space = with_noise(gamma_space, resolved.noise, resolved.noise_seed)
     actions, discounts, thetas = gamma_space.values.shape

@@ -105,7 +105,11 @@ def judge(
         action: whose timeline is graded; default: the chosen one.
         explain: whether to search for a cause and remedies.
         trials: of this very view, where they are there already.
+
+    Raises:
+        InputError: a row or an action that the study does not have.
     """
+    study.check_view(row, action)
     names, decoded = study.action_names, study.decoded
     values = decoded.horizon_values[:, row]
     chosen = int(greedy_action(values, scale=decoded.scale))

@@ -7,6 +7,7 @@ import io
 import numpy as np
 import pytest
 
+from laplace_core import GammaSpace, Settings, study_of_gamma_space
 from laplace_core.conventions import check_convention
 from laplace_core.errors import InputError
 from laplace_core.saved import read_gamma_space
@@ -37,6 +38,14 @@ def test_no_gamma_space_is_refused_for_being_what_it_is():
                 if said:
                     refused.append((seed, noise, constant is None, said))
     assert refused == []
+
+
+def test_a_gamma_space_that_is_handed_over_in_python_is_held_against_conventions_too():
+    space = random_space(np.random.default_rng([3, 0]))
+    below = space.constant[..., None] - space.values  # P(r < theta)
+    study_of_gamma_space(GammaSpace(space.values, space.constant, space.gammas, space.thetas), Settings())
+    with pytest.raises(InputError, match="P\\(r < theta\\)"):
+        study_of_gamma_space(GammaSpace(below, space.constant, space.gammas, space.thetas), Settings())
 
 
 def test_neither_a_beginning_learner_nor_impossible_actions_are_refused():

@@ -115,7 +115,7 @@ def test_the_lens_draws_what_is_decoded(made):
     agent, environment = made()
     for observation in visited(agent, environment, 12)[::4]:
         settings = structure(Settings(world="network", steps=60, acting_gamma=agent.acting_discount), None)
-        found = study_of_gamma_space(agent.gamma_space(observation), settings)
+        found = study_of_gamma_space(agent.gamma_space(observation), settings, own_convention=False)
         data, _ = payload(found, places=agent.sensitivities.places)
         state = opening_state(found.settings, 20.0) | {"fold": False}
         shown = seen(data, state)

@@ -11,6 +11,8 @@ import pytest
 
 from laplace_core import PRESETS, InputError, Settings, Study, load_world, study, study_of_gamma_space
 from laplace_core.artifacts import find_artefacts
+from laplace_core.experiments.judge import judge_view
+from laplace_core.experiments.views import View
 from laplace_core.pipeline import basis_of
 from laplace_core.trials import ALPHAS, Trials
 from laplace_core.verdict import Verdict, judge
@@ -60,6 +62,27 @@ def test_the_timeline_is_graded_apart_from_the_choice():
     assert not verdict.faultless
     assert "Timeline of go: ruined, 49% misplaced." in verdict.sentence
     assert verdict.cause.name == "over-smoothing"
+
+
+def test_a_picture_beside_all_rewards_is_not_sound():
+    """Rewards are 5 and 10 and idle steps 0: between 50 and 60 lies nothing, and the picture is empty."""
+    found = look("two_branch", theta_min=50.0, theta_max=60.0)
+    assert np.abs(found.decoded.tau_space).max() < 1e-6
+    verdict = judge(found, 2)
+    assert (verdict.timeline_error, verdict.timeline) == (1.0, "ruined")
+    assert judge_view(View(found.world, found.settings, 2, 0)).timeline_errors == (1.0, 1.0)
+
+
+def test_a_view_that_is_not_there_is_refused():
+    found = look("two_branch")
+    for refused, words in (
+        (lambda: judge(found, 99), "row 99 is not there: this study has"),
+        (lambda: judge(found, 0, 2), "action 2 is not there: this study has 2, from 0 to 1."),
+        (lambda: find_artefacts(found, -1), "action -1 is not there"),
+        (lambda: found.row_at(float("nan")), "the horizon is nan; it must be above 0"),
+    ):
+        with pytest.raises(InputError, match=words):
+            refused()
 
 
 def test_a_timeline_error_by_hand():

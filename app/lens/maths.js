@@ -3,6 +3,7 @@ import { ROUNDING, greedy, growing, inverseOf, masses, normalNoise, product, rem
 import { constants, rowAt } from './model.js';
 import { softened } from './network.js';
 
+const LEAST_SHOWN = 0.05; // a picture that holds a smaller share of the true timeline shows nothing of it
 export const FLOOR = 0.05; // below this decoded survival a conditional distribution is noise over noise
 
 // ---- reading
@@ -76,6 +77,10 @@ export function timelineError(model, state, seen) {
   const step = (k) => Math.floor(k * dt + 0.5 + 1e-9), N = step(K - 1) + 1;
   const true_ = remember(cache, 'true by reward', [state.action, state.slope, state.normalise === 'survival', H, midpoints[0]], () => {
     const out = new Float64Array(N * V), chances = truth.chances[state.action], alive = truth.survival[state.action];
+    const seen = Float64Array.from({ length: V }, (_, v) => M.subarray(v * H, (v + 1) * H).reduce((sum, mass) => sum + mass, 0));
+    let shown = 0, comes = 0;
+    for (let i = 0; i < K * V; i++) { shown += chances[i] * seen[i % V]; comes += chances[i]; }
+    if (shown < LEAST_SHOWN * comes) return null; // the picture lies beside what comes
     for (let k = 0; k < K; k++) {
       const whole = state.normalise !== 'survival' ? 1 : alive[k] > FLOOR ? 1 / alive[k] : 0;
       for (let v = 0; v < V; v++) {
@@ -85,6 +90,7 @@ export function timelineError(model, state, seen) {
     }
     return out;
   });
+  if (!true_) return 1;
   const rows = new Float64Array(N * V);
   for (let k = 0; k < n; k++) for (let h = 0; h < H; h++) rows[step(k) * V + nearest[h]] += tau[k * H + h];
   let off = 0, all = 0;

@@ -49,7 +49,11 @@ def find_artefacts(
         searching: whether to search for remedies, which takes most of the time; without, those that are listed were
             not tried, and sentences are as if there were none.
         trials: of this very view and action, where they are there already.
+
+    Raises:
+        InputError: an action that the study does not have.
     """
+    study.check_view(action=action)
     look = Look(study, action, horizon, searching)
     found = [artefact for measure in MEASURES.values() if (artefact := measure(look)) is not None]
     if not searching:

@@ -78,7 +78,7 @@ def conditional_rewards(look: Look) -> Artefact | None:
         f"is {np.abs(true).max():.3g}",
         "Each row is divided by its survival, so that it says what comes if the episode still runs; the values sum "
         f"this as if it were sure to run, and leave out rows whose survival is at most {SURVIVAL_FLOOR:g}.",
-        (Remedy("Keep survival", {"normalise": "none"}),),
+        (Remedy("Weigh rewards by survival", {"normalise": "none"}),),
     )
 
 

@@ -54,7 +54,7 @@ def flag_steps(
         space = rollout.space(step)
         # The inverse treats every action by itself.
         alone = replace(space, values=space.values[[action]], constant=space.constant[[action]])
-        study = study_of_gamma_space(with_added(alone, added), settings)
+        study = study_of_gamma_space(with_added(alone, added), settings, own_convention=False)
         for artefact in find_artefacts(study, 0, searching=False):
             found[step, order[artefact.name]] = True
         if told is not None:
