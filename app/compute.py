@@ -29,7 +29,8 @@ def _study(subject: Subject, settings: Resolved) -> Study:
     if isinstance(subject, GammaSpace):
         return study_of_gamma_space(subject, settings)
     if isinstance(subject, Observed):
-        found = study_of_gamma_space(subject.gamma_space, settings, own_convention=False)
+        space = replace(subject.gamma_space, places=subject.places)
+        found = study_of_gamma_space(space, settings, own_convention=False)
         return replace(found, action_names=subject.action_names)
     if isinstance(subject, Learner):
         return study(subject.world, settings, learned=subject.basis(subject.world.state_index(settings.state)))
@@ -42,8 +43,7 @@ def study_for(view: View) -> Study:
 
 def row_of(view: View) -> int:
     """The row of the horizon that is asked for; the last one by default."""
-    found = study_for(view)
-    return len(found.horizons) - 1 if view.horizon is None else found.row_at(view.horizon)
+    return study_for(view).row
 
 
 @lru_cache(maxsize=128)
@@ -127,14 +127,15 @@ def episode_regrets(view: View) -> np.ndarray | None:
     """Loss of whole episodes under the decoded rule from the study's state, by T; None where it cannot be had."""
     if view.world is None:
         return None
-    return _episode_regrets(view.subject, replace(view.settings, noise=0.0, noise_seed=0))
+    return _episode_regrets(view.subject, replace(view.settings, noise=0.0, noise_seed=0, horizon=None, used=0.0))
 
 
 # What the graph of a world does not depend on; it is drawn once for all values of these.
 _UNSEEN: dict[str, Any] = {
     "alpha": 1.0, "steps": 1, "time_step": 1.0, "normalise": "none", "softness": 0.0, "deadline": "constant",
     "noise": 0.0, "noise_seed": 0, "thetas": 2, "gammas": 2, "theta_min": 0.0, "theta_max": 1.0, "slope": 1.0,
-    "policy": "shared",
+    "policy": "shared", "value_gamma": 0.5, "horizon": None, "used": 0.0, "fold": False, "shift": False, "clip": False,
+    "paper_grid": False,
 }  # fmt: skip
 
 

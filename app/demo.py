@@ -23,7 +23,8 @@ st.set_page_config(layout="wide")
 values = parse_query(dict(st.query_params))[0]
 view = view_of(values)
 found = study(view.world, view.settings)
-opening = state_of(values, view.settings, view.horizon or float(found.horizons[-1]), view.action)
+horizon = view.settings.horizon or float(found.horizons[-1])
+opening = state_of(view.settings, horizon, action=view.action)
 state = st.session_state.setdefault("state", opening)
 st.session_state["runs"] = st.session_state.get("runs", 0) + 1
 

@@ -44,6 +44,15 @@ def fits(query: Mapping[str, str]) -> bool:
     return sum(map(len, query.values())) <= LONGEST
 
 
+_OLD_SWITCHES = ("fold", "shift", "clip", "paper_grid")
+
+
+def translated(query: Mapping[str, str]) -> dict[str, str]:
+    """A link as it is written today: those of version 0.2 say yes and no of some switches."""
+    words = {"yes": "true", "no": "false"}
+    return {name: words.get(text, text) if name in _OLD_SWITCHES else text for name, text in query.items()}
+
+
 def read_values(
     query: Mapping[str, str], known: Mapping[str, Parameter], read: tuple[str, ...] = ()
 ) -> tuple[dict[str, Any], list[str]]:

@@ -7,8 +7,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from app import sources
-from app.lens.state import VIEW as LENS
-from app.link import unpack
+from app.link import translated, unpack
 from app.sources import LEARN, PARAM
 from laplace_core import InputError, Settings
 from laplace_core.learned import LEARN_SCHEMA
@@ -22,7 +21,6 @@ OPENING = {"world": "two_branch", "normalise": "paper"}
 
 VIEW = (
     Parameter("action", None, 0, 0, "Action whose spaces are shown.", str),
-    Parameter("horizon", None, 1e-3, 2000, "Deadline T, in steps of the world.", float),
     Parameter("look", "heatmap", 0, 0, "How the spaces are drawn.", str, ("heatmap", "surface")),
     Parameter("own", None, 0, 0, "Your own world, packed.", str),
     Parameter("timeline", None, 0, 0, "Your own timeline, packed.", str),
@@ -33,7 +31,6 @@ VIEW = (
     Parameter("agent", None, 0, 0, "An agent that learned before.", str),
     Parameter("run", None, 0, 0, "The run of learning that is looked at.", str),
     Parameter("learner", "mean", 0, 0, "The learner shown, or the mean of all.", str, ("mean", *"01234567")),
-    *LENS,
     Parameter("edit", "no", 0, 0, "Whether the world is open as a table.", str, ("no", "yes")),
 )
 """What is looked at, beside the settings of the study."""
@@ -43,6 +40,7 @@ def parse_query(query: Mapping[str, str]) -> tuple[dict[str, Any], list[str]]:
     """State and notes from URL values; the values are checked as strictly as those of the command line."""
     found: dict[str, Any] = {}
     notes: list[str] = []
+    query = translated(query)
     world = query.get("world", OPENING["world"])
     if world not in (*sources.WORLDS, *sources.BROUGHT) or (world in sources.BROUGHT and world not in query):
         notes.append(f"The link asks for an unknown world, {world[:40]!r}; this is the opening view instead.")

@@ -224,13 +224,11 @@ class View:
     Attributes:
         subject: the world; what was learned of it; or a gamma-space without a world,
             from a file or from a trained agent.
-        horizon: the deadline that was asked for, or None for the longest.
     """
 
     subject: World | Learner | GammaSpace | Observed
     settings: Resolved
     action: int
-    horizon: float | None
 
     @property
     def world(self) -> World | None:
@@ -257,7 +255,6 @@ def view_of(values: Values, learned: Learned | None = None) -> View:
     """
     world = world_of(values)
     given = {name: value for name, value in values.items() if name in BY_NAME}
-    horizon = values.get("horizon")
     if world is None:
         file = gamma_space_files().get(str(values.get("data", "")))
         if file is None:
@@ -272,11 +269,12 @@ def view_of(values: Values, learned: Learned | None = None) -> View:
         wanted = Settings(world=world.source or file_name(world), params=params, **given)
         subject, names = world, list(world.actions)
         if learned is not None:
+            wanted = replace(wanted, paper_grid=None)  # it learned at its own discounts
             wanted = study_settings(learned.settings, wanted)
             subject = learner(world, learned, _shown_seed(values, learned))
         settings = resolve(wanted, world)
     action = names.index(values["action"]) if values.get("action") in names else 0
-    return View(subject, settings, action, horizon)
+    return View(subject, settings, action)
 
 
 def _shown_seed(values: Values, learned: Learned) -> int | None:

@@ -9,9 +9,8 @@ from typing import Any
 import numpy as np
 
 from app import checkpoints, rolled
-from app.lens.state import NETWORK
-from app.lens.state import VIEW as LENS
-from app.link import read_values
+from app.lens.state import ADDED
+from app.link import read_values, translated
 from app.observations import Scene, scene_of
 from app.query import VIEW
 from app.sources import View
@@ -25,8 +24,8 @@ OBSERVED = "o."  # prefix of the components of an observation
 # A network's gamma-space is known to a hundredth or so: less regularisation shows its error and not its timeline.
 DEFAULTS = {"alpha": 1.0}
 _READING = {name: parameter for name, parameter in BY_NAME.items() if name not in ENCODING_NAMES}
-_LOOKING = {parameter.name: parameter for parameter in VIEW if parameter.name in ("action", "horizon", "look")}
-_LOOKING |= {parameter.name: parameter for parameter in (*LENS, *NETWORK)}
+_LOOKING = {parameter.name: parameter for parameter in VIEW if parameter.name in ("action", "look")}
+_LOOKING["added"] = ADDED
 
 
 def opening() -> dict[str, Any]:
@@ -36,6 +35,8 @@ def opening() -> dict[str, Any]:
 def parse_query(query: Mapping[str, str]) -> tuple[dict[str, Any], list[str]]:
     """State and notes from URL values."""
     found, notes = dict(opening()), []
+    # The lens of version 0.2 wrote these here as well, where they never did anything.
+    query = {name: text for name, text in translated(query).items() if name not in ("clip", "paper_grid")}
     try:
         if "checkpoint" in query:
             checkpoints.checkpoint(query["checkpoint"])
@@ -87,7 +88,7 @@ def view_of(
     given = {name: value for name, value in values.items() if name in _READING and name != "state"}
     usual = DEFAULTS | _steps(loaded.environment)
     settings = resolve_for_gamma_space(Settings(world=loaded.environment, **(usual | given)), loaded.agent.gammas)
-    return View(subject, settings, action_of(scene, values), values.get("horizon"))
+    return View(subject, settings, action_of(scene, values))
 
 
 @cache

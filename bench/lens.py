@@ -18,11 +18,12 @@ from types import SimpleNamespace
 import numpy as np
 import plotly
 
-from app.lens import Simulated, opening_state, payload, script, seen, structure
+from app.lens import Simulated, payload, script, state_of, structure
 from app.lens.payload import unpacked
 from bench.browser import FLAGS, find_chromium, served
 from laplace_core import PRESETS, Settings, load_world, study, study_of_gamma_space
 from laplace_core.interpolation import with_added
+from tests.lens_reference import seen
 
 ROOT = Path(__file__).resolve().parent.parent
 PAGE = ROOT / "app" / "demo.py"
@@ -101,7 +102,7 @@ def random_cases(held: dict[str, tuple[bytes, Settings]], count: int, seed: int)
         last = settings.steps * settings.time_step
         T = float(rng.integers(1, last + 1)) if settings.time_step == 1 else float(rng.uniform(1, last))
         chance = rng.random(7) < 0.35
-        state = opening_state(settings, T, int(rng.integers(len(unpacked(held[name][0])[0]["actions"]))))
+        state = state_of(settings, T, action=int(rng.integers(len(unpacked(held[name][0])[0]["actions"]))))
         state |= {
             "alpha": float(10 ** rng.uniform(-6, 0)),
             "slope": float(state["slope"] * 10 ** rng.uniform(-1, 1)),

@@ -90,7 +90,6 @@ def _parser() -> argparse.ArgumentParser:
     decode.add_argument("--param", action="append", default=[], metavar="name=value", help="a parameter of the world")
     add_parameters(decode, SCHEMA)
     decode.add_argument("--seed-index", metavar="N", help="which learner of a learned agent, from 0")
-    decode.add_argument("--horizon", metavar="T", help="the horizon that the verdict speaks of (default: the longest)")
     decode.add_argument(
         "--explain", action="store_true", help="search for the cause of what is wrong: every single setting is tried"
     )
@@ -151,19 +150,17 @@ def _decode(options: argparse.Namespace) -> None:
     if ending == "safetensors":
         found = study_of_file(options.world, settings)
     elif ending == "npz":
-        if settings.deadline == "constant":
+        if settings.deadline == "constant" and not settings.used:
             raise InputError("--deadline changes nothing for a saved gamma-space: no episode is acted without a world.")
         found = study_of_gamma_space(read_gamma_space(options.world, settings.state), settings)
     else:
         found = study(load_world(options.world, params), settings)
-    longest = float(found.horizons[-1])
-    horizon = longest
     if options.horizon is not None:  # at a time_step of 1 there is no T between two whole ones
         kind, least = (int, 1) if found.settings.time_step == 1.0 else (float, float(found.horizons[0]))
-        horizon = checked_number("horizon", options.horizon, kind, least, longest)
+        checked_number("horizon", options.horizon, kind, least, float(found.horizons[-1]))
     if options.out is not None:
         save_study(found, options.out)
-    row = found.row_at(horizon)
+    row = found.row
     verdict = judge(found, row, explain=options.explain)
     listed = find_artefacts(found, verdict.chosen, float(found.horizons[row])) if options.explain else None
     if options.json:
@@ -243,10 +240,12 @@ def _report(found: Study, shown: int = 8) -> str:
         lines.append(f"  {name:{width}}  decoded  {_numbers(decoded.expected_reward[a, :rows], largest)}{more}")
         if truth is not None:
             lines.append(f"  {'':{width}}  true     {_numbers(truth.expected_reward[a, :rows], largest)}{more}")
-    lines.append(f"value for the horizon T = {found.horizons[-1]:g} at gamma {s.acting_gamma:g}")
+    read, left = found.reading(found.row)
+    lines.append(f"value for the horizon T = {found.horizons[read]:g} at gamma {s.value_gamma:g}")
     for a, name in enumerate(found.action_names):
-        against = "" if truth is None else f"   true  {_numbers(truth.horizon_values[a, -1:], largest)}"
-        lines.append(f"  {name:{width}}  decoded  {_numbers(decoded.horizon_values[a, -1:], largest)}{against}")
+        against = "" if truth is None else f"   true  {_numbers(truth.horizon_values[a, left : left + 1], largest)}"
+        value = _numbers(decoded.horizon_values[a, read : read + 1], largest)
+        lines.append(f"  {name:{width}}  decoded  {value}{against}")
     lines.append(f"chosen by T   {action_runs(found, decoded.actions)}")
     if truth is not None:
         lines.append(f"best by T     {action_runs(found, truth.optimal_action)}")

@@ -14,10 +14,17 @@ from laplace_core.encoding import bin_masses, theta_midpoints
 from laplace_core.errors import InputError
 from laplace_core.gamma_space import encode
 from laplace_core.horizon import horizon_values, row_horizons
-from laplace_core.inverse import decode
 from laplace_core.learning import finite_horizon_optimum, proxy_gamma_space, reward_indicator_basis, value_of_rule
 from laplace_core.learning.policies import selection
-from laplace_core.pipeline import decode_and_read, grids, policies_of
+from laplace_core.pipeline import (
+    clipped_sensitivities,
+    folded_values,
+    grids,
+    inverted,
+    policies_of,
+    read_study,
+    timeline_from,
+)
 from laplace_core.settings import ResolvedForWorld
 from laplace_core.ties import greedy_action
 from laplace_core.worlds import World
@@ -43,6 +50,10 @@ def values_everywhere(world: World, settings: ResolvedForWorld, learned: np.ndar
     """
     s = settings
     gammas, thetas = grids(s)
+    if s.clip:
+        timeline = timeline_from(world, s)
+        clipped = clipped_sensitivities(s, world, timeline)
+        thetas = thetas if clipped is None else clipped
     width = 1 if s.normalise == "none" else max(s.thetas, world.reward_values.size)
     work = world.n_states * world.n_actions * max(s.steps, s.gammas) * width
     solves = 0 if s.normalise == "none" or learned is not None else world.n_states * s.gammas
@@ -62,12 +73,13 @@ def values_everywhere(world: World, settings: ResolvedForWorld, learned: np.ndar
             values = _proxies(world, proxy.tobytes(), gammas.tobytes(), s.policy, s.acting_gamma)
         else:
             values = learned @ proxy
-        rewards = decode(values[..., None], gammas, s.steps, s.alpha, s.time_step)[..., 0]
-        return horizon_values(rewards, s.acting_gamma, s.softness, s.time_step)
+        if s.fold:
+            return folded_values(lambda row: inverted(values[..., None], gammas, s, row)[..., 0], s)
+        rewards = inverted(values[..., None], gammas, s)[..., 0]
+        return horizon_values(rewards, s.value_gamma, s.softness, s.time_step)
     bases = _bases(world, gammas.tobytes(), s.policy, s.acting_gamma) if learned is None else learned
     decoded = [
-        decode_and_read(encode(basis, world.reward_values, gammas, thetas, s.slope), s).horizon_values
-        for basis in bases
+        read_study(encode(basis, world.reward_values, gammas, thetas, s.slope), s).horizon_values for basis in bases
     ]
     return np.array(decoded)
 

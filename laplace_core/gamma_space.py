@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from laplace_core.encoding import activation, theta_midpoints
+from laplace_core.encoding import activation, softening, theta_midpoints
 from laplace_core.errors import InputError
 from laplace_core.noise import normal_noise
 
@@ -24,6 +24,8 @@ class GammaSpace:
         gammas: ``(G,)``, distinct, in (0, 1).
         thetas: ``(H,)``, increasing, in units of reward.
         open_ends: whether what lies below the first and above the last sensitivity counts, at those sensitivities.
+        places: ``(H,)``, of the sensitivities on the axis of the activation that was trained, in units of 1/slope;
+            None where its slope is not known.
 
     Raises:
         InputError: arrays that do not fit each other, or that hold what none of them can.
@@ -34,6 +36,7 @@ class GammaSpace:
     gammas: np.ndarray
     thetas: np.ndarray
     open_ends: bool = False
+    places: np.ndarray | None = None
 
     def __post_init__(self) -> None:
         for field, name in _NAMES.items():
@@ -41,6 +44,9 @@ class GammaSpace:
         check_gammas(self.gammas)
         check_thetas(self.thetas)
         check_shapes(self.values, self.constant, self.gammas, self.thetas)
+        if self.places is not None:
+            object.__setattr__(self, "places", _numbers(self.places, "places"))
+            check_places(self.places, self.thetas)
         if self.values.ndim != 3:
             raise _misshapen(self.values, self.gammas, self.thetas)
 
@@ -120,6 +126,12 @@ def check_thetas(thetas: np.ndarray) -> None:
         raise InputError("'thetas' must be a list of at least 2 increasing numbers.")
 
 
+def check_places(places: np.ndarray, thetas: np.ndarray) -> None:
+    """Raises: InputError: not one increasing place for each sensitivity."""
+    if places.shape != thetas.shape or not np.all(np.diff(places) > 0):
+        raise InputError(f"'places' must be {thetas.size} increasing numbers, one for each of the 'thetas'.")
+
+
 def check_shapes(values: np.ndarray, constant: np.ndarray | None, gammas: np.ndarray, thetas: np.ndarray) -> None:
     """Of values ``(..., G, H)`` and of the constant channel ``(..., G)``, if there is one.
 
@@ -149,6 +161,36 @@ def shown_shape(shape: tuple[int, ...]) -> str:
 def encode(basis: np.ndarray, rewards: np.ndarray, gammas: np.ndarray, thetas: np.ndarray, slope: float) -> GammaSpace:
     """gamma_space = W @ f for a reward-indicator basis ``(A, G, V)``; all that a change of slope costs."""
     return GammaSpace(basis @ activation(rewards, thetas, slope), basis.sum(axis=-1), gammas, thetas)
+
+
+def softened(gamma_space: GammaSpace, slope_share: float) -> GammaSpace:
+    """Gamma-space as a gentler slope would have it, a share of the slope that was trained.
+
+    Raises:
+        InputError: the gamma-space does not say where its sensitivities lie on the activation.
+    """
+    if slope_share == 1.0:
+        return gamma_space
+    if gamma_space.places is None:
+        raise InputError(
+            "--slope-share needs the slope that was trained, which this gamma-space does not hold: its file must have "
+            "'places', slope times theta for each sensitivity."
+        )
+    soft = gamma_space.differences @ softening(gamma_space.places, slope_share, gamma_space.open_ends)
+    tails = np.cumsum(soft[..., ::-1], axis=-1)[..., ::-1]
+    if gamma_space.open_ends:
+        return replace(gamma_space, values=tails[..., 1:])
+    last = gamma_space.values[..., -1:]  # what lies above every sensitivity stays
+    return replace(gamma_space, values=np.concatenate([tails + last, last], axis=-1))
+
+
+def shifted(values: np.ndarray) -> np.ndarray:
+    """Each discount's values ``(..., G, n)`` where those of the next one belong, and 0 at the first.
+
+    The decoder of the paper's published notebook raises its index before it stores a row, so that it multiplies the
+    values of every discount by the row of the next.
+    """
+    return np.concatenate([np.zeros_like(values[..., :1, :]), values[..., :-1, :]], axis=-2)
 
 
 def with_noise(gamma_space: GammaSpace, noise: float, seed: int) -> GammaSpace:

@@ -59,21 +59,22 @@ def grade(study: WorldStudy, row: int, decoded: Decoded | None = None) -> Grade:
     """The grade of a study at the horizon of one row.
 
     Args:
-        decoded: a reading to be graded in place of the study's own.
+        decoded: a reading for this row, to be graded in place of the study's own.
     """
-    decoded = study.decoded if decoded is None else decoded
-    return grade_values(study.truth, study, row, decoded.horizon_values[:, row], decoded.scale)
+    decoded, read = study.at(row) if decoded is None else decoded, study.reading(row)[0]
+    return grade_values(study.truth, study, row, decoded.horizon_values[:, read], decoded.scale)
 
 
 def grade_values(truth: Truth, study: WorldStudy, row: int, values: np.ndarray, scale: float) -> Grade:
-    """The grade of values ``(A,)`` at one row, of terms of size ``scale``, against a truth.
+    """The grade of values ``(A,)`` read for the horizon of a row, of terms of size ``scale``, against a truth.
 
     The world, the acting discount and the time step are those of the study.
     """
-    s, optimum, true = study.settings, truth.optimum[:, row], truth.horizon_values[:, row]
+    s, left = study.settings, study.reading(row)[1]
+    optimum, true = truth.optimum[:, left], truth.horizon_values[:, left]
     hard = true
-    if s.softness:
-        hard = horizon_values(truth.expected_reward, s.acting_gamma, 0.0, s.time_step)[:, row]
+    if s.softness or s.value_gamma != s.acting_gamma:
+        hard = horizon_values(truth.expected_reward, s.acting_gamma, 0.0, s.time_step)[:, left]
     chosen, best = int(greedy_action(values, scale=scale)), int(greedy_action(optimum))
     regret = float(optimum.max() - optimum[chosen])
     largest = max(np.abs(true).max(), 1e-2 * np.abs(study.world.reward_values).max())

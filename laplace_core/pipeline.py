@@ -8,15 +8,17 @@ matrix product and never a solve.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, replace
 from functools import lru_cache
+from typing import Self
 
 import numpy as np
 
 from laplace_core.conventions import check_convention
-from laplace_core.encoding import bin_masses, discount_grid, sensitivity_grid
+from laplace_core.encoding import PAPER_GAMMAS, bin_masses, discount_grid, sensitivity_grid
 from laplace_core.errors import InputError
-from laplace_core.gamma_space import GammaSpace, encode, with_noise
+from laplace_core.gamma_space import GammaSpace, encode, shifted, softened, with_noise
 from laplace_core.horizon import choose_actions, expected_rewards, horizon_values, row_horizons, scale_of_values
 from laplace_core.inverse import decode, normalise_rows, rounding_of_rows
 from laplace_core.learning import (
@@ -113,6 +115,27 @@ class Study:
             raise InputError(f"the horizon is {horizon:g}; it must be above 0.")
         return int(np.argmin(np.abs(self.horizons - horizon)))
 
+    @property
+    def row(self) -> int:
+        """The column of the horizon T of the settings; the last one where none is chosen."""
+        return chosen_row(self.settings)
+
+    def reading(self, row: int) -> tuple[int, int]:
+        """:func:`reading` of the horizon of a row: of the very T of the settings, where that is the row of T."""
+        asked = self.settings.horizon if row == self.row else None
+        return reading(self.settings, float(self.horizons[row]) if asked is None else asked)
+
+    def at(self, row: int) -> Decoded:
+        """What is decoded for the horizon of a row: under ``fold`` only as many rows as the value read has."""
+        read = self.reading(row)[0]
+        if not self.settings.fold or read == self.reading(self.row)[0]:
+            return self.decoded
+        return decode_and_read(self.gamma_space, self.settings, read)
+
+    def under(self, settings: Resolved) -> Self:
+        """The same gamma-space, decoded and read by other settings; a truth stays as it is."""
+        return replace(self, settings=settings, decoded=read_study(self.gamma_space, settings))
+
     def check_view(self, row: int | None = None, action: int | None = None) -> None:
         """Refuse a row of no horizon, or an action that this study does not have.
 
@@ -162,7 +185,7 @@ def study(
     length = int(np.ceil(row_horizons(s.steps, s.time_step)[-1] - 1e-9))
     if policy is None:
         basis = _basis(world, state, gammas.tobytes(), s.policy, s.acting_gamma)
-        timeline = _timeline(world, state, s.acting_gamma, length)
+        timeline = timeline_from(world, s)
     else:
         policy = check_policy(world, policy)
         basis = reward_indicator_basis(world, state, gammas, [policy] * gammas.size)
@@ -171,10 +194,13 @@ def study(
         if learned.shape != basis.shape:
             raise InputError(f"the learned basis is {learned.shape}; this world and grid need {basis.shape}.")
         basis = learned
+    if s.clip:
+        clipped = clipped_sensitivities(s, world, timeline)
+        thetas = thetas if clipped is None else clipped
     gamma_space = with_noise(encode(basis, world.reward_values, gammas, thetas, s.slope), s.noise, s.noise_seed)
     truth = _truth(world, timeline, _optimum(world, state, s.acting_gamma, length), thetas, s)
-    decoded = decode_and_read(gamma_space, s)
     midpoints = gamma_space.bin_values
+    decoded = read_study(gamma_space, s)
     return WorldStudy(s, world.actions, gamma_space, midpoints, decoded, world, state, truth, learned, policy)
 
 
@@ -191,44 +217,125 @@ def study_of_gamma_space(gamma_space: GammaSpace, settings: Settings, *, own_con
     if own_convention:
         check_convention(gamma_space.values, gamma_space.constant, gamma_space.gammas, gamma_space.thetas)
     resolved = resolve_for_gamma_space(settings, gamma_space.gammas)
-    gamma_space = with_noise(gamma_space, resolved.noise, resolved.noise_seed)
+    gamma_space = with_noise(softened(gamma_space, resolved.slope_share), resolved.noise, resolved.noise_seed)
     actions, discounts, thetas = gamma_space.values.shape
     _check_size(actions, discounts, thetas, resolved.steps)
     names = tuple(f"action {a}" for a in range(len(gamma_space.values)))
-    decoded = decode_and_read(gamma_space, resolved)
-    return Study(resolved, names, gamma_space, gamma_space.bin_values, decoded)
+    return Study(resolved, names, gamma_space, gamma_space.bin_values, read_study(gamma_space, resolved))
 
 
 def grids(settings: ResolvedForWorld) -> tuple[np.ndarray, np.ndarray]:
     """Discounts ``(G,)`` and sensitivities ``(H,)`` of resolved settings."""
     s = settings
-    gammas = discount_grid(s.gammas, s.spacing, s.gamma_min, s.gamma_max)
+    own = discount_grid(s.gammas, s.spacing, s.gamma_min, s.gamma_max)
+    gammas = np.array(PAPER_GAMMAS) if s.paper_grid else own
     return gammas, sensitivity_grid(s.thetas, s.theta_min, s.theta_max, s.theta_spacing, s.theta_scale or None)
 
 
-def decode_and_read(gamma_space: GammaSpace, settings: Resolved) -> Decoded:
-    """From gamma-space to the values of every horizon."""
+def clipped_sensitivities(settings: ResolvedForWorld, world: World, timeline: np.ndarray) -> np.ndarray | None:
+    """Sensitivities ``(H,)`` that begin at the lowest reward which occurs, so that half of its probability is lost.
+
+    Args:
+        timeline: P(r_tau = v, alive), ``(A, N, V)``.
+
+    Returns:
+        None where that reward lies outside the sensitivities, or too close to their end for so many of them.
+    """
     s = settings
-    gammas = gamma_space.gammas
-    tau_space = decode(gamma_space.differences, gammas, s.steps, s.alpha, s.time_step)
-    survival = decode(gamma_space.constant[..., None], gammas, s.steps, s.alpha, s.time_step)[..., 0]
+    occurs = world.reward_values[timeline.max(axis=(0, 1)) > 1e-9]
+    if not occurs.size or not s.theta_min < occurs[0] < s.theta_max:
+        return None
+    try:
+        return sensitivity_grid(s.thetas, float(occurs[0]), s.theta_max, s.theta_spacing, s.theta_scale or None)
+    except InputError:
+        return None
+
+
+def rows_decoded(settings: Resolved, row: int | None) -> int:
+    """How many rows the inverse has: all K, or under ``fold`` as many as the horizon of a row."""
+    return row + 1 if settings.fold and row is not None else settings.steps
+
+
+def inverted(values: np.ndarray, gammas: np.ndarray, settings: Resolved, row: int | None = None) -> np.ndarray:
+    """Anything that lies over the discounts, ``(..., G, n)``, over the rows instead, ``(..., K, n)``.
+
+    Rows that are not decoded, because the horizon of ``row`` has fewer, are 0.
+    """
+    s, rows = settings, rows_decoded(settings, row)
+    found = decode(shifted(values) if s.shift else values, gammas, rows, s.alpha, s.time_step)
+    return found if rows == s.steps else np.pad(found, [(0, 0)] * (found.ndim - 2) + [(0, s.steps - rows), (0, 0)])
+
+
+def decode_and_read(gamma_space: GammaSpace, settings: Resolved, row: int | None = None) -> Decoded:
+    """From gamma-space to the values of every horizon.
+
+    Args:
+        row: of the horizon that is read. Under ``fold`` it decides how many rows are decoded: of the values, only that
+            of this horizon is then meant.
+    """
+    s, gammas, differences = settings, gamma_space.gammas, gamma_space.differences
+    tau_space = inverted(differences, gammas, s, row)
+    survival = inverted(gamma_space.constant[..., None], gammas, s, row)[..., 0]
     rounding = None
     if s.normalise == "paper":
-        rounding = rounding_of_rows(gamma_space.differences, gammas, s.steps, s.alpha, s.time_step)
+        rows = rows_decoded(s, row)
+        least = rounding_of_rows(shifted(differences) if s.shift else differences, gammas, rows, s.alpha, s.time_step)
+        rounding = np.pad(least, [(0, 0)] * (least.ndim - 1) + [(0, s.steps - rows)])
     tau_space = normalise_rows(tau_space, survival, s.normalise, s.time_step, rounding)
     rewards = expected_rewards(tau_space, gamma_space.bin_values)
-    values = horizon_values(rewards, s.acting_gamma, s.softness, s.time_step)
+    values = horizon_values(rewards, s.value_gamma, s.softness, s.time_step)
     return Decoded(tau_space, survival, rewards, values, scale_of_values(rewards, gamma_space.bin_values))
 
 
-def rewards_of(gamma_space: GammaSpace, settings: Resolved) -> np.ndarray:
+def chosen_row(settings: Resolved) -> int:
+    """The column of the horizon T of settings; the last one where none is chosen."""
+    s = settings
+    if s.horizon is None:
+        return s.steps - 1
+    return int(np.argmin(np.abs(row_horizons(s.steps, s.time_step) - s.horizon)))
+
+
+def reading(settings: Resolved, horizon: float) -> tuple[int, int]:
+    """For a horizon T, the column whose value is read, and that of the steps which are left.
+
+    With ``used`` steps over, T less these are left. An agent with a constant horizon still reads the value of T.
+    """
+    s, horizons = settings, row_horizons(settings.steps, settings.time_step)
+    left = int(np.argmin(np.abs(horizons - max(0.0, horizon - s.used))))
+    return (int(np.argmin(np.abs(horizons - horizon))) if s.deadline == "constant" else left), left
+
+
+def read_study(gamma_space: GammaSpace, settings: Resolved) -> Decoded:
+    """What a study shows: the rows that the horizon of its settings has, and the value of every horizon."""
+    s = settings
+    row = reading(s, float(row_horizons(s.steps, s.time_step)[-1]) if s.horizon is None else s.horizon)[0]
+    found = decode_and_read(gamma_space, s, row)
+    if not s.fold:
+        return found
+    return replace(found, horizon_values=folded_values(lambda each: rewards_of(gamma_space, s, each), s))
+
+
+def folded_values(rewards_at: Callable[[int], np.ndarray], settings: Resolved) -> np.ndarray:
+    """V_T, ``(..., K)``, where every horizon has an inverse of its own.
+
+    Args:
+        rewards_at: E[r_tau], ``(..., K)``, decoded for the horizon of a row.
+    """
+    s = settings
+    columns = [
+        horizon_values(rewards_at(row), s.value_gamma, s.softness, s.time_step)[..., row] for row in range(s.steps)
+    ]
+    return np.stack(columns, axis=-1)
+
+
+def rewards_of(gamma_space: GammaSpace, settings: Resolved, row: int | None = None) -> np.ndarray:
     """Decoded E[r_tau], ``(A, K)``, as :func:`decode_and_read` has it.
 
     Unless rows are clipped and rescaled, it is linear in gamma-space and needs no tau-space.
     """
     if settings.normalise == "paper":
-        return decode_and_read(gamma_space, settings).expected_reward
-    return rewards_of_parts(linear_parts(gamma_space), gamma_space.gammas, settings)
+        return decode_and_read(gamma_space, settings, row).expected_reward
+    return rewards_of_parts(linear_parts(gamma_space), gamma_space.gammas, settings, row)
 
 
 def linear_parts(gamma_space: GammaSpace) -> np.ndarray:
@@ -237,10 +344,12 @@ def linear_parts(gamma_space: GammaSpace) -> np.ndarray:
     return np.stack([means, gamma_space.constant], axis=-1)
 
 
-def rewards_of_parts(parts: np.ndarray, gammas: np.ndarray, settings: Resolved) -> np.ndarray:
+def rewards_of_parts(
+    parts: np.ndarray, gammas: np.ndarray, settings: Resolved, row: int | None = None
+) -> np.ndarray:  # fmt: skip
     """:func:`rewards_of` from :func:`linear_parts`, ``(A, K)``, for rows that are not rescaled to 1."""
     s = settings
-    decoded = decode(parts, gammas, s.steps, s.alpha, s.time_step)
+    decoded = inverted(parts, gammas, s, row)
     if s.normalise == "none":
         return decoded[..., 0]
     return normalise_rows(decoded[..., :1], decoded[..., 1], s.normalise, s.time_step)[..., 0]
@@ -263,6 +372,13 @@ def timeline_of(study: WorldStudy, length: int) -> np.ndarray:
     if study.policy is not None:
         return reward_timeline(study.world, study.state, study.policy, length)
     return _timeline(study.world, study.state, study.settings.acting_gamma, length)
+
+
+def timeline_from(world: World, settings: ResolvedForWorld) -> np.ndarray:
+    """P(r_tau = v, alive) from the state of settings, ``(A, N, V)``, as many whole steps as the longest horizon has."""
+    s = settings
+    length = int(np.ceil(row_horizons(s.steps, s.time_step)[-1] - 1e-9))
+    return _timeline(world, world.state_index(s.state), s.acting_gamma, length)
 
 
 def noiseless(study: WorldStudy) -> GammaSpace:
@@ -327,7 +443,7 @@ def _truth(
         tau_space=(shares @ timeline) @ bin_masses(world.reward_values, thetas, s.slope),
         survival=timeline.sum(axis=-1) @ shares.T,
         expected_reward=rewards,
-        horizon_values=horizon_values(rewards, s.acting_gamma, s.softness, s.time_step),
+        horizon_values=horizon_values(rewards, s.value_gamma, s.softness, s.time_step),
         scale=scale_of_values(rewards, world.reward_values),
         optimum=optimum.T[:, nearest - 1],
     )

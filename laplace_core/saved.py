@@ -19,11 +19,12 @@ from laplace_core.atomic import atomic_write
 from laplace_core.conventions import check_convention, order_of_axes
 from laplace_core.errors import InputError
 from laplace_core.gamma_space import GammaSpace, check_gammas, check_shapes, check_thetas, shown_shape
+from laplace_core.kernels import averaging_kernel_of, discount_kernel_of
 from laplace_core.pipeline import Study
 
 MAX_BYTES = 400_000_000
 """Most that a file's arrays may take together, as float64."""
-_WANTED = ("gamma_space", "gammas", "thetas", "constant_channel", "open_ends")
+_WANTED = ("gamma_space", "gammas", "thetas", "constant_channel", "open_ends", "places")
 
 
 def study_arrays(study: Study) -> dict[str, Any]:
@@ -39,9 +40,15 @@ def study_arrays(study: Study) -> dict[str, Any]:
         "gammas": study.gamma_space.gammas,
         "thetas": study.gamma_space.thetas,
         "theta_midpoints": study.midpoints,
+        "horizons": study.horizons,
+        "discount_kernel": discount_kernel_of(study),
+        "averaging_kernel": averaging_kernel_of(study, 0),
+        "read_row": np.array(study.reading(study.row)[0]),
     }
     if study.gamma_space.open_ends:
         arrays["open_ends"] = np.array(1.0)
+    if study.gamma_space.places is not None:
+        arrays["places"] = study.gamma_space.places
     if truth is not None:
         arrays |= {
             "true_tau_space": truth.tau_space,
@@ -82,8 +89,8 @@ def read_gamma_space(
     ``gamma_space`` is ``(A, G, H)``, or ``(G, H)`` for one action, or ``(S, A, G, H)`` with ``state`` as an
     index. Without a ``constant_channel`` ``(A, G)`` the tail at the lowest sensitivity stands in for it: it
     is the same thing as long as no reward lies below that sensitivity. ``open_ends`` 1 says that what lies beyond the
-    sensitivities counts, as :class:`GammaSpace` has it. Values that are clearly those of another convention are
-    refused (:mod:`laplace_core.conventions`).
+    sensitivities counts, and ``places`` where these lie on the activation, as :class:`GammaSpace` has it. Values that
+    are clearly those of another convention are refused (:mod:`laplace_core.conventions`).
 
     Args:
         source: a path, the content of a file, or an open binary file, as an upload brings it.
@@ -122,7 +129,8 @@ def read_gamma_space(
         raise InputError(f"state {state[:40]!r} does not exist: this gamma-space holds a single state, 0.")
     if values.ndim == 3:
         check_convention(values, constant, gammas, thetas)
-    return GammaSpace(values, values[..., 0] if constant is None else constant, gammas, thetas, open_ends)
+    places = arrays.get("places")
+    return GammaSpace(values, values[..., 0] if constant is None else constant, gammas, thetas, open_ends, places)
 
 
 def _open_ends(arrays: Mapping[str, np.ndarray]) -> bool:

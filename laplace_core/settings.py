@@ -69,6 +69,14 @@ class Settings:
     solver: str | None = None
     noise: float | None = None
     noise_seed: int | None = None
+    horizon: float | None = None
+    used: float | None = None
+    value_gamma: float | None = None
+    fold: bool | None = None
+    shift: bool | None = None
+    clip: bool | None = None
+    paper_grid: bool | None = None
+    slope_share: float | None = None
 
     def __post_init__(self) -> None:
         put = partial(object.__setattr__, self)
@@ -91,9 +99,14 @@ class Settings:
             words += ["--param", f"{name}={as_text(value)}"]
         for parameter in SCHEMA:
             value = getattr(self, parameter.name)
-            if value is not None:
+            if value is not None and not self._is_off(parameter):
                 words += [flag(parameter), as_text(value)]
         return shlex.join(words + (["--out", out] if out else []))
+
+    def _is_off(self, parameter: Parameter) -> bool:
+        """Whether a switch is off, which no later default can change: a command without it says the same."""
+        value = getattr(self, parameter.name)
+        return parameter.name in SWITCHES and value == parameter.default
 
     def to_python(self, world_expression: str | None = None) -> str:
         """A Python script that repeats this study: only what was chosen is written, the rest suits the world.
@@ -102,7 +115,9 @@ class Settings:
             world_expression: how to get the world, such as ``read_world("edited.json")``, where ``world`` does not
                 name it.
         """
-        chosen = [(p.name, getattr(self, p.name)) for p in SCHEMA if getattr(self, p.name) is not None]
+        chosen = [
+            (p.name, getattr(self, p.name)) for p in SCHEMA if getattr(self, p.name) is not None and not self._is_off(p)
+        ]
         words = [f"{name}={_literal(value)}" for name, value in chosen]
         if world_expression is None and self.world.lower().endswith(".npz"):
             state = "" if self.state is None else f", {_literal(self.state)}"
@@ -143,6 +158,11 @@ class Resolved(Settings):
     solver: str
     noise: float
     noise_seed: int
+    used: float
+    value_gamma: float
+    fold: bool
+    shift: bool
+    slope_share: float
 
     def __post_init__(self) -> None:
         super().__post_init__()
@@ -153,7 +173,7 @@ class Resolved(Settings):
     @staticmethod
     def _open() -> tuple[str, ...]:
         """Names of the settings that may be None."""
-        return ("state", *ENCODING_NAMES)
+        return ("state", "horizon", *ENCODING_NAMES)
 
     def chosen(self) -> Settings:
         """The same values as if each had been chosen, so that any of them may be given up again."""
@@ -175,10 +195,12 @@ class ResolvedForWorld(Resolved):
     theta_max: float
     slope: float
     policy: str
+    clip: bool
+    paper_grid: bool
 
     @staticmethod
     def _open() -> tuple[str, ...]:
-        return ("theta_scale",)
+        return ("theta_scale", "horizon")
 
 
 SCHEMA: tuple[Parameter, ...] = (
@@ -204,8 +226,19 @@ SCHEMA: tuple[Parameter, ...] = (
     Parameter("solver", "tikhonov", 0, 0, "How the transform is inverted.", str, SOLVERS),
     Parameter("noise", 0.0, 0, 1, "Random error of gamma-space: standard deviation of (1 - gamma) Q, a probability."),
     Parameter("noise_seed", 0, 0, 2**31 - 1, "Seed of that error.", int),
+    Parameter("horizon", None, 1e-3, 2000, "Deadline T, in steps of the world (default: the longest).", float),
+    Parameter("used", 0.0, 0, 2000, "Steps of the episode that are over: T less these are left."),
+    Parameter("value_gamma", None, 1e-6, 0.999999, "Discount of the values (default: the acting gamma).", float),
+    Parameter("fold", False, 0, 0, "Decode only as many rows as the horizon has (K = T)."),
+    Parameter("shift", False, 0, 0, "Decode each discount by the row of the next one, an index error."),
+    Parameter("clip", False, 0, 0, "Begin the sensitivities at the lowest reward that occurs."),
+    Parameter("paper_grid", False, 0, 0, "Use the paper's 15 discounts in place of the grid."),
+    Parameter("slope_share", 1.0, 0.05, 1, "Share of the trained slope, for a gamma-space that has its slope."),
 )
 """One entry a setting, in the order of the line from world to action."""
+
+SWITCHES = ("used", "fold", "shift", "clip", "paper_grid", "slope_share")
+"""Settings that do nothing unless they are chosen."""
 
 BY_NAME: Mapping[str, Parameter] = {parameter.name: parameter for parameter in SCHEMA}
 
@@ -290,6 +323,10 @@ def resolve(settings: Settings, world: World) -> ResolvedForWorld:
     if values["spacing"] == "paper":
         values |= {"gammas": len(PAPER_GAMMAS), "gamma_min": PAPER_GAMMAS[0], "gamma_max": PAPER_GAMMAS[-1]}
     values["gammas"] = values["gammas"] or 15
+    if values["value_gamma"] is None:
+        values["value_gamma"] = values["acting_gamma"]
+    if values["slope_share"] != 1.0:
+        raise InputError("--slope-share softens the slope of a trained agent; for a world choose --slope.")
     low, high = float(world.reward_values[0]), float(world.reward_values[-1])
     overhang = OVERHANG * ((high - low) or max(1.0, abs(low)))
     values["theta_min"] = _round(low - overhang, overhang) if values["theta_min"] is None else values["theta_min"]
@@ -323,7 +360,7 @@ def _file_of(named: str, world: World) -> str:
 
 
 _THETAS = ("thetas", "theta_spacing", "theta_min", "theta_max", "theta_scale")
-ENCODING_NAMES = ("gammas", "spacing", "gamma_min", "gamma_max", *_THETAS, "slope", "policy")
+ENCODING_NAMES = ("gammas", "spacing", "gamma_min", "gamma_max", *_THETAS, "slope", "policy", "clip", "paper_grid")
 """Settings that a gamma-space from a file brings along and that cannot be chosen for it."""
 
 
@@ -347,6 +384,8 @@ def resolve_for_gamma_space(settings: Settings, gammas: np.ndarray) -> Resolved:
         for value in [getattr(settings, parameter.name)]
         if parameter.name not in ENCODING_NAMES
     }
+    if values["value_gamma"] is None:
+        values["value_gamma"] = values["acting_gamma"]
     values["steps"] = settings.steps or min(MAX_STEPS, int(np.ceil(length / (settings.time_step or 1.0))))
     return Resolved(world=settings.world, **values)
 

@@ -7,7 +7,8 @@ A *change* is one setting of the picture put otherwise, everything else kept. It
 - a timeline that was not sound under a right choice and right values becomes sound, both staying right;
 
 and, where gamma-space keeps its noise, if the first two also hold under fresh noise. ``acting_gamma``, ``state``, the
-horizon and ``deadline`` are what is asked and not how it is answered: they are never tried.
+horizon and ``deadline`` are what is asked and not how it is answered: they are never tried, but for a constant horizon
+after some steps of an episode, when it no longer is what is left.
 """
 
 from __future__ import annotations
@@ -108,9 +109,9 @@ class Trials:
         self.horizon = float(study.horizons[row])
         self.grade = grade(study, row)
         self.action, self._given = self.grade.chosen if action is None else action, action
-        self.timeline_error = timeline_error(study, self.action)
+        self.timeline_error = timeline_error(study, self.action, study.at(row))
         self.doubtful = False
-        self._here, self._fresh = Trial(study, row, self.grade), _Fresh(study)
+        self._here, self._fresh = Trial(study, row, self.grade), _Fresh(study, row)
         self._known: dict[int, Grade] = {}
 
     @property
@@ -153,6 +154,17 @@ class Trials:
             yield Remedy("Share one policy", {"policy": "shared"}, "mixed policies")
         if s.noise:
             yield Remedy("Leave out the noise", {"noise": 0.0}, "noise amplification")
+        if s.used and s.deadline == "constant":
+            yield Remedy("Act by the time to go", {"deadline": "time_to_go"}, "constant horizon")
+        if s.fold:
+            yield Remedy("Decode all rows", {"fold": False}, "only T rows")
+        if s.shift:
+            yield Remedy("Undo the shift of the index", {"shift": False}, "shifted index")
+        if s.value_gamma != s.acting_gamma:
+            label = f"Read values at the acting gamma {s.acting_gamma:g}"
+            yield Remedy(label, {"value_gamma": s.acting_gamma}, "discount of the values")
+        if s.clip:
+            yield Remedy("Begin the sensitivities below the rewards", {"clip": False}, "edge clipping")
         if s.softness:
             yield Remedy("Set softness to 0", {"softness": 0.0}, "soft deadline")
         rewards = world.reward_values
@@ -183,6 +195,8 @@ class Trials:
         s = self.settings
         if self.study.learned is not None:
             return ()
+        if s.paper_grid:
+            return (Remedy("Leave the paper's grid", {"paper_grid": False}, "discount grid"),)
         found: list[dict[str, Any]] = [{"spacing": other} for other in GAMMA_SPACINGS if other != s.spacing]
         labels = [f"Space the discounts as {each['spacing']}" for each in found]
         if s.spacing != "paper":
@@ -227,11 +241,11 @@ class Trials:
         trial = trial or self.run(change)
         if trial is None:
             return False
-        if not self._repaired(trial.grade, lambda: timeline_error(trial.study, self.action)):
+        if not self._repaired(trial.grade, lambda: _timeline_error(trial, self.action)):
             return False
         if not self._noise_stays(change.changes):
             return True
-        fresh = _Fresh(trial.study)
+        fresh = _Fresh(trial.study, trial.row)
         return self._holds(
             lambda seed: self._grade_of(trial, fresh.rewards(seed)),
             lambda seed: timeline_error(trial.study, self.action, fresh.decoded(seed)),
@@ -288,8 +302,8 @@ class Trials:
 
     def _grade_of(self, trial: Trial, rewards: np.ndarray) -> Grade:
         """The grade of a view with other expected rewards, ``(A, K)``, in their place."""
-        s = trial.study.settings
-        values = horizon_values(rewards, s.acting_gamma, s.softness, s.time_step)[:, trial.row]
+        s, read = trial.study.settings, trial.study.reading(trial.row)[0]
+        values = horizon_values(rewards, s.value_gamma, s.softness, s.time_step)[:, read]
         return grade_values(
             trial.study.truth, trial.study, trial.row, values, scale_of_values(rewards, trial.study.midpoints)
         )
@@ -314,8 +328,7 @@ class Trials:
         return None
 
     def _with_alpha(self, alpha: float) -> WorldStudy:
-        s = replace(self.settings, alpha=alpha)
-        return replace(self.study, settings=s, decoded=decode_and_read(self.study.gamma_space, s))
+        return self.study.under(replace(self.settings, alpha=alpha))
 
     @cached_property
     def _repairing(self) -> dict[float, Grade]:
@@ -324,7 +337,7 @@ class Trials:
         for alpha in ALPHAS:
             if alpha == self.settings.alpha:
                 continue
-            after = self._grade_of(self._here, own.rewards(self.settings, alpha))
+            after = self._grade_of(self._here, own.rewards(self.settings, alpha, self._read))
             if self._repaired_by(alpha, after):
                 found[alpha] = after
         return found
@@ -342,7 +355,12 @@ class Trials:
         return timeline_error(self.study, self.action, self._decoded_at(alpha))
 
     def _decoded_at(self, alpha: float) -> Decoded:
-        return decode_and_read(self.study.gamma_space, replace(self.settings, alpha=alpha))
+        return decode_and_read(self.study.gamma_space, replace(self.settings, alpha=alpha), self._read)
+
+    @property
+    def _read(self) -> int:
+        """The row whose value is read."""
+        return self.study.reading(self.row)[0]
 
     def _best_alpha(self) -> float | None:
         good = [alpha for alpha, after in self._repairing.items() if not after.off]
@@ -369,12 +387,12 @@ class Part:
             return cls(space, space.gammas)
         return cls(linear_parts(space), space.gammas)
 
-    def rewards(self, settings: Resolved, alpha: float) -> np.ndarray:
-        """Decoded E[r_tau] at an alpha, ``(A, K)``."""
+    def rewards(self, settings: Resolved, alpha: float, row: int) -> np.ndarray:
+        """Decoded E[r_tau] at an alpha, ``(A, K)``, for the horizon of a row."""
         s = replace(settings, alpha=alpha)
         if isinstance(self.kept, GammaSpace):
-            return rewards_of(self.kept, s)
-        return rewards_of_parts(self.kept, self.gammas, s)
+            return rewards_of(self.kept, s, row)
+        return rewards_of_parts(self.kept, self.gammas, s, row)
 
 
 class _Fresh:
@@ -383,8 +401,8 @@ class _Fresh:
     MOST_KEPT = 100_000_000
     """Bytes of noisy gamma-spaces that are kept; beyond it they are made anew."""
 
-    def __init__(self, study: WorldStudy):
-        self._study = study
+    def __init__(self, study: WorldStudy, row: int):
+        self._study, self._read = study, study.reading(row)[0]
         self._made: dict[int, Part] = {}
 
     @cached_property
@@ -399,12 +417,17 @@ class _Fresh:
             part = Part.of(with_noise(self._clean, s.noise, seed), s)
             if not isinstance(part.kept, GammaSpace) or FRESH_SEEDS * part.kept.values.nbytes <= self.MOST_KEPT:
                 self._made[seed] = part
-        return part.rewards(s, s.alpha if alpha is None else alpha)
+        return part.rewards(s, s.alpha if alpha is None else alpha, self._read)
 
     def decoded(self, seed: int, alpha: float | None = None) -> Decoded:
         """The whole tau-space under the noise of a seed."""
         s = self._study.settings
-        return decode_and_read(with_noise(self._clean, s.noise, seed), s if alpha is None else replace(s, alpha=alpha))
+        s_ = s if alpha is None else replace(s, alpha=alpha)
+        return decode_and_read(with_noise(self._clean, s.noise, seed), s_, self._read)
+
+
+def _timeline_error(trial: Trial, action: int) -> float:
+    return timeline_error(trial.study, action, trial.study.at(trial.row))
 
 
 def more_rows(steps: int) -> Iterator[int]:

@@ -89,6 +89,10 @@ WHY = {
     "over-smoothing": "Alpha suppresses components that gamma-space still holds, so that rewards spread over "
     "neighbouring steps.",
     "negative mass": "So small an alpha lets the inverse ring around sharp events.",
+    "only T rows": "Only as many rows are decoded as the horizon has, and the inverse puts into them what comes later.",
+    "shifted index": "Each discount is decoded by the row of the next one, so that no time has its own place.",
+    "discount of the values": "The values are read at another discount than the one that the best action is for.",
+    "constant horizon": "The agent still acts as if all of T were left, and aims at rewards that come after the end.",
     "discount grid": "These discounts do not tell the steps apart that matter here; others do.",
     "not learned yet": "With the exact values of this world the same settings are right: the learner does not hold "
     "these values yet.",
@@ -110,10 +114,10 @@ def judge(
         InputError: a row or an action that the study does not have.
     """
     study.check_view(row, action)
-    names, decoded = study.action_names, study.decoded
-    values = decoded.horizon_values[:, row]
+    names, decoded, read = study.action_names, study.at(row), study.reading(row)[0]
+    values = decoded.horizon_values[:, read]
     chosen = int(greedy_action(values, scale=decoded.scale))
-    at = f"At T = {study.horizons[row]:g}"
+    at = _where_read(study, row)
     numbers = _numbers(values, decoded.scale, chosen, names)
     if not isinstance(study, WorldStudy):
         words = f"the decoded values choose {names[chosen]}{numbers}"
@@ -121,7 +125,7 @@ def judge(
             words = f"the decoded value is {in_words(values.tolist(), decoded.scale)[0]}"
         return Verdict("unknown", None, f"{at} {words}.", chosen)
     looked_at = chosen if action is None else action
-    graded, misplaced = grade(study, row), timeline_error(study, looked_at)
+    graded, misplaced = grade(study, row), timeline_error(study, looked_at, decoded)
     found = Verdict(
         "wrong" if graded.wrong else "lucky" if graded.off else "right",
         timeline_grade(misplaced),
@@ -156,18 +160,29 @@ def judge(
 
 def _first_words(study: WorldStudy, row: int, graded: Grade, found: Verdict, choice: str) -> str:
     """What the values choose, and whether that and they are right."""
-    values, true, names = study.decoded.horizon_values[:, row], study.truth.horizon_values[:, row], study.action_names
+    read, left = study.reading(row)
+    decoded, names = study.at(row), study.action_names
+    values, true = decoded.horizon_values[:, read], study.truth.horizon_values[:, left]
     if found.choice == "wrong":
         return f"{choice}; the best is {names[graded.best]}."
-    off, scale = int(np.argmax(np.abs(values - true))), study.decoded.scale
+    off, scale = int(np.argmax(np.abs(values - true))), decoded.scale
     if len(names) == 1:
-        decoded, truly = in_words((values[0], true[0]), scale)
-        return f"At T = {study.horizons[row]:g} the decoded value is {decoded}; the true one is {truly}."
+        shown, truly = in_words((values[0], true[0]), scale)
+        return f"{_where_read(study, row)} the decoded value is {shown}; the true one is {truly}."
     sentence = f"{choice}, and no action is better."
     if found.choice == "right":
         return sentence
-    decoded, truly = in_words((values[off], true[off]), scale, apart=True)
-    return f"{sentence} But {names[off]} is worth {truly}, not {decoded}."
+    shown, truly = in_words((values[off], true[off]), scale, apart=True)
+    return f"{sentence} But {names[off]} is worth {truly}, not {shown}."
+
+
+def _where_read(study: Study, row: int) -> str:
+    read, left = study.reading(row)
+    if not study.settings.used:
+        return f"At T = {study.horizons[row]:g}"
+    return (
+        f"With {study.horizons[left]:g} of {study.horizons[row]:g} steps to go, read at T = {study.horizons[read]:g},"
+    )
 
 
 def _timeline_words(found: Verdict, name: str) -> str:
@@ -218,11 +233,14 @@ def _where(trials: Trials, change: Remedy) -> str | None:
     trial = trials.run(change)
     if trial is None:
         return None
-    off = [
-        np.abs(each.decoded.horizon_values[:, row] - each.truth.horizon_values[:, row])
-        for each, row in ((trials.study, trials.row), (trial.study, trial.row))
-    ]
-    return trials.study.action_names[int(np.argmax(off[0] - off[1]))]
+    before, after = _off(trials.study, trials.row), _off(trial.study, trial.row)
+    return trials.study.action_names[int(np.argmax(before - after))]
+
+
+def _off(study: WorldStudy, row: int) -> np.ndarray:
+    """By how much the value of each action is off at the horizon of a row, ``(A,)``."""
+    read, left = study.reading(row)
+    return np.abs(study.at(row).horizon_values[:, read] - study.truth.horizon_values[:, left])
 
 
 def _blame(cause: Remedy, where: str | None) -> str:
@@ -235,8 +253,9 @@ def _exhausted(trials: Trials, found: Verdict) -> str:
         return " No single setting makes it sound."
     if found.choice == "lucky":
         return f" No single setting brings the values within {100 * VALUE_TOLERANCE:.0f}%."
-    optimum = study.truth.optimum[:, row]
-    follows = greedy_action(study.truth.horizon_values[:, row])
+    left = study.reading(row)[1]
+    optimum = study.truth.optimum[:, left]
+    follows = greedy_action(study.truth.horizon_values[:, left])
     if optimum.max() - optimum[follows] > tie_size(optimum.max(), np.abs(optimum).max()):
         return (
             f" No single setting explains it, and even the true timeline would mislead: it is that of the policy for "

@@ -15,11 +15,11 @@ import streamlit
 from streamlit.delta_generator import DeltaGenerator
 from streamlit.testing.v1 import AppTest
 
-from app.lens import seen
 from app.link import pack
 from app.query import parse_query
 from app.sources import View, view_of
 from laplace_core import Study
+from tests.lens_reference import seen
 
 MAIN = str(Path(__file__).resolve().parent.parent / "app" / "main.py")
 

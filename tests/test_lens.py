@@ -15,11 +15,9 @@ from app.lens import (
     PRESETS,
     Simulated,
     checked,
-    opening_state,
     payload,
     presets_for,
     script,
-    seen,
     standalone,
     state_of,
     structure,
@@ -31,7 +29,8 @@ from app.sources import view_of
 from laplace_core import PRESETS as WORLDS
 from laplace_core import Settings, load_world, study, study_of_gamma_space
 from laplace_core.encoding import PAPER_GAMMAS, reward_distance, softening
-from laplace_core.inverse import transform_matrix
+from laplace_core.inverse import decode_matrix, transform_matrix
+from tests.lens_reference import seen
 
 FULL = {"gammas": 100, "thetas": 250, "steps": 200}
 
@@ -91,7 +90,7 @@ def test_what_is_simulated_goes_with_the_payload(simulated):
 @pytest.mark.parametrize("values", [{}, {"fold": True, "horizon": 7.0}, {"normalise": "paper"}, {"alpha": 1e-4}])
 def test_the_distance_is_that_of_the_rows_that_are_shown(simulated, values):
     data = payload(*simulated)[0]
-    state = opening_state(simulated[0].settings, 20.0, action=1) | values
+    state = state_of(simulated[0].settings, 20.0, action=1) | values
     shown = seen(data, state)
     rows = len(shown["tau_space"][1])
     assert rows == (7 if values.get("fold") else 20)
@@ -114,21 +113,23 @@ def test_live_settings_share_one_payload():
 ])  # fmt: skip
 def test_what_the_lens_shows_is_what_the_study_shows(values):
     found, plain = made(**values)
-    shown = seen(payload(plain)[0], opening_state(found.settings, float(found.horizons[-1])))
+    shown = seen(payload(plain)[0], state_of(found.settings, float(found.horizons[-1])))
     for name in ("tau_space", "survival", "expected_reward", "horizon_values"):
         np.testing.assert_allclose(shown[name], getattr(found.decoded, name), rtol=1e-9, atol=1e-9)
     assert shown["chosen"] == found.decoded.actions[-1]
 
 
-def test_artefacts_that_no_setting_has():
+def test_what_the_switches_do():
     found, plain = made("discounting_chain", steps=30)
     data = payload(plain)[0]
-    state = opening_state(found.settings, 5.0, action=1)
+    state = state_of(found.settings, 5.0, action=1)
     whole, folded = seen(data, state), seen(data, {**state, "fold": True})
     assert folded["tau_space"].shape[1] == 5
     assert np.abs(folded["tau_space"] - whole["tau_space"][:, :5]).max() > 1e-3
-    moved = seen(data, {**state, "shift": True})
-    np.testing.assert_array_equal(moved["tau_space"][:, 1:], whole["tau_space"][:, :-1])
+    # Each discount goes through the column of D that is the next one's.
+    moved, D = seen(data, {**state, "shift": True}), decode_matrix(found.gamma_space.gammas, 30, state["alpha"])
+    wanted = np.einsum("kg,agh->akh", D[:, 1:], found.gamma_space.differences[:, :-1])
+    np.testing.assert_allclose(moved["tau_space"], wanted, atol=1e-12)
     late = seen(data, {**state, "used": 3.0})
     assert late["read_row"] == 1
     assert seen(data, {**state, "used": 3.0, "constant": True})["read_row"] == 4
@@ -141,7 +142,7 @@ def test_a_gamma_space_without_a_world():
     own = study_of_gamma_space(found.gamma_space, structure(Settings(world="mine.npz", steps=3, alpha=0.2), None))
     data, header = payload(own)
     assert "timeline" not in header["arrays"]
-    state = opening_state(replace(own.settings, alpha=0.2), 3.0)
+    state = state_of(replace(own.settings, alpha=0.2), 3.0)
     np.testing.assert_allclose(seen(data, state)["tau_space"], found.decoded.tau_space, atol=1e-9)
 
 
@@ -161,7 +162,7 @@ def test_a_network_s_slope_is_softened_by_a_map_over_theta():
     own = study_of_gamma_space(found.gamma_space, structure(Settings(world="mine.npz", steps=3), None))
     places = 2.5 * np.arange(20)
     data = payload(own, places=places)[0]
-    state = opening_state(own.settings, 3.0)
+    state = state_of(own.settings, 3.0)
     soft, plain = seen(data, {**state, "slope_share": 0.4}), seen(data, state)
     np.testing.assert_allclose(soft["tau_space"], plain["tau_space"] @ softening(places, 0.4), atol=1e-12)
     np.testing.assert_array_equal(soft["survival"], plain["survival"])
@@ -170,14 +171,15 @@ def test_a_network_s_slope_is_softened_by_a_map_over_theta():
 
 def test_the_state_goes_to_the_page_and_back():
     found, _ = made("two_branch")
-    opening = opening_state(found.settings, 3.0)
+    opening = state_of(found.settings, 3.0)
     state = {**opening, "alpha": 0.5, "mixed": True, "fold": True, "action": 1, "used": 2.0, "constant": True}
     state |= {"slope_share": 0.5, "added": 2}
     values = values_of(state, opening, found.action_names)
-    assert values == {"alpha": 0.5, "used": 2.0, "fold": "yes", "action": "long", "policy": "per_gamma",
+    assert values == {"alpha": 0.5, "used": 2.0, "fold": True, "action": "long", "policy": "per_gamma",
                       "deadline": "constant", "slope_share": 0.5, "added": 2}  # fmt: skip
-    settings = replace(found.settings, alpha=0.5, policy="per_gamma", deadline="constant")
-    assert state_of(values, settings, 3.0, 1) == state
+    settings = replace(found.settings, alpha=0.5, policy="per_gamma", deadline="constant", fold=True, used=2.0)
+    settings = replace(settings, slope_share=0.5)
+    assert state_of(settings, 3.0, action=1, added=2) == state
 
 
 @pytest.mark.parametrize("heard", [
@@ -187,8 +189,8 @@ def test_the_state_goes_to_the_page_and_back():
 ])  # fmt: skip
 def test_a_state_from_the_browser_is_not_trusted(heard):
     found, _ = made("two_branch")
-    assert checked(heard, found) == opening_state(found.settings, 3.0)
-    good = {**opening_state(found.settings, 2.0), "alpha": 0.5, "fold": True}
+    assert checked(heard, found) == state_of(found.settings, 3.0)
+    good = {**state_of(found.settings, 2.0), "alpha": 0.5, "fold": True}
     assert checked(good, found) == good
 
 
@@ -209,7 +211,7 @@ def test_the_script_is_one_module_without_imports():
 
 def test_the_file_of_its_own_asks_for_nothing():
     found, plain = made("two_branch")
-    state = opening_state(found.settings, 3.0)
+    state = state_of(found.settings, 3.0)
     page = standalone(payload(plain)[0], {**state, "look": "</script>"})
     assert page.count("</script>") == 1
     addresses = set(re.findall(r"(?:https?:)?//[\w.]+\.\w+[^\s\"'`]*", page))

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 import torch
 
-from app.lens import opening_state, payload, seen, structure
+from app.lens import payload, state_of, structure
 from laplace_core import Settings, study_of_gamma_space
 from laplace_core.agents import LaplaceSettings
 from laplace_core.saved import read_gamma_space
@@ -18,6 +18,7 @@ from laplace_core.training.checkpoint import load_checkpoint, new_agent
 from laplace_core.training.rollout import roll_out
 from laplace_core.training.rollout_file import rollout_npz
 from laplace_core.training.rules import VALUES, Options
+from tests.lens_reference import seen
 
 torch.set_num_threads(1)
 ROOT = Path(__file__).resolve().parent.parent / "checkpoints"
@@ -117,7 +118,7 @@ def test_the_lens_draws_what_is_decoded(made):
         settings = structure(Settings(world="network", steps=60, acting_gamma=agent.acting_discount), None)
         found = study_of_gamma_space(agent.gamma_space(observation), settings, own_convention=False)
         data, _ = payload(found, places=agent.sensitivities.places)
-        state = opening_state(found.settings, 20.0) | {"fold": False}
+        state = state_of(found.settings, 20.0) | {"fold": False}
         shown = seen(data, state)
         scale = np.abs(found.decoded.horizon_values).max()
         np.testing.assert_allclose(shown["differences"], found.gamma_space.differences, rtol=0, atol=1e-9 * scale)

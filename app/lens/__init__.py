@@ -19,8 +19,7 @@ import streamlit as st
 from app import chart, message
 from app.lens.payload import Simulated, payload, structure
 from app.lens.presets import PRESETS, Preset, presets_for
-from app.lens.seen import seen
-from app.lens.state import LIVE, checked, opening_state, state_of, values_of
+from app.lens.state import LIVE, checked, state_of, values_of
 from app.served import served
 
 _HERE = Path(__file__).resolve().parent
@@ -93,7 +92,7 @@ def lens(
 
     Args:
         data: from :func:`payload`.
-        state: what the controls hold; :func:`opening_state`.
+        state: what the controls hold; :func:`state_of`.
         base: where Reset leads; default: ``state``.
         on_release: called before the rerun, as a widget's callback.
         said: the verdict on ``state``; without it the lens judges by itself.
@@ -230,11 +229,9 @@ __all__ = [
     "lens",
     "lens_js",
     "modules",
-    "opening_state",
     "payload",
     "presets_for",
     "script",
-    "seen",
     "standalone",
     "state_of",
     "structure",

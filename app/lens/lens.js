@@ -9,7 +9,7 @@ import { panelsOf } from './panels.js';
 import { simulatedFor } from './simulated.js';
 import { limitOfTau, thetaRange, trueRow } from './spaces.js';
 import { drawSurface } from './surface.js';
-import { WORDS, beyondLibrary, blamed, effects, judged } from './verdict.js';
+import { WORDS, effects, judged } from './verdict.js';
 import { worldPanel } from './world.js';
 
 const REST = 140; // ms without a change before what is slow is done
@@ -191,17 +191,10 @@ export function mount(root, model, told, report) {
     judge();
   }
 
-  // The library's verdict where it speaks of this very state; else what the lens finds itself.
-  function judge(resting = false) {
-    const library = told.live && !beyondLibrary(model, state), heard = library && told.said && same(told.said.state, state);
-    let { tone, sentence: words } = heard ? told.said : judged(model, state, seen), buttons = [];
-    if (heard) buttons = told.said.remedies.map((label, i) => [label, () => report({ state, remedy: i })]);
-    else if (!library && resting && tone !== 'ok' && tone !== 'unknown') {
-      const cause = blamed(model, state);
-      if (cause) buttons = [[cause.words, () => wish(cause.off, true)]];
-      words += cause ? ` Cause: ${cause.label}.` : ' No single switch repairs it.';
-    } else if (!library && judge.of === state) return; // as found when the hand came to rest
-    judge.of = resting || heard ? state : judge.of;
+  // The library's verdict where it speaks of this very state; else what the lens sees itself.
+  function judge() {
+    const heard = told.said && same(told.said.state, state), { tone, sentence: words } = heard ? told.said : judged(model, state, seen);
+    const buttons = heard ? told.said.remedies.map((label, i) => [label, () => report({ state, remedy: i })]) : [];
     const whole = `${WORDS[tone]}. ${words}`;
     if (sentence.textContent === whole && remedies.children.length === buttons.length) return;
     sentence.replaceChildren(element('b', {}, `${WORDS[tone]}.`), ` ${words}`);
@@ -216,7 +209,7 @@ export function mount(root, model, told, report) {
     if (!seen.whole && lastMost < AT_REST) paint();
     if (rest.of !== state || rest.model !== model) board.sizes(effects(model, state));
     Object.assign(rest, { of: state, model });
-    judge(true);
+    judge();
     for (const { panel, canvas } of panels) canvas.setAttribute('aria-label', panel.words(scene));
     if (said.textContent !== sentence.textContent) said.textContent = sentence.textContent;
   }
@@ -236,7 +229,7 @@ export function mount(root, model, told, report) {
     // Python has news: another model of the same shape, another state, or words about the present one.
     show(next, news, moved) {
       if (next.grids.own.G !== model.grids.own.G) Object.assign(scene, { hover: {}, zoom: {} }); // other rows
-      if (next !== model) [model, scene.images, scene.pinnedOf, lastState, judge.of] = [next, {}];
+      if (next !== model) [model, scene.images, scene.pinnedOf, lastState] = [next, {}];
       told = { ...told, ...news };
       if (moved && JSON.stringify(told.state) !== JSON.stringify(state)) remember(state = told.state);
       scene.world?.show(told.world);

@@ -1,6 +1,6 @@
 // The mathematics of the lens: from a model and a state to everything that is drawn. Knows no page.
 import { ROUNDING, greedy, growing, inverseOf, masses, normalNoise, product, remember, rowNorms, sigmoid } from './algebra.js';
-import { constants, rowAt } from './model.js';
+import { projections, rowAt } from './model.js';
 import { softened } from './network.js';
 
 const LEAST_SHOWN = 0.05; // a picture that holds a smaller share of the true timeline shows nothing of it
@@ -123,28 +123,25 @@ export function see(model, state, most = Infinity) {
   const plus = (x, y) => (hum ? x.map((value, i) => value + state.noise * y[i]) : x);
   const rescaled = state.normalise !== 'none';
   // Everything of one action that an inverse is applied to, in components.
+  const inComponents = state.shift ? columns.late : columns, humming = state.shift ? hum?.late : hum;
   const parts = Array.from({ length: A }, (_, a) => ({
-    columns: columns.projected[a], hum: hum?.projected[a],
-    mean: plus(product(columns.projected[a], means, grid.r, width, 1), hum && product(hum.projected[a], midpoints, grid.r, H, 1)),
-    constant: plus(columns.constants[a], hum?.constants[a]),
+    columns: inComponents.projected[a], hum: humming?.projected[a],
+    mean: plus(product(inComponents.projected[a], means, grid.r, width, 1), hum && product(humming.projected[a], midpoints, grid.r, H, 1)),
+    constant: plus(inComponents.constants[a], humming?.constants[a]),
   }));
-  const shift = (rows, wide) => { // the index that is raised before the row is stored
-    if (state.shift) { rows.copyWithin(wide, 0, rows.length - wide); rows.fill(0, 0, wide); }
-    return rows;
-  };
-  const rowsOf = (inverse, right, wide) => shift(inverse.decode(right, wide), wide);
+  const rowsOf = (inverse, right, wide) => inverse.decode(right, wide);
   const survivalOf = (part, inverse) => rowsOf(inverse, part.constant, 1);
   const rawRows = (part, inverse) => {
     if (!hum && map) return product(rowsOf(inverse, part.columns, width), map, inverse.n, width, H);
     return rowsOf(inverse, plus(map ? product(part.columns, map, grid.r, width, H) : part.columns, part.hum), H);
   };
   // Below it a row holds nothing but rounding (laplace_core.inverse.rounding_of_rows); only rescaling asks.
-  const sized = [state.slope, state.slope_share, thetas[0], H, columns === grid.columns.per_gamma, grid.name, state.noise, hum && state.noise_seed];
+  const sized = [state.slope, state.slope_share, thetas[0], H, columns === grid.columns.per_gamma, grid.name, state.noise, hum && state.noise_seed, state.shift];
   const roundingOf = (part, inverse) => {
     if (state.normalise !== 'paper') return undefined;
     const a = parts.indexOf(part), size = remember(cache, `sizes ${a}`, sized, () => {
       const Z = differencesOf(columns, grid, map, H, a, hum, state.noise);
-      return Math.hypot(...Array.from({ length: grid.G }, (_, g) =>
+      return Math.hypot(...Array.from({ length: state.shift ? grid.G - 1 : grid.G }, (_, g) =>
         Z.subarray(g * H, (g + 1) * H).reduce((sum, value) => sum + Math.abs(value), 0)));
     });
     return rowNorms(inverse, grid.r).map((norm) => ROUNDING * size * norm);
@@ -217,7 +214,7 @@ export function normalise(rows, survival, how, width, dt, rounding) {
 // Noise of gamma-space for a seed at level 1, in components: of the differences, and of the constant channel.
 function noiseOf({ A, H, arrays }, grid, seed) {
   const open = arrays.bin_edges ? 1 : 0; // then the constant channel stands before the tails, and 0 after them
-  const { G, r, Ut, gammas } = grid, width = H - 1 + 2 * open, differences = [], constant = new Float64Array(A * G);
+  const { G, gammas } = grid, width = H - 1 + 2 * open, differences = [], constant = new Float64Array(A * G);
   const values = normalNoise(seed, A * G * H), more = normalNoise(seed, A * G, A * G * H);
   for (let a = 0; a < A; a++) {
     const out = new Float64Array(G * width);
@@ -228,8 +225,8 @@ function noiseOf({ A, H, arrays }, grid, seed) {
     }
     differences.push(out);
   }
-  return { differences, projected: differences.map((x) => product(Ut, x, r, G, width)),
-    constants: differences.map((_, a) => constants(grid, constant, a)) };
+  const steps = differences.map((_, a) => constant.subarray(a * G, (a + 1) * G));
+  return Object.assign(projections(grid, differences, width, steps), { differences });
 }
 
 function differencesOf(columns, grid, map, H, a, hum, noise) { // of one action, (G, bins)
@@ -240,23 +237,28 @@ function differencesOf(columns, grid, map, H, a, hum, noise) { // of one action,
 export const gammaSpace = ({ grid, columns, map, hum, H }, state) => // differences of the shown action, (G, bins)
   differencesOf(columns, grid, map, H, state.action, hum, state.noise);
 
+// Weights over the discounts in components, (r,): decoding values that are shifted by one is decoding by weights that
+// are shifted back.
+function weightsOf({ U, Ut, G, r }, state, inverse, target) {
+  const weights = inverse.weights(target);
+  if (!state.shift) return weights;
+  const each = product(U, weights, G, r, 1);
+  return product(Ut, each.map((_, g) => (g + 1 < G ? each[g + 1] : 0)), r, G, 1);
+}
+
 // What alpha and T really weigh each future step with, what they should, and how much noise it lets through.
 export function kernel(model, state, { grid, n, readRow, d, inverse }) {
   const { K } = model, { V, s, r } = grid, wanted = d.slice(readRow * K, (readRow + 1) * K), target = new Float64Array(K);
-  for (let k = 0; k < n; k++) { // a shifted row k holds what belongs to k - 1
-    if (!state.shift) target[k] = wanted[k];
-    else if (k + 1 < n) target[k] = wanted[k + 1];
-  }
-  const weights = inverse.weights(target);
+  for (let k = 0; k < n; k++) target[k] = wanted[k];
+  const weights = weightsOf(grid, state, inverse, target);
   return { wanted, actual: product(V, weights.map((value, i) => value * s[i]), K, r, 1), gain: Math.hypot(...weights) };
 }
 
 // The averaging kernel: through which window of the true timeline row tau is seen, and its half width in steps.
 export function resolution(model, state, { grid, n, inverse }, row) {
-  const { K, dt } = model, { V, s, r } = grid, at = row - (state.shift ? 1 : 0);
-  const kernel = new Float64Array(K);
-  if (at >= 0 && at < n) {
-    const weights = inverse.weights(Float64Array.from({ length: K }, (_, k) => Number(k === at)));
+  const { K, dt } = model, { V, s, r } = grid, kernel = new Float64Array(K);
+  if (row < n) {
+    const weights = weightsOf(grid, state, inverse, Float64Array.from({ length: K }, (_, k) => Number(k === row)));
     product(V, weights.map((value, i) => value * s[i]), K, r, 1, kernel);
   }
   let peak = 0;
@@ -277,7 +279,7 @@ export const SWITCHES = {
   paper_grid: { label: 'the paper’s grid', help: 'The paper’s 15 discounts, from .01 to .99, piecewise linear.' },
   clip: { label: 'edge clipping', help: 'The sensitivities begin at a reward that occurs: half of its probability is lost.' },
   constant: { label: 'constant T', help: 'Acting with T at every step, instead of with the time to go.' },
-  shift: { label: 'index shifted by one', help: 'Rows are stored one index too high.' },
+  shift: { label: 'index shifted by one', help: 'Each discount is decoded by the row of the next one, as in the paper’s published notebook.' },
 };
 for (const [name, each] of Object.entries(SWITCHES)) {
   each.on ??= { [name]: true };

@@ -25,8 +25,7 @@ function open(header, arrays) {
     }
     if (!name && arrays.differences) {
       const bins = arrays.bin_values?.length ?? H - 1;
-      found.columns.shared = { ...channels(found, arrays.differences, A, bins), plain: true };
-      found.columns.shared.constants = Array.from({ length: A }, (_, a) => constants(found, arrays.constant, a));
+      found.columns.shared = Object.assign(channels(found, arrays.differences, A, bins, arrays.constant), { plain: true });
     }
     return found;
   };
@@ -50,19 +49,25 @@ function simulation({ action, count }, { simulated_tails: tails, simulated_lines
   return { action, count, length, width: tails.length / length, tails, reward, rewardError, survival, survivalError, chance };
 }
 
+// Components of values over the discounts, (r, width) a time. `late` is what a decoder makes of them whose index was
+// raised before a row was stored: each discount goes through the row of the next one, and the last is lost.
+export function projections({ Ut, r, G }, each, width, sums) {
+  const under = (U) => ({ projected: each.map((x) => product(U, x, r, G, width)), constants: sums.map((x) => product(U, x, r, G, 1)) });
+  let late;
+  return Object.defineProperty(under(Ut), 'late', { get: () => (late ??= under(Ut.map((_, i) => (i % G === G - 1 ? 0 : Ut[i + 1])))) });
+}
+
 // Columns of gamma-space (one a reward, or one a bin) in the components of the transform.
-function channels(grid, values, A, width) {
-  const { G, r, Ut } = grid, each = Array.from({ length: A }, (_, a) => values.subarray(a * G * width, (a + 1) * G * width));
+function channels(grid, values, A, width, constant) {
+  const { G } = grid, each = Array.from({ length: A }, (_, a) => values.subarray(a * G * width, (a + 1) * G * width));
   const sums = (x) => Float64Array.from({ length: G }, (_, g) => {
     let sum = 0;
     for (let v = 0; v < width; v++) sum += x[g * width + v];
     return sum;
   });
-  return { width, values: each, projected: each.map((x) => product(Ut, x, r, G, width)),
-    constants: each.map((x) => product(Ut, sums(x), r, G, 1)) };
+  const steps = each.map((x, a) => (constant ? constant.subarray(a * G, (a + 1) * G) : sums(x)));
+  return Object.assign(projections(grid, each, width, steps), { width, values: each });
 }
-
-export const constants = ({ Ut, r, G }, values, a) => product(Ut, values.subarray(a * G, (a + 1) * G), r, G, 1);
 
 // Which row of the values belongs to a horizon, or to the time that is left of it.
 export function rowAt(model, horizon) {

@@ -6,7 +6,6 @@ only looked at and is packed in single floats.
 
 from __future__ import annotations
 
-import contextlib
 import json
 import struct
 from dataclasses import dataclass, replace
@@ -15,11 +14,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from laplace_core import Study, World
-from laplace_core.encoding import PAPER_GAMMAS, sensitivity_grid
-from laplace_core.errors import InputError
+from laplace_core.encoding import PAPER_GAMMAS
 from laplace_core.inverse import transform_factors
 from laplace_core.learning import reward_indicator_basis
-from laplace_core.pipeline import basis_of, policies_of, timeline_of
+from laplace_core.pipeline import basis_of, clipped_sensitivities, policies_of, timeline_of
 from laplace_core.settings import Resolved
 
 if TYPE_CHECKING:  # it brings torch along, which no world needs
@@ -35,6 +33,11 @@ LIVE: dict[str, Any] = {
     "noise_seed": 0,
     "normalise": "none",
     "deadline": "constant",
+    "horizon": None,
+    "used": 0.0,
+    "fold": False,
+    "shift": False,
+    "slope_share": 1.0,
 }
 """Settings that move in the browser: a payload does not depend on them."""
 
@@ -54,7 +57,8 @@ class Simulated:
 def structure(settings: Resolved, world: World | None) -> Resolved:
     """Settings with everything set aside that moves in the browser: equal ones have the same payload."""
     free = world is not None and world.reward_values.size <= MOST_REWARDS
-    return replace(settings, **(LIVE | ({"slope": 1.0, "policy": "shared"} if free else {})))
+    of_world = {"slope": 1.0, "policy": "shared", "clip": False, "paper_grid": False} if free else {}
+    return replace(settings, **(LIVE | {"value_gamma": settings.acting_gamma} | of_world))
 
 
 def payload(
@@ -122,12 +126,9 @@ def _of_world(study: Study) -> dict[str, np.ndarray]:
         "timeline": timeline,
         "optimum": study.truth.optimum,
     }
-    lowest = world.reward_values[timeline.max(axis=(0, 1)) > 1e-9][0]
-    if space.thetas[0] < lowest < space.thetas[-1]:
-        with contextlib.suppress(InputError):  # too narrow a range for so many sensitivities
-            arrays["clipped_thetas"] = sensitivity_grid(
-                s.thetas, float(lowest), s.theta_max, s.theta_spacing, s.theta_scale or None
-            )
+    clipped = clipped_sensitivities(s, world, timeline)
+    if clipped is not None:
+        arrays["clipped_thetas"] = clipped
     if world.reward_values.size > MOST_REWARDS:
         return arrays | {"differences": space.differences, "constant": space.constant}
     if study.learned is not None:

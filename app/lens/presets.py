@@ -42,9 +42,10 @@ def presets_for(view: View) -> list[Preset]:
     for name, values in PRESETS.items():
         other = view_of(values)
         last = other.settings.steps * other.settings.time_step
-        horizon = other.horizon or last + (1.0 - other.settings.time_step) / 2.0
+        horizon = other.settings.horizon or last + (1.0 - other.settings.time_step) / 2.0
         same = isinstance(view.subject, World) and structure(view.settings, view.subject) == structure(
             other.settings, other.subject
         )
-        found.append(Preset(name, same, state_of(values, other.settings, horizon, other.action)))
+        state = state_of(other.settings, horizon, action=other.action, look=str(values.get("look", "heatmap")))
+        found.append(Preset(name, same, state))
     return found

@@ -1,5 +1,5 @@
 // The sentence over the pictures: what the values choose, whether that is right, and what is to blame. The library says
-// the same on release, and knows more causes (laplace_core.verdict); this is what holds while a hand moves.
+// the same on release, and why (laplace_core.verdict); this is what holds while a hand moves.
 import { short } from './drawing.js';
 import { ROUNDING, tieSize } from './algebra.js';
 import { SWITCHES, available, effect, see, timelineError } from './maths.js';
@@ -59,31 +59,6 @@ export function judged(model, state, seen) {
   return { tone, error, timeline, sentence: `${choice}, and no action is better.${but}${rows}` };
 }
 
-// Whether a state holds what only the lens knows: the library's verdict then speaks of another picture.
-export const beyondLibrary = ({ header }, state) => state.fold || state.paper_grid || state.clip || state.shift
-  || state.used > 0 || state.slope_share < 1 || Math.abs(state.value_gamma - header.acting_gamma) > 1e-12;
-
 // What every switch does here, by name.
 export const effects = (model, state) => Object.fromEntries(
   Object.keys(SWITCHES).filter((name) => available(model, name)).map((name) => [name, effect(model, state, name)]));
-
-// What else is held against the best action, which is that of the acting discount under a hard deadline.
-const others = ({ header }, state) => [
-  [`γ = ${short(state.value_gamma)} in the value`, { value_gamma: header.acting_gamma }, `Set γ to ${short(header.acting_gamma)}`],
-  ['the softness of the deadline', { softness: 0 }, 'Make the deadline hard'],
-].filter(([, off]) => Object.entries(off).some(([name, value]) => Math.abs(state[name] - value) > 1e-12));
-
-// What alone, when it is taken back, repairs what is seen: { label, off, words }, or nothing. A wrong choice must become
-// right and the error of the values smaller; values that were off must hold; a timeline that was not sound must be.
-export function blamed(model, state) {
-  const before = judged(model, state, see(model, state, 0)), mends = {
-    bad: (after) => after.tone !== 'bad' && after.error < before.error * (1 - 1e-6),
-    warn: (after) => after.tone !== 'bad' && after.tone !== 'warn' }[before.tone] ?? ((after) => after.tone === 'ok');
-  const on = Object.entries(SWITCHES).filter(([name, each]) => available(model, name) && each.isOn(state))
-    .map(([, { label, off }]) => [label, off, `Turn off ${label}`]);
-  for (const [label, off, words] of [...on, ...others(model, state)]) {
-    const next = { ...state, ...off };
-    if (mends(judged(model, next, see(model, next, 0)))) return { label, off, words };
-  }
-  return undefined;
-}

@@ -58,7 +58,7 @@ def pinned_state(view: View) -> dict[str, Any] | None:
     except InputError:
         return None
     horizon = float(compute.study_for(pinned).horizons[compute.row_of(pinned)])
-    return state_of(values, pinned.settings, horizon, pinned.action)
+    return state_of(pinned.settings, horizon, action=pinned.action, look=str(values.get("look", "heatmap")))
 
 
 def _differs(pinned: dict[str, Any]) -> str:

@@ -2,18 +2,14 @@
 
 from __future__ import annotations
 
-import io
-import json
 import re
-from dataclasses import asdict, replace
+from dataclasses import replace
 
 import numpy as np
 import streamlit as st
 
 from app import compute, explain, link, sources, state
 from app.copy import copy_button
-from app.lens import seen
-from app.parts.panels import shown_state
 from app.query import query_of
 from app.sources import View
 from laplace_core.saved import npz_bytes
@@ -122,7 +118,6 @@ def _downloads(place, view: View) -> None:
     name = re.sub(r"[^A-Za-z0-9_.-]+", "_", re.sub(r"\.(json|npz|safetensors)$", "", settings.world))
     with box:
         _file("NPZ: every array and the settings", lambda: npz_bytes(found), f"{name}.npz", _BYTES)
-        _file("NPZ: the lens as it is, switches included", lambda: _lens_npz(view), f"{name}_lens.npz", _BYTES)
         for title, csv in _TABLES.items():
             _file(f"CSV: {title}", lambda csv=csv: csv(found), f"{name}_{title.replace(' ', '_')}.csv", "text/csv")
         st.caption("PNG, SVG, CSV and HTML of the lens: the buttons under it.")
@@ -130,11 +125,3 @@ def _downloads(place, view: View) -> None:
 
 def _file(label: str, data, file_name: str, mime: str) -> None:
     st.download_button(label, data, file_name=file_name, mime=mime, width="stretch", on_click="ignore")
-
-
-def _lens_npz(view: View) -> bytes:
-    """Arrays of :func:`app.lens.seen` and, as ``settings``, the state and the settings that they were seen under."""
-    shown, file = shown_state(view), io.BytesIO()
-    told = {"lens": shown, "study": asdict(view.settings)}
-    np.savez_compressed(file, **seen(compute.lens_payload(view), shown), settings=np.array(json.dumps(told)))
-    return file.getvalue()

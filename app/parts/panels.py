@@ -16,15 +16,15 @@ from laplace_core.artifacts import Artefact
 from laplace_core.verdict import Verdict
 
 TONES = {"lucky": "warn", "wrong": "bad", "unknown": "unknown"}
-_LENS_ONLY = {"fold": "only T rows", "paper_grid": "the paper's grid", "clip": "edge clipping",
-              "shift": "the shifted index", "used": "steps used"}  # fmt: skip
 _ACROSS = 3  # artefacts side by side
 
 
 def shown_state(view: View) -> dict[str, Any]:
     """The state of the lens that a view stands for."""
     horizon = float(compute.study_for(view).horizons[compute.row_of(view)])
-    return state_of(state.chosen(), view.settings, horizon, view.action)
+    added = view.subject.added if isinstance(view.subject, Observed) else 0
+    look = str(state.chosen().get("look", "heatmap"))
+    return state_of(view.settings, horizon, action=view.action, look=look, added=added)
 
 
 def pictures(
@@ -63,7 +63,7 @@ def pictures(
         compute.lens_payload(view, simulated),
         shown,
         state.page_name(),
-        state_of({}, base.settings, last, view.action),
+        state_of(base.settings, last, action=view.action),
         presets,
         heard,
         Said(_tone(judged), _sentence(judged, view), tuple(remedy.label for remedy in judged.remedies)),
@@ -111,22 +111,8 @@ def _graph(view: View) -> Graph | None:
     return Graph(compute.world_figure(view), alt, f"{s.world} {view.world.n_states}")
 
 
-def lens_only(view: View) -> str:
-    """In words, what only the lens knows of the present state: lists and files of the library are without it."""
-    shown = shown_state(view)
-    on = [words for name, words in _LENS_ONLY.items() if shown[name]]
-    if abs(shown["value_gamma"] - view.settings.acting_gamma) > 1e-12:
-        on.append(f"gamma {shown['value_gamma']:g} in the value")
-    if shown["slope_share"] != 1.0:
-        on.append(f"{shown['slope_share']:g} of the trained slope")
-    return ", ".join(on)
-
-
 def artefacts(view: View) -> None:
     """What in the tau-space of the shown action is not in the world: name, size, a sentence, remedies."""
-    beyond = lens_only(view)
-    if beyond:
-        st.caption(f"From here on everything is without what only the lens can do: {beyond}.")
     if isinstance(view.subject, Observed) and view.subject.added:
         st.caption("Interpolated discounts share the errors of their neighbours: noise is louder than it looks.")
     name = compute.study_for(view).action_names[view.action]

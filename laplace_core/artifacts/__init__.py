@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from laplace_core.artifacts.deadline import constant_horizon, soft_deadline
-from laplace_core.artifacts.inverse import negative_mass, over_smoothing
+from laplace_core.artifacts.inverse import negative_mass, over_smoothing, shifted_index
 from laplace_core.artifacts.look import Look
 from laplace_core.artifacts.model import VISIBLE, Artefact, Remedy
 from laplace_core.artifacts.noise import noise_amplification
@@ -33,7 +33,9 @@ MEASURES: dict[str, Callable[[Look], Artefact | None]] = {
     "soft deadline": soft_deadline,
     "constant horizon": constant_horizon,
 }
-"""Every artefact by name, the gravest kinds first."""
+"""Every artefact that has to be found, by name, the gravest kinds first."""
+LISTED: dict[str, Callable[[Look], Artefact | None]] = {"shifted index": shifted_index, **MEASURES}
+"""These, and an error of the decoder that is there only if it was switched on."""
 
 
 def find_artefacts(
@@ -55,12 +57,12 @@ def find_artefacts(
     """
     study.check_view(action=action)
     look = Look(study, action, horizon, searching)
-    found = [artefact for measure in MEASURES.values() if (artefact := measure(look)) is not None]
+    found = [artefact for measure in LISTED.values() if (artefact := measure(look)) is not None]
     if not searching:
         return found
     if trials is None and isinstance(study, WorldStudy):
         trials = Trials(study, len(study.horizons) - 1 if horizon is None else study.row_at(horizon), action)
-    return offered(found, look, MEASURES, trials)
+    return offered(found, look, LISTED, trials)
 
 
-__all__ = ["MEASURES", "VISIBLE", "Artefact", "Remedy", "find_artefacts"]
+__all__ = ["LISTED", "MEASURES", "VISIBLE", "Artefact", "Remedy", "find_artefacts"]

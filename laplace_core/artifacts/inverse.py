@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from laplace_core.artifacts.look import Look, of_a_row
+from laplace_core.artifacts.look import Look, largest_change, of_a_row
 from laplace_core.artifacts.model import VISIBLE, Artefact, Remedy
+from laplace_core.inverse import decode
 
 LEAST_ALPHA = 1e-9
 
@@ -35,6 +36,24 @@ def over_smoothing(look: Look) -> Artefact | None:
         f"Alpha {alpha:g} suppresses components that gamma-space still holds, so rewards spread over neighbouring "
         "steps.",
         (Remedy(f"Lower alpha to {best:g}", {"alpha": best}),),
+    )
+
+
+def shifted_index(look: Look) -> Artefact | None:
+    """Discounts that are decoded by the row of their neighbour: the most probability that this moves in a row."""
+    s = look.settings
+    if not s.shift:
+        return None
+    right = decode(look.differences, look.gammas, look.steps, s.alpha, s.time_step) / s.time_step
+    size = largest_change(look.decode(look.differences) - right)
+    if size < VISIBLE:
+        return None
+    return Artefact(
+        "shifted index",
+        size,
+        f"the shift of the index moves up to {of_a_row(size)}",
+        "Each discount is decoded by the row of the next one, so that no time has its own place.",
+        (Remedy("Undo the shift of the index", {"shift": False}),),
     )
 
 

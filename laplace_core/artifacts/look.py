@@ -13,27 +13,42 @@ around each.
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
 
 from laplace_core.artifacts.model import VISIBLE
 from laplace_core.encoding import bin_masses
+from laplace_core.gamma_space import shifted
 from laplace_core.horizon import deadline_weights, row_horizons
 from laplace_core.inverse import decode, decode_matrix, normalise_rows
-from laplace_core.pipeline import Study, WorldStudy, basis_of, timeline_of
+from laplace_core.pipeline import Study, WorldStudy, basis_of, rows_decoded, timeline_of
+
+
+@dataclass(frozen=True, eq=False)
+class Drawn:
+    """What is drawn of one action: tau-space ``(n, B)``, survival ``(n,)`` and expected reward ``(n,)``."""
+
+    tau_space: np.ndarray
+    survival: np.ndarray
+    expected_reward: np.ndarray
 
 
 class Look:
     """The parts of one action's picture, each computed when first asked for and then kept.
 
-    ``alpha`` and ``steps`` default to those of the study everywhere.
+    ``alpha`` and ``steps`` default to those of the picture everywhere, which under ``fold`` has as many rows as the
+    horizon.
     """
 
     def __init__(self, study: Study, action: int, horizon: float | None = None, searching: bool = True):
         self.study, self.action, self.horizon, self.settings = study, action, horizon, study.settings
         self.searching = searching
         self.gammas = study.gamma_space.gammas
+        row = study.row if horizon is None else study.row_at(horizon)
+        self.steps = rows_decoded(self.settings, study.reading(row)[0])
+        self._decoded = study.at(row)
         self._errors: dict[float, float] = {}
 
     @property
@@ -73,6 +88,16 @@ class Look:
         return dt * np.add.reduceat(rows, np.flatnonzero(np.diff(step, prepend=-1)), axis=0)
 
     @cached_property
+    def drawn(self) -> Drawn:
+        """The rows of this action that are drawn."""
+        found, rows = self._decoded, slice(self.steps)
+        return Drawn(
+            found.tau_space[self.action, rows],
+            found.survival[self.action, rows],
+            found.expected_reward[self.action, rows],
+        )
+
+    @cached_property
     def differences(self) -> np.ndarray:
         """Z of this action by reward, as it is there, noise and all, ``(G, V)``."""
         return self.by_reward(self.study.gamma_space.differences[self.action])
@@ -93,7 +118,7 @@ class Look:
 
     def timeline(self, steps: int | None = None) -> np.ndarray:
         """True P(r_tau = v, alive) at the whole steps that ``steps`` rows hold, ``(N, V)``."""
-        dt, steps = self.settings.time_step, steps or self.settings.steps
+        dt, steps = self.settings.time_step, steps or self.steps
         # Row k stands for half a time_step on either side of k * time_step.
         whole = int(np.floor((steps - 0.5) * dt + 1e-9)) + 1
         return timeline_of(self.of_world, whole)[self.action]
@@ -102,12 +127,14 @@ class Look:
         """D @ values for ``(G, n)``, as probability a row, ``(steps, n)``."""
         s = self.settings
         alpha = s.alpha if alpha is None else alpha
-        return decode(values, self.gammas, steps or s.steps, alpha, s.time_step) / s.time_step
+        values = shifted(values) if s.shift else values
+        return decode(values, self.gammas, steps or self.steps, alpha, s.time_step) / s.time_step
 
     def decode_matrix(self, alpha: float | None = None) -> np.ndarray:
         """D, as probability a row, ``(K, G)``."""
         s = self.settings
-        return decode_matrix(self.gammas, s.steps, s.alpha if alpha is None else alpha, s.time_step) / s.time_step
+        matrix = decode_matrix(self.gammas, self.steps, s.alpha if alpha is None else alpha, s.time_step) / s.time_step
+        return np.append(matrix[:, 1:], np.zeros((len(matrix), 1)), axis=1) if s.shift else matrix
 
     def rows(self, alpha: float) -> np.ndarray:
         """The picture by reward at an alpha, rescaled as the study's, as probability, ``(K, V)``."""
@@ -124,17 +151,17 @@ class Look:
         A step beyond the last row is not held by the rows before it: it is 0 here.
         """
         dt, held = self.settings.time_step, self.timeline()
-        last = int(np.floor((self.settings.steps - 1) * dt + 0.5 + 1e-9))
+        last = int(np.floor((self.steps - 1) * dt + 0.5 + 1e-9))
         return np.pad(held, ((0, max(0, last + 1 - len(held))), (0, 0)))
 
     def true_values(self, softness: float) -> np.ndarray:
         """True V_T of the action at the horizon of every row, ``(K,)``, under a deadline of this softness."""
         s, timeline = self.settings, self.timeline()
         steps = np.arange(len(timeline))
-        discounted = (timeline @ self.of_world.world.reward_values) * s.acting_gamma**steps
+        discounted = (timeline @ self.of_world.world.reward_values) * s.value_gamma**steps
         if softness == 0:
-            return np.array([discounted[steps <= k * s.time_step + 1e-9].sum() for k in range(s.steps)])
-        horizons = row_horizons(s.steps, s.time_step)
+            return np.array([discounted[steps <= k * s.time_step + 1e-9].sum() for k in range(self.steps)])
+        horizons = row_horizons(self.steps, s.time_step)
         return np.array([deadline_weights(T, steps.size, softness) @ discounted for T in horizons])
 
     def error(self, alpha: float | None = None) -> float:

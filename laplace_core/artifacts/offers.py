@@ -16,7 +16,7 @@ from laplace_core.artifacts.look import Look
 from laplace_core.artifacts.model import Artefact
 from laplace_core.errors import InputError
 from laplace_core.grades import timeline_error
-from laplace_core.pipeline import Study, decode_and_read
+from laplace_core.pipeline import Study
 from laplace_core.trials import Remedy, Trials
 
 Measure = Callable[[Look], Artefact | None]
@@ -59,7 +59,8 @@ def _is_offered(
         # What acts wrongly later in an episode is no fault of this choice: it may be mended by itself.
         return set(remedy.changes) == {"deadline"} or trials.repairs(remedy, trial)
     good = not trial.grade.wrong and not trial.grade.off
-    return good and timeline_error(trial.study, look.action) <= trials.timeline_error + _NO_WORSE
+    after = timeline_error(trial.study, look.action, trial.study.at(trial.row))
+    return good and after <= trials.timeline_error + _NO_WORSE
 
 
 def _alpha(
@@ -102,6 +103,6 @@ def _under(study: Study, remedy: Remedy) -> Study | None:
     """The same gamma-space decoded otherwise; None where the settings do not allow that."""
     try:
         settings = remedy.apply(study.settings)
-        return replace(study, settings=settings, decoded=decode_and_read(study.gamma_space, settings))
+        return study.under(settings)
     except InputError:
         return None

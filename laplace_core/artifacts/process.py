@@ -20,15 +20,15 @@ def repeated_reward(look: Look) -> Artefact | None:
     exceed the true chances of its rewards by more than the rows do as they were decoded. Without a truth, by which no
     reward can be told from its residue, what exceeds the decoded survival counts.
     """
-    study, s = look.study, look.settings
+    s = look.settings
     if s.normalise != "paper":
         return None
-    drawn = study.decoded.tau_space[look.action] / s.time_step
+    drawn = look.drawn.tau_space / s.time_step
     if look.has_truth:
         rescaled, decoded = look.by_step(look.by_reward(drawn)), look.by_step(look.decode(look.differences))
         size = float(np.clip(_beyond(rescaled, look.true_steps) - _beyond(decoded, look.true_steps), 0.0, None).sum())
     else:
-        alive = np.clip(study.decoded.survival[look.action] / s.time_step, 0.0, 1.0)
+        alive = np.clip(look.drawn.survival / s.time_step, 0.0, 1.0)
         size = float(s.time_step * np.clip(drawn.sum(axis=-1) - alive, 0.0, None).sum())
     if size < VISIBLE:
         return None
@@ -63,8 +63,8 @@ def conditional_rewards(look: Look) -> Artefact | None:
         return None
     Z = study.gamma_space.differences[look.action]
     weighted = s.time_step * look.decode((Z @ study.midpoints)[:, None])[:, 0]
-    plain = study.decoded.expected_reward[look.action]
-    weighted, plain = (horizon_values(rows, s.acting_gamma, s.softness, s.time_step) for rows in (weighted, plain))
+    plain = look.drawn.expected_reward
+    weighted, plain = (horizon_values(rows, s.value_gamma, s.softness, s.time_step) for rows in (weighted, plain))
     change = float(np.abs(plain - weighted).max())
     true = look.true_values(s.softness) if look.has_truth else weighted
     least = 1e-2 * np.abs(look.of_world.world.reward_values).max() if look.has_truth else 0.0
@@ -104,21 +104,22 @@ def mixed_policies(look: Look) -> Artefact | None:
 def folding(look: Look) -> Artefact | None:
     """Time beyond the last row: the most probability that what comes after it leaves in a row."""
     s = look.settings
-    if not look.has_truth or s.steps >= MAX_STEPS:
+    if not look.has_truth or look.steps >= MAX_STEPS:
         return None
     whole = look.exact("shared")
-    size = _folded(look, whole, s.steps)
+    size = _folded(look, whole, look.steps)
     if size < VISIBLE:
         return None
     most = MAX_VALUES / (len(look.study.gamma_space.thetas) * len(look.study.action_names))
-    trials = [steps for steps in more_rows(s.steps) if steps <= most]
+    trials = [] if s.fold else [steps for steps in more_rows(s.steps) if steps <= most]
     steps = next((steps for steps in trials if _folded(look, whole, steps) < VISIBLE), max(trials, default=None))
+    remedies = [Remedy("Decode all rows", {"fold": False})] if s.fold else []
     return Artefact(
         "folding",
         size,
         f"what comes after the last row moves up to {of_a_row(size)}",
         "Gamma-space holds rewards that come after the last row; the inverse folds them into the rows that exist.",
-        (Remedy(f"Decode {steps} rows", {"steps": steps}),) if steps else (),
+        (*remedies, *([Remedy(f"Decode {steps} rows", {"steps": steps})] if steps else [])),
     )
 
 

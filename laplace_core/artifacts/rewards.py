@@ -30,7 +30,7 @@ def edge_clipping(look: Look) -> Artefact | None:
         outside[outside < NEGLIGIBLE] = 0.0  # the tail of any activation, which a small alpha would magnify
         lost = look.decode((look.basis() @ outside)[:, None])[:, 0]
     elif s.normalise == "none":
-        lost = (study.decoded.survival - study.decoded.mass)[look.action] / s.time_step
+        lost = (look.drawn.survival - look.drawn.tau_space.sum(axis=-1)) / s.time_step
         # Two decoded rows differ by their own noise: that of the constant channel and of both end tails.
         noise = np.sqrt(1.5 * (violations(look) ** 2).mean(axis=-1, keepdims=True))
         least = max(2.0 * VISIBLE, 4.0 * float(propagated(look, noise).max()))
@@ -40,7 +40,9 @@ def edge_clipping(look: Look) -> Artefact | None:
     if size < least:
         return None
     remedies: tuple[Remedy, ...] = ()
-    if isinstance(study, WorldStudy):
+    if isinstance(study, WorldStudy) and study.settings.clip:
+        remedies = (Remedy("Begin the sensitivities below the rewards", {"clip": False}),)
+    elif isinstance(study, WorldStudy):
         rewards, chosen = study.world.reward_values, study.settings
         over = max(0.2 * (rewards[-1] - rewards[0]), OVERHANG / chosen.slope)
         low, high = min(chosen.theta_min, float(rewards[0] - over)), max(chosen.theta_max, float(rewards[-1] + over))

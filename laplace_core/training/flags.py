@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from laplace_core.artifacts import MEASURES, find_artefacts
+from laplace_core.artifacts import LISTED, find_artefacts
 from laplace_core.interpolation import with_added
 from laplace_core.pipeline import study_of_gamma_space
 from laplace_core.settings import Settings
@@ -48,8 +48,8 @@ def flag_steps(
     Raises:
         InputError: the agent has no gamma-space, or the settings do not fit it.
     """
-    found = np.zeros((len(rollout), len(MEASURES)), dtype=bool)
-    order = {name: i for i, name in enumerate(MEASURES)}
+    found = np.zeros((len(rollout), len(LISTED)), dtype=bool)
+    order = {name: i for i, name in enumerate(LISTED)}
     for step, action in enumerate(rollout.actions):
         space = rollout.space(step)
         # The inverse treats every action by itself.
@@ -60,4 +60,4 @@ def flag_steps(
         if told is not None:
             told(step + 1, len(rollout))
     there = np.asarray(found.any(axis=0))
-    return Flags(tuple(name for name, seen in zip(MEASURES, there, strict=True) if seen), found[:, there])
+    return Flags(tuple(name for name, seen in zip(LISTED, there, strict=True) if seen), found[:, there])

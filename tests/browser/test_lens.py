@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from playwright.sync_api import expect
 
-from app.lens import opening_state, payload, structure
+from app.lens import payload, state_of, structure
 from app.lens.payload import unpacked
 from bench.browser import served
 from bench.lens import PAGE, agreement, bare_page, drag, network, payloads, random_cases
@@ -142,7 +142,7 @@ def _case(view, found, verdict) -> dict[str, object]:
     """A view as the lens gets it: its payload, and the state that shows it."""
     data = payload(study(view.world, structure(found.settings, view.world)))[0]
     action = verdict.chosen if view.action is None else view.action
-    state = opening_state(found.settings, float(found.horizons[view.row]), action)
+    state = state_of(found.settings, float(found.horizons[view.row]), action=action)
     return {"payload": base64.b64encode(data).decode(), "state": state}
 
 
