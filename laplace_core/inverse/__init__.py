@@ -5,7 +5,6 @@ from laplace_core.inverse.tikhonov import (
     decode,
     decode_matrix,
     filter_factors,
-    residual,
     resolution_matrix,
     rounding_of_rows,
 )
@@ -19,7 +18,6 @@ __all__ = [
     "decode_matrix",
     "filter_factors",
     "normalise_rows",
-    "residual",
     "resolution_matrix",
     "rounding_of_rows",
     "transform_factors",

@@ -75,11 +75,6 @@ def rounding_of_rows(
     return ROUNDING * sizes[..., None] * np.linalg.norm(decode_matrix(gammas, steps, alpha, time_step), axis=-1)
 
 
-def residual(tau_space: np.ndarray, values: np.ndarray, gammas: np.ndarray, time_step: float = 1.0) -> np.ndarray:
-    """F x - z, shape of ``values``: what of the gamma-space the tau-space does not explain."""
-    return transform_matrix(gammas, tau_space.shape[-2], time_step) @ tau_space - values
-
-
 def resolution_matrix(gammas: np.ndarray, steps: int, alpha: float, time_step: float = 1.0) -> np.ndarray:
     """R = D F, shape ``(steps, steps)``: row tau is the averaging kernel through which step tau is seen."""
     return decode_matrix(gammas, steps, alpha, time_step) @ transform_matrix(gammas, steps, time_step)
