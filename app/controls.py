@@ -138,9 +138,11 @@ def number(key: str, parameter: Parameter, value: object, label: str) -> None:
     elif parameter.choices:
         st.selectbox(label, parameter.choices, **kept)
     elif parameter.type is int:
-        st.number_input(label, int(parameter.low), int(parameter.high), step=1, **kept)
+        low, high = parameter.bounds
+        st.number_input(label, int(low), int(high), step=1, **kept)
     else:
-        step = 0.01 if parameter.high <= 1 else 0.5
+        low, high = parameter.bounds
+        step = 0.01 if high <= 1 else 0.5
         if parameter.default:  # a small number moves by its last digit
             step = min(step, 10.0 ** math.floor(math.log10(abs(parameter.default))))
-        st.number_input(label, float(parameter.low), float(parameter.high), step=step, format="%g", **kept)
+        st.number_input(label, float(low), float(high), step=step, format="%g", **kept)

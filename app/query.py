@@ -20,18 +20,20 @@ OPENING = {"world": "two_branch", "normalise": "paper"}
 """The paper's Fig. 4c: what a visitor without a link sees."""
 
 VIEW = (
-    Parameter("action", None, 0, 0, "Action whose spaces are shown.", str),
-    Parameter("look", "heatmap", 0, 0, "How the spaces are drawn.", str, ("heatmap", "surface")),
-    Parameter("own", None, 0, 0, "Your own world, packed.", str),
-    Parameter("timeline", None, 0, 0, "Your own timeline, packed.", str),
-    Parameter("data", None, 0, 0, "Your own gamma-space, by the digest of its file.", str),
-    Parameter("pin", None, 0, 0, "The view pinned as A, packed.", str),
-    Parameter("compare", "tau-space", 0, 0, "Which space A and B are compared in.", str, ("tau-space", "gamma-space")),
-    Parameter("source", "exact", 0, 0, "Whether gamma-space is exact or learned.", str, ("exact", "learned")),
-    Parameter("agent", None, 0, 0, "An agent that learned before.", str),
-    Parameter("run", None, 0, 0, "The run of learning that is looked at.", str),
-    Parameter("learner", "mean", 0, 0, "The learner shown, or the mean of all.", str, ("mean", *"01234567")),
-    Parameter("edit", "no", 0, 0, "Whether the world is open as a table.", str, ("no", "yes")),
+    Parameter("action", None, help="Action whose spaces are shown.", kind=str),
+    Parameter("look", "heatmap", help="How the spaces are drawn.", choices=("heatmap", "surface")),
+    Parameter("own", None, help="Your own world, packed.", kind=str),
+    Parameter("timeline", None, help="Your own timeline, packed.", kind=str),
+    Parameter("data", None, help="Your own gamma-space, by the digest of its file.", kind=str),
+    Parameter("pin", None, help="The view pinned as A, packed.", kind=str),
+    Parameter(
+        "compare", "tau-space", help="Which space A and B are compared in.", choices=("tau-space", "gamma-space")
+    ),
+    Parameter("source", "exact", help="Whether gamma-space is exact or learned.", choices=("exact", "learned")),
+    Parameter("agent", None, help="An agent that learned before.", kind=str),
+    Parameter("run", None, help="The run of learning that is looked at.", kind=str),
+    Parameter("learner", "mean", help="The learner shown, or the mean of all.", choices=("mean", *"01234567")),
+    Parameter("edit", "no", help="Whether the world is open as a table.", choices=("no", "yes")),
 )
 """What is looked at, beside the settings of the study."""
 

@@ -95,11 +95,11 @@ def parameters(loaded: Loaded, other: Loaded | None = None) -> dict[str, Paramet
     found = (
         Parameter(HORIZON, usual_horizon(loaded), 1, longest_horizon(loaded), "Deadline T, in steps."),
         Parameter(START, 0, 0, MOST_START, "Start of the race."),
-        Parameter(LEFT, None, 0, 0, "How the left side acts.", str, rules_of((other or loaded).agent)),
+        Parameter(LEFT, None, help="How the left side acts.", kind=str, choices=rules_of((other or loaded).agent)),
         Parameter(GAMMA, None, 1e-6, 0.999999, "Discount for the left side to be greedy at.", float),
-        Parameter(RIGHT, None, 0, 0, "How the right side acts.", str, rules_of(loaded.agent)),
+        Parameter(RIGHT, None, help="How the right side acts.", kind=str, choices=rules_of(loaded.agent)),
         Parameter(AT, None, 0, 10_000, "Steps that are over under the cursor.", int),
-        Parameter(MANY, "no", 0, 0, "Whether many starts are raced over.", str, ("no", "yes")),
+        Parameter(MANY, "no", help="Whether many starts are raced over.", choices=("no", "yes")),
         Parameter(COUNT, USUAL_COUNT, 2, MOST_RACES, "How many starts."),
     )
     return {parameter.name: parameter for parameter in found}

@@ -25,13 +25,13 @@ TITLES = {
     "random": "random",
 }
 VIEW = (
-    Parameter(SHOWN, "no", 0, 0, "Whether a rollout is shown.", str, ("no", "yes")),
+    Parameter(SHOWN, "no", help="Whether a rollout is shown.", choices=("no", "yes")),
     Parameter(SEED, 0, 0, MOST_SEED, "Seed of the start, and of random actions."),
-    Parameter(RULE, "greedy", 0, 0, "Control rule.", str, tuple(name for name in RULES if name in TITLES)),
+    Parameter(RULE, "greedy", help="Control rule.", choices=tuple(name for name in RULES if name in TITLES)),
     Parameter(HORIZON, None, 1, MOST_STEPS, "Deadline T of the episode, in steps.", int),
     Parameter(GAMMA, None, 1e-6, 0.999999, "Discount to be greedy at.", float),
     Parameter(AT, 0, 0, MOST_STEPS, "Step under the cursor."),
-    Parameter(AFTER, "values", 0, 0, "Control of what is simulated from there.", str, ("values", "rule")),
+    Parameter(AFTER, "values", help="Control of what is simulated from there.", choices=("values", "rule")),
 )
 PARAMETERS = {parameter.name: parameter for parameter in VIEW}
 ADAPTED = ("fading", "readout", "decoded", "matched", "own")
@@ -49,9 +49,9 @@ def rules_of(agent: Agent) -> dict[str, str]:
 def parameters(agent: Agent) -> dict[str, Parameter]:
     """What a link may say of a rollout of this agent."""
     rules = tuple(rules_of(agent))
-    own = Parameter(RULE, rules[0], 0, 0, "Control rule.", str, rules)
+    own = Parameter(RULE, rules[0], help="Control rule.", kind=str, choices=rules)
     kept = {name: one for name, one in PARAMETERS.items() if name != GAMMA or hasattr(agent, "gammas")}
-    shown = Parameter(ACTION, TAKEN, 0, 0, "Action that is shown of an agent without a lens.", str)
+    shown = Parameter(ACTION, TAKEN, help="Action that is shown of an agent without a lens.", kind=str)
     return kept | {RULE: own, ACTION: shown}
 
 

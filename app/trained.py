@@ -54,7 +54,7 @@ def parse_query(query: Mapping[str, str]) -> tuple[dict[str, Any], list[str]]:
     }
     known.pop("state")
     if scene.states:
-        known["state"] = Parameter("state", None, 0, 0, "State that is observed.", str, scene.states)
+        known["state"] = Parameter("state", None, help="State that is observed.", kind=str, choices=scene.states)
     values, more = read_values(query, known, ("checkpoint",))
     return found | values, notes + more
 

@@ -22,12 +22,12 @@ LOOKS = 20
 """Evaluations in a run, at least: a curve of fewer points says little."""
 
 FORM = (
-    Parameter("algorithm", OPENING["algorithm"], 0, 0, "What learns.", str, tuple(SETTINGS)),
-    Parameter("environment", OPENING["environment"], 0, 0, "What it learns from.", str, ENVIRONMENTS),
+    Parameter("algorithm", OPENING["algorithm"], help="What learns.", kind=str, choices=tuple(SETTINGS)),
+    Parameter("environment", OPENING["environment"], help="What it learns from.", kind=str, choices=ENVIRONMENTS),
     Parameter("count", 1, 1, MOST_AT_ONCE, "Runs to start, the seed one higher for each."),
-    Parameter("run", None, 0, 0, "The run that is looked at.", str),
-    Parameter("beside", None, 0, 0, "Names of the runs that are drawn beside it.", str),
-    Parameter("ships", None, 0, 0, "Algorithms whose shipped agents are drawn behind it.", str),
+    Parameter("run", None, help="The run that is looked at.", kind=str),
+    Parameter("beside", None, help="Names of the runs that are drawn beside it.", kind=str),
+    Parameter("ships", None, help="Algorithms whose shipped agents are drawn behind it.", kind=str),
 )
 _BY_NAME = {parameter.name: parameter for parameter in FORM}
 _SHOWN_OWN = 8  # settings that only this algorithm has, the grids first: what a run is about

@@ -114,8 +114,9 @@ def _worlds(options: argparse.Namespace) -> None:
                 "title": preset.title,
                 "summary": preset.summary,
                 "parameters": [
-                    {"name": p.name, "default": p.default, "low": p.low, "high": p.high, "help": p.help}
+                    {"name": p.name, "default": p.default, "low": low, "high": high, "help": p.help}
                     for p in preset.parameters
+                    for low, high in [(0, 1) if p.type is bool else p.bounds]
                 ],
             }
             for preset in PRESETS.values()

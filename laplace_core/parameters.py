@@ -1,9 +1,15 @@
-"""Typed, ranged values from outside: world parameters, command-line options and URL entries."""
+"""Typed, ranged values from outside: world parameters, command-line options and URL entries.
+
+A dataclass of settings states each of them once, as a field made by :func:`setting`, :func:`choice`, :func:`switch` or
+:func:`text`; :func:`schema_of` reads from it the parameters that the command line, links, forms and files go by.
+"""
 
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+from dataclasses import Field, dataclass, field, fields, replace
+from functools import cache
+from typing import Any, get_args, get_type_hints
 
 from laplace_core.errors import InputError
 
@@ -13,26 +19,37 @@ NUMBER = re.compile(r"[+-]?(\d+(\.\d*)?|\.\d+)([eE][+-]?\d{1,4})?", re.ASCII)
 
 @dataclass(frozen=True)
 class Parameter:
-    """A named value with a type, a closed range and one line of help.
+    """A named value with a type, one line of help and, where it is a number, a closed range.
 
     Attributes:
         default: the value if none is given; None means that it depends on the world.
-        low, high: the range of an int or float.
+        low, high: the range of an int or float; None for all else.
         kind: bool, int, float or str; by default the type of ``default``.
         choices: the allowed words of a str; empty for free text.
     """
 
     name: str
     default: bool | int | float | str | None
-    low: float
-    high: float
-    help: str
+    low: float | None = None
+    high: float | None = None
+    help: str = ""
     kind: type | None = None
     choices: tuple[str, ...] = ()
 
     @property
     def type(self) -> type:
         return self.kind or type(self.default)
+
+    @property
+    def bounds(self) -> tuple[float, float]:
+        """The range of a number.
+
+        Raises:
+            TypeError: a parameter that is no number.
+        """
+        if self.low is None or self.high is None:
+            raise TypeError(f"{self.name} has no range.")
+        return self.low, self.high
 
     def parse(self, value: object) -> bool | int | float | str:
         """The value in the parameter's own type, from text or a number.
@@ -53,10 +70,91 @@ class Parameter:
                 raise InputError(f"{self.name} must be true or false, not {text[:40]!r}.")
             return text.lower() in ("true", "1")
         number = float(text) if NUMBER.fullmatch(text) else float("nan")
-        if not self.low <= number <= self.high or (self.type is int and number != int(number)):
+        low, high = self.bounds
+        if not low <= number <= high or (self.type is int and number != int(number)):
             what = "a whole number" if self.type is int else "a number"
-            raise InputError(f"{self.name} must be {what} from {self.low:g} to {self.high:g}, not {text[:40]!r}.")
+            raise InputError(f"{self.name} must be {what} from {low:g} to {high:g}, not {text[:40]!r}.")
         return self.type(number)
+
+
+_STATED = "parameter"  # where a field's metadata hold its parameter, without a name and a kind
+
+
+def _stated(parameter: Parameter, *, undecided: bool = False) -> Any:
+    """A field of a dataclass; Any, as :func:`dataclasses.field` is, so that the annotation decides its type."""
+    return field(default=None if undecided else parameter.default, metadata={_STATED: parameter})
+
+
+def setting(default: float | None, low: float, high: float, sentence: str, *, undecided: bool = False) -> Any:
+    """A number as a field of a dataclass of settings; its annotation, int or float, is its type.
+
+    Args:
+        default: what holds if nothing is given; None means that it depends on the world.
+        low, high: the closed range.
+        sentence: what it is, as help and forms say it.
+        undecided: the field is None until it is chosen, and ``default`` is what then fits.
+    """
+    return _stated(Parameter("", default, low, high, sentence), undecided=undecided)
+
+
+def choice(default: str | None, options: tuple[str, ...], sentence: str, *, undecided: bool = False) -> Any:
+    """Like :func:`setting`, for one of a few words."""
+    return _stated(Parameter("", default, help=sentence, choices=options), undecided=undecided)
+
+
+def switch(default: bool, sentence: str, *, undecided: bool = False) -> Any:
+    """Like :func:`setting`, for what is either on or off."""
+    return _stated(Parameter("", default, help=sentence), undecided=undecided)
+
+
+def text(sentence: str) -> Any:
+    """Like :func:`setting`, for a text of any kind, None until it is chosen."""
+    return _stated(Parameter("", None, help=sentence))
+
+
+def like(owner: type, name: str) -> Any:
+    """The setting ``name`` of another dataclass once more; None until it is chosen, without a default of its own."""
+    known = {parameter.name: parameter for parameter in schema_of(owner)}
+    return _stated(replace(known[name], default=None))
+
+
+@cache
+def schema_of(owner: type) -> tuple[Parameter, ...]:
+    """The parameters that a dataclass of settings states, in the order of its fields.
+
+    A class that only declares a field anew, say without None, has its range and sentence from the class that states
+    it. A field that states nothing is no setting.
+    """
+    hints = get_type_hints(owner)
+    found = []
+    for each in fields(owner):
+        stated = _stated_in(owner, each)
+        if stated is not None:
+            default: Any = stated.default if each.default is None else each.default
+            found.append(replace(stated, name=each.name, kind=_kind(hints[each.name]), default=default))
+    return tuple(found)
+
+
+def _stated_in(owner: type, each: Field[Any]) -> Parameter | None:
+    for kind in owner.__mro__:
+        declared = vars(kind).get("__dataclass_fields__", {}).get(each.name)
+        if declared is not None and _STATED in declared.metadata:
+            stated: Parameter = declared.metadata[_STATED]
+            return stated
+    return None
+
+
+def _kind(hint: Any) -> type:
+    """``int`` of ``int`` and of ``int | None``."""
+    kind: type = next((each for each in get_args(hint) if each is not type(None)), hint)
+    return kind
+
+
+class Schema:
+    """The parameters of a class of settings as its attribute, which so is always that of the class it is asked of."""
+
+    def __get__(self, instance: object, owner: type) -> tuple[Parameter, ...]:
+        return schema_of(owner)
 
 
 def parse_named(

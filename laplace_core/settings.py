@@ -1,7 +1,7 @@
 """Every choice that leads from a world to a tau-space, as one frozen, typed object.
 
-The command line, the URL of the app and the saved files all read and write these settings through the one
-schema below; None means "what suits the world" and is filled in by :func:`resolve`.
+A setting stands in one place, as a field of :class:`Settings`; the command line, the URL of the app and the saved files
+all read and write it by what stands there. None means "what suits the world" and is filled in by :func:`resolve`.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from laplace_core.encoding import GAMMA_SPACINGS, PAPER_GAMMAS, THETA_SCALE_HELP
 from laplace_core.errors import InputError
 from laplace_core.inverse import MAX_STEPS, NORMALISATIONS
 from laplace_core.learning import TARGET_POLICIES
-from laplace_core.parameters import Parameter, as_text
+from laplace_core.parameters import Parameter, as_text, choice, schema_of, setting, switch, text
 from laplace_core.worlds import World
 
 SOLVERS = ("tikhonov",)
@@ -30,13 +30,18 @@ SLOPE_TIMES_SPACING = 2.35
 """Default slope in units of 1/spacing: neighbouring sigmoids overlap, so that the midpoint proxy is unbiased
 (error below .1% of the spacing) and the blur stays near two spacings. It makes the paper's 25 on 150
 thresholds over [-2, 12]."""
+DISCOUNT_RANGE = (1e-6, 0.999999)
+"""Smallest and largest discount that can be chosen."""
 OVERHANG = 0.2
 """Default overhang of the sensitivities beyond the rewards, as a fraction of their range."""
+
+# None until chosen; the default that stands here is what `resolve` fills in.
+_setting, _choice, _switch = (partial(kind, undecided=True) for kind in (setting, choice, switch))
 
 
 @dataclass(frozen=True)
 class Settings:
-    """Settings of one study; see ``SCHEMA`` for the meaning and range of each.
+    """Settings of one study.
 
     Values may be given as text or numbers and are kept in their own type; None is what suits the world. ``world`` may
     be given as a ``Path``, ``params`` as a mapping.
@@ -47,36 +52,46 @@ class Settings:
 
     world: str = "two_branch"
     params: tuple[tuple[str, object], ...] = ()
-    state: str | None = None
-    gammas: int | None = None
-    spacing: str | None = None
-    gamma_min: float | None = None
-    gamma_max: float | None = None
-    thetas: int | None = None
-    theta_spacing: str | None = None
-    theta_min: float | None = None
-    theta_max: float | None = None
-    theta_scale: float | None = None
-    slope: float | None = None
-    alpha: float | None = None
-    steps: int | None = None
-    time_step: float | None = None
-    normalise: str | None = None
-    policy: str | None = None
-    acting_gamma: float | None = None
-    softness: float | None = None
-    deadline: str | None = None
-    solver: str | None = None
-    noise: float | None = None
-    noise_seed: int | None = None
-    horizon: float | None = None
-    used: float | None = None
-    value_gamma: float | None = None
-    fold: bool | None = None
-    shift: bool | None = None
-    clip: bool | None = None
-    paper_grid: bool | None = None
-    slope_share: float | None = None
+    state: str | None = text("State to look from, by name or index (default: the likeliest start).")
+    gammas: int | None = _setting(None, 2, 500, "Number of discounts.")
+    spacing: str | None = _choice("inverse-log", GAMMA_SPACINGS, "How the discounts are spaced.")
+    gamma_min: float | None = _setting(0.01, *DISCOUNT_RANGE, "Smallest discount.")
+    gamma_max: float | None = _setting(0.99, *DISCOUNT_RANGE, "Largest discount.")
+    thetas: int | None = _setting(150, 2, 2000, "Number of reward sensitivities.")
+    theta_spacing: str | None = _choice("uniform", THETA_SPACINGS, "How the sensitivities are spaced.")
+    theta_min: float | None = _setting(None, -1e10, 1e10, "Smallest sensitivity, in reward.")
+    theta_max: float | None = _setting(None, -1e10, 1e10, "Largest sensitivity, in reward.")
+    theta_scale: float | None = _setting(None, 0, 1e10, THETA_SCALE_HELP)
+    slope: float | None = _setting(None, 1e-12, 1e12, "Steepness of the reward activation, in 1/reward.")
+    alpha: float | None = _setting(0.01, 0, 1e6, "Regularisation of the inverse, in singular values of the transform.")
+    steps: int | None = _setting(None, 1, MAX_STEPS, "Rows of tau-space: the longest timeline it can hold.")
+    time_step: float | None = _setting(
+        1.0, 1e-3, 1, "Time from one row of tau-space to the next, in steps of the world."
+    )
+    normalise: str | None = _choice("none", NORMALISATIONS, "What is done to the rows of tau-space.")
+    policy: str | None = _choice("shared", TARGET_POLICIES, "Whose policy every discount evaluates.")
+    acting_gamma: float | None = _setting(
+        0.99, *DISCOUNT_RANGE, "Discount of the policy and of the values over the horizon."
+    )
+    softness: float | None = _setting(
+        0.0, 0, 10, "Width of the deadline, as a fraction of the horizon; 0 is a hard one."
+    )
+    deadline: str | None = _choice("time_to_go", DEADLINES, "The T that an episode is acted with at each step.")
+    solver: str | None = _choice("tikhonov", SOLVERS, "How the transform is inverted.")
+    noise: float | None = _setting(
+        0.0, 0, 1, "Random error of gamma-space: standard deviation of (1 - gamma) Q, a probability."
+    )
+    noise_seed: int | None = _setting(0, 0, 2**31 - 1, "Seed of that error.")
+    horizon: float | None = _setting(None, 1e-3, 2000, "Deadline T, in steps of the world (default: the longest).")
+    used: float | None = _setting(0.0, 0, 2000, "Steps of the episode that are over: T less these are left.")
+    value_gamma: float | None = _setting(None, *DISCOUNT_RANGE, "Discount of the values (default: the acting gamma).")
+    fold: bool | None = _switch(False, "Decode only as many rows as the horizon has (K = T).")
+    shift: bool | None = _switch(False, "Decode each discount by the row of the next one, an index error.")
+    clip: bool | None = _switch(False, "Begin the sensitivities at the lowest reward that occurs.")
+    paper_grid: bool | None = _switch(False, "Use the paper's 15 discounts in place of the grid.")
+    slope_share: float | None = _setting(
+        1.0, 0.05, 1, "Share of the trained slope, for a gamma-space that has its slope."
+    )
 
     def __post_init__(self) -> None:
         put = partial(object.__setattr__, self)
@@ -203,38 +218,7 @@ class ResolvedForWorld(Resolved):
         return ("theta_scale", "horizon")
 
 
-SCHEMA: tuple[Parameter, ...] = (
-    Parameter("state", None, 0, 0, "State to look from, by name or index (default: the likeliest start).", str),
-    Parameter("gammas", None, 2, 500, "Number of discounts.", int),
-    Parameter("spacing", "inverse-log", 0, 0, "How the discounts are spaced.", str, GAMMA_SPACINGS),
-    Parameter("gamma_min", 0.01, 1e-6, 0.999999, "Smallest discount."),
-    Parameter("gamma_max", 0.99, 1e-6, 0.999999, "Largest discount."),
-    Parameter("thetas", 150, 2, 2000, "Number of reward sensitivities."),
-    Parameter("theta_spacing", "uniform", 0, 0, "How the sensitivities are spaced.", str, THETA_SPACINGS),
-    Parameter("theta_min", None, -1e10, 1e10, "Smallest sensitivity, in reward.", float),
-    Parameter("theta_max", None, -1e10, 1e10, "Largest sensitivity, in reward.", float),
-    Parameter("theta_scale", None, 0, 1e10, THETA_SCALE_HELP, float),
-    Parameter("slope", None, 1e-12, 1e12, "Steepness of the reward activation, in 1/reward.", float),
-    Parameter("alpha", 0.01, 0, 1e6, "Regularisation of the inverse, in singular values of the transform."),
-    Parameter("steps", None, 1, MAX_STEPS, "Rows of tau-space: the longest timeline it can hold.", int),
-    Parameter("time_step", 1.0, 1e-3, 1, "Time from one row of tau-space to the next, in steps of the world."),
-    Parameter("normalise", "none", 0, 0, "What is done to the rows of tau-space.", str, NORMALISATIONS),
-    Parameter("policy", "shared", 0, 0, "Whose policy every discount evaluates.", str, TARGET_POLICIES),
-    Parameter("acting_gamma", 0.99, 1e-6, 0.999999, "Discount of the policy and of the values over the horizon."),
-    Parameter("softness", 0.0, 0, 10, "Width of the deadline, as a fraction of the horizon; 0 is a hard one."),
-    Parameter("deadline", "time_to_go", 0, 0, "The T that an episode is acted with at each step.", str, DEADLINES),
-    Parameter("solver", "tikhonov", 0, 0, "How the transform is inverted.", str, SOLVERS),
-    Parameter("noise", 0.0, 0, 1, "Random error of gamma-space: standard deviation of (1 - gamma) Q, a probability."),
-    Parameter("noise_seed", 0, 0, 2**31 - 1, "Seed of that error.", int),
-    Parameter("horizon", None, 1e-3, 2000, "Deadline T, in steps of the world (default: the longest).", float),
-    Parameter("used", 0.0, 0, 2000, "Steps of the episode that are over: T less these are left."),
-    Parameter("value_gamma", None, 1e-6, 0.999999, "Discount of the values (default: the acting gamma).", float),
-    Parameter("fold", False, 0, 0, "Decode only as many rows as the horizon has (K = T)."),
-    Parameter("shift", False, 0, 0, "Decode each discount by the row of the next one, an index error."),
-    Parameter("clip", False, 0, 0, "Begin the sensitivities at the lowest reward that occurs."),
-    Parameter("paper_grid", False, 0, 0, "Use the paper's 15 discounts in place of the grid."),
-    Parameter("slope_share", 1.0, 0.05, 1, "Share of the trained slope, for a gamma-space that has its slope."),
-)
+SCHEMA = schema_of(Settings)
 """One entry a setting, in the order of the line from world to action."""
 
 SWITCHES = ("used", "fold", "shift", "clip", "paper_grid", "slope_share")
@@ -337,7 +321,7 @@ def resolve(settings: Settings, world: World) -> ResolvedForWorld:
             values["theta_scale"] or None,
         )  # fmt: skip
         spacing = float(np.diff(grid).max())
-        gentle, steep = BY_NAME["slope"].low, BY_NAME["slope"].high
+        gentle, steep = BY_NAME["slope"].bounds
         values["slope"] = float(f"{np.clip(SLOPE_TIMES_SPACING / spacing, gentle, steep):.2g}")
     if values["steps"] is None:
         values["steps"] = _random_walk_length(world)

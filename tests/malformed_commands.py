@@ -70,9 +70,10 @@ def _outside(parameter: Parameter) -> Iterator[str]:
     elif parameter.type is bool:
         yield from NOT_BOOLS
     elif parameter.type is int:
-        yield from (*NOT_NUMBERS, "2.5", str(int(parameter.low) - 1), str(int(parameter.high) + 1), "9" * 400)
+        low, high = parameter.bounds
+        yield from (*NOT_NUMBERS, "2.5", str(int(low) - 1), str(int(high) + 1), "9" * 400)
     elif parameter.type is float:
-        below, above = np.nextafter(parameter.low, -np.inf), np.nextafter(parameter.high, np.inf)
+        below, above = np.nextafter(parameter.bounds, (-np.inf, np.inf))
         yield from (*NOT_NUMBERS, repr(float(below)), repr(float(above)))
 
 

@@ -210,12 +210,6 @@ def test_settings_are_what_they_were_after_a_round_through_text():
     assert LaplaceSettings.parse({}) == LaplaceSettings()
 
 
-def test_the_schema_and_the_defaults_agree():
-    defaults = LaplaceSettings().as_dict()
-    assert {parameter.name: parameter.default for parameter in LaplaceSettings.SCHEMA} == defaults
-    assert all(parameter.help.endswith(".") for parameter in LaplaceSettings.SCHEMA)
-
-
 def test_auxiliary_states_need_a_time_limit():
     with pytest.raises(InputError, match="time limit"):
         LaplaceAgent(replace(SMALL, termination="auxiliary"), 3, 2, None)

@@ -324,12 +324,10 @@ def test_settings_that_do_not_fit_are_refused(algorithm, given, named):
 
 
 @pytest.mark.parametrize("algorithm", OTHERS)
-def test_schemas_and_defaults_agree(algorithm):
+def test_settings_and_agents_have_the_same_name(algorithm):
     kind = SETTINGS[algorithm]
     assert algorithm == kind.ALGORITHM
     assert AGENTS[algorithm].settings_class is kind
-    assert {parameter.name: parameter.default for parameter in kind.SCHEMA} == kind().as_dict()
-    assert all(parameter.help.endswith(".") for parameter in kind.SCHEMA)
 
 
 @pytest.mark.parametrize("algorithm", PEERS)

@@ -9,7 +9,7 @@ from dataclasses import replace
 import numpy as np
 
 from app import checkpoints, training_form
-from laplace_core.agents.settings import LOOP_SCHEMA, SETTINGS, LoopSettings
+from laplace_core.agents.settings import SETTINGS, LoopSettings
 from laplace_core.cli import main
 from laplace_core.training.command import settings_of
 from laplace_core.training.queue import Queue
@@ -162,7 +162,6 @@ def test_the_values_of_a_peer_stand_against_what_came_at_its_one_discount(runs):
 def test_an_algorithm_without_many_discounts_has_one_picture_and_opens_as_well(runs, monkeypatch):
     class PlainSettings(LoopSettings):
         ALGORITHM = "plain"
-        SCHEMA = LOOP_SCHEMA
 
     monkeypatch.setitem(SETTINGS, "plain", PlainSettings)
     made(runs, "one", PlainSettings())

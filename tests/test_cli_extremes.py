@@ -122,10 +122,10 @@ def values(parameter: Parameter, most: int) -> st.SearchStrategy[str]:
     if parameter.type is str:
         return st.sampled_from(["0", "1", "start"])
     if parameter.type is int:
-        return st.integers(int(parameter.low), min(int(parameter.high), most)).map(str)
+        return st.integers(int(parameter.bounds[0]), min(int(parameter.bounds[1]), most)).map(str)
     if parameter.name == "softness":
         return st.just("0") | st.floats(1e-6, 10).map(repr)
-    return numbers(parameter.low, parameter.high).map(repr)
+    return numbers(*parameter.bounds).map(repr)
 
 
 @st.composite

@@ -64,7 +64,7 @@ def test_the_grid_is_that_of_the_study():
 @pytest.mark.parametrize("parameter", [p for p in LEARN_SCHEMA if p.type in (int, float)], ids=lambda p: p.name)
 @pytest.mark.parametrize("beyond", ["low", "high"])
 def test_settings_out_of_range_are_refused(parameter, beyond):
-    value = parameter.low - 1 if beyond == "low" else parameter.high * 2 + 1
+    value = parameter.bounds[0] - 1 if beyond == "low" else parameter.bounds[1] * 2 + 1
     for refused in (
         lambda: parse_learn_settings({parameter.name: str(value)}),
         lambda: resolve_learning(LearnSettings(**{parameter.name: value}), load_world("two_branch")),

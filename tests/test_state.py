@@ -59,8 +59,8 @@ _BAD_VALUES = [
 _OUT_OF_RANGE = [
     (parameter.name, f"{value}")
     for parameter in SCHEMA
-    if parameter.type is not str
-    for value in (parameter.low - 1, parameter.high * 2 + 1)
+    if parameter.type in (int, float)
+    for value in (parameter.bounds[0] - 1, parameter.bounds[1] * 2 + 1)
 ]
 _FRACTIONS = [(parameter.name, "2.5") for parameter in SCHEMA if parameter.type is int]
 _ODD = [("p.length", "2.5"), ("p.length", "0"), ("p.slip", "0.7"), ("p.auxiliary", "perhaps"), ("p.nope", "1"),

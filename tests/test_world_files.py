@@ -151,8 +151,8 @@ def test_a_world_that_is_written_comes_back(source):
 
 @pytest.mark.parametrize("preset", PRESETS.values(), ids=PRESETS)
 def test_presets_at_the_ends_of_their_ranges_come_back(preset):
-    for end in ("low", "high"):
-        ends = {p.name: getattr(p, end) for p in preset.parameters if p.type is not int}
+    for end in (0, 1):
+        ends = {p.name: bool(end) if p.type is bool else p.bounds[end] for p in preset.parameters if p.type is not int}
         world = preset.make(ends)
         assert_same_world(world, parse_world(dump_world(world)))
 

@@ -70,7 +70,7 @@ def checked(heard: object, study: Study) -> dict[str, Any]:
     if not isinstance(heard, Mapping):
         return found
     last, actions = float(study.horizons[-1]), len(study.action_names)
-    limits = {name: (BY_NAME[name].low, BY_NAME[name].high) for name in _SAME if not BY_NAME[name].choices}
+    limits = {name: BY_NAME[name].bounds for name in _SAME if BY_NAME[name].type in (int, float)}
     limits |= {"horizon": (0, last), "used": (0, last), "added": (0, MOST_ADDED), "action": (0, actions - 1)}
     words = {"normalise": BY_NAME["normalise"].choices, "look": ("heatmap", "surface")}
     for name, value in heard.items():

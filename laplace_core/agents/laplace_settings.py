@@ -7,7 +7,7 @@ from typing import ClassVar
 
 import numpy as np
 
-from laplace_core.agents.loop_settings import LOOP_SCHEMA, LoopSettings
+from laplace_core.agents.loop_settings import LoopSettings, exploring_heads
 from laplace_core.encoding import (
     GAMMA_SPACINGS,
     PAPER_GAMMAS,
@@ -17,70 +17,45 @@ from laplace_core.encoding import (
     sensitivity_grid,
 )
 from laplace_core.errors import InputError
-from laplace_core.parameters import Parameter
+from laplace_core.parameters import choice, setting
+from laplace_core.settings import SLOPE_TIMES_SPACING
 
 NETWORKS = ("trunk", "network", "multiplexer")
 PARAMETRISATIONS = ("softmax", "accumulated", "clipped", "free")
 POLICIES = ("shared", "per_gamma")
 TERMINATIONS = ("plain", "auxiliary", "absorbing")
 EXPERIENCES = ("shared", "per_discount")
-SLOPE_TIMES_SPACING = 2.35
-"""Default slope in units of 1/spacing, as in :mod:`laplace_core.settings`."""
-
-LAPLACE_SCHEMA = (
-    *LOOP_SCHEMA,
-    Parameter("gammas", 15, 1, 100, "Number of discounts; a single one is gamma_max."),
-    Parameter("spacing", "log", 0, 0, "How the discounts are spaced.", str, GAMMA_SPACINGS),
-    Parameter("gamma_min", 0.3678794412, 1e-6, 0.9999, "Smallest discount."),
-    Parameter("gamma_max", 0.99, 1e-6, 0.9999, "Largest discount."),
-    Parameter("thetas", 13, 2, 1000, "Number of reward sensitivities."),
-    Parameter("theta_spacing", "uniform", 0, 0, "How the sensitivities are spaced.", str, THETA_SPACINGS),
-    Parameter("theta_min", -1.0, -1e6, 1e6, "Smallest sensitivity, in reward."),
-    Parameter("theta_max", 2.0, -1e6, 1e6, "Largest sensitivity, in reward."),
-    Parameter("theta_scale", 0.0, 0, 1e6, THETA_SCALE_HELP),
-    Parameter("slope_times_spacing", SLOPE_TIMES_SPACING, 0.1, 100, "Steepness of the activation, in 1/spacing."),
-    Parameter("network", "trunk", 0, 0, "How discounts share weights.", str, NETWORKS),
-    Parameter("features", 64, 1, 512, "Features a discount in front of the shared last layer."),
-    Parameter("parametrisation", "softmax", 0, 0, "What the network's outputs mean.", str, PARAMETRISATIONS),
-    Parameter("consistency", 1.0, 0, 1e3, "Weight of the loss on the value that the outputs imply."),
-    Parameter("consistency_exponent", 1.0, 0, 2, "Power of 1 - gamma that weighs the consistency loss of a discount."),
-    Parameter("acting_share", 0.0, 0, 1, "Share of the acting discount in the loss; 0 is the same as the others'."),
-    Parameter("target_policy", "shared", 0, 0, "Whose policy every discount evaluates.", str, POLICIES),
-    Parameter("acting_gamma", 0.99, 1e-6, 0.9999, "Discount whose greedy actions are taken; the nearest is used."),
-    Parameter("termination", "plain", 0, 0, "What follows the end of an episode.", str, TERMINATIONS),
-    Parameter("experience", "shared", 0, 0, "Whether the discounts share one buffer.", str, EXPERIENCES),
-    Parameter("head_exploration", 0.2, 0, 1, "Fraction of episodes that a random discount or time to go behaves in."),
-)
 
 
 @dataclass(frozen=True)
 class LaplaceSettings(LoopSettings):
-    """Settings of Laplace DQN; see ``LAPLACE_SCHEMA``."""
+    """Settings of Laplace DQN."""
 
-    gammas: int = 15
-    spacing: str = "log"
-    gamma_min: float = 0.3678794412
-    gamma_max: float = 0.99
-    thetas: int = 13
-    theta_spacing: str = "uniform"
-    theta_min: float = -1.0
-    theta_max: float = 2.0
-    theta_scale: float = 0.0
-    slope_times_spacing: float = SLOPE_TIMES_SPACING
-    network: str = "trunk"
-    features: int = 64
-    parametrisation: str = "softmax"
-    consistency: float = 1.0
-    consistency_exponent: float = 1.0
-    acting_share: float = 0.0
-    target_policy: str = "shared"
-    acting_gamma: float = 0.99
-    termination: str = "plain"
-    experience: str = "shared"
-    head_exploration: float = 0.2
+    gammas: int = setting(15, 1, 100, "Number of discounts; a single one is gamma_max.")
+    spacing: str = choice("log", GAMMA_SPACINGS, "How the discounts are spaced.")
+    gamma_min: float = setting(0.3678794412, 1e-6, 0.9999, "Smallest discount.")
+    gamma_max: float = setting(0.99, 1e-6, 0.9999, "Largest discount.")
+    thetas: int = setting(13, 2, 1000, "Number of reward sensitivities.")
+    theta_spacing: str = choice("uniform", THETA_SPACINGS, "How the sensitivities are spaced.")
+    theta_min: float = setting(-1.0, -1e6, 1e6, "Smallest sensitivity, in reward.")
+    theta_max: float = setting(2.0, -1e6, 1e6, "Largest sensitivity, in reward.")
+    theta_scale: float = setting(0.0, 0, 1e6, THETA_SCALE_HELP)
+    slope_times_spacing: float = setting(SLOPE_TIMES_SPACING, 0.1, 100, "Steepness of the activation, in 1/spacing.")
+    network: str = choice("trunk", NETWORKS, "How discounts share weights.")
+    features: int = setting(64, 1, 512, "Features a discount in front of the shared last layer.")
+    parametrisation: str = choice("softmax", PARAMETRISATIONS, "What the network's outputs mean.")
+    consistency: float = setting(1.0, 0, 1e3, "Weight of the loss on the value that the outputs imply.")
+    consistency_exponent: float = setting(
+        1.0, 0, 2, "Power of 1 - gamma that weighs the consistency loss of a discount."
+    )
+    acting_share: float = setting(0.0, 0, 1, "Share of the acting discount in the loss; 0 is the same as the others'.")
+    target_policy: str = choice("shared", POLICIES, "Whose policy every discount evaluates.")
+    acting_gamma: float = setting(0.99, 1e-6, 0.9999, "Discount whose greedy actions are taken; the nearest is used.")
+    termination: str = choice("plain", TERMINATIONS, "What follows the end of an episode.")
+    experience: str = choice("shared", EXPERIENCES, "Whether the discounts share one buffer.")
+    head_exploration: float = exploring_heads()
 
     ALGORITHM: ClassVar[str] = "laplace"
-    SCHEMA: ClassVar[tuple[Parameter, ...]] = LAPLACE_SCHEMA
 
     def check(self) -> None:
         super().check()

@@ -7,44 +7,18 @@ from typing import ClassVar
 
 import numpy as np
 
-from laplace_core.agents.loop_settings import LOOP_SCHEMA, LoopSettings
+from laplace_core.agents.loop_settings import LoopSettings, exploring_heads
 from laplace_core.errors import InputError
-from laplace_core.parameters import Parameter
-
-PEER_SCHEMA = (
-    *LOOP_SCHEMA,
-    Parameter("gamma", 0.99, 1e-6, 0.9999, "Discount of the return."),
-)
-C51_SCHEMA = (
-    *PEER_SCHEMA,
-    Parameter("atoms", 51, 2, 1000, "Number of returns that carry probability."),
-    Parameter("v_min", -100.0, -1e6, 1e6, "Smallest of them, in discounted reward."),
-    Parameter("v_max", 100.0, -1e6, 1e6, "Largest of them, in discounted reward."),
-)
-QRDQN_SCHEMA = (
-    *PEER_SCHEMA,
-    Parameter("quantiles", 51, 1, 1000, "Number of quantiles of the return."),
-)
-EXPECTILE_SCHEMA = (
-    *PEER_SCHEMA,
-    Parameter("expectiles", 11, 3, 101, "Number of expectiles of the return, an odd one."),
-)
-FIXED_HORIZON_SCHEMA = (
-    *PEER_SCHEMA,
-    Parameter("horizon", 200, 1, 1000, "Longest time to go that is learned, in steps."),
-    Parameter("times", 4, 1, 100, "Random times to go that each transition teaches in one update."),
-    Parameter("head_exploration", 0.2, 0, 1, "Fraction of episodes that a random discount or time to go behaves in."),
-)
+from laplace_core.parameters import setting
 
 
 @dataclass(frozen=True)
 class DqnSettings(LoopSettings):
-    """Settings of DQN, and what all peers have; see ``PEER_SCHEMA``."""
+    """Settings of DQN, and what all peers have."""
 
-    gamma: float = 0.99
+    gamma: float = setting(0.99, 1e-6, 0.9999, "Discount of the return.")
 
     ALGORITHM: ClassVar[str] = "dqn"
-    SCHEMA: ClassVar[tuple[Parameter, ...]] = PEER_SCHEMA
 
     def discounts(self) -> np.ndarray:
         return np.array([self.gamma])
@@ -52,14 +26,13 @@ class DqnSettings(LoopSettings):
 
 @dataclass(frozen=True)
 class C51Settings(DqnSettings):
-    """Settings of C51; see ``C51_SCHEMA``."""
+    """Settings of C51."""
 
-    atoms: int = 51
-    v_min: float = -100.0
-    v_max: float = 100.0
+    atoms: int = setting(51, 2, 1000, "Number of returns that carry probability.")
+    v_min: float = setting(-100.0, -1e6, 1e6, "Smallest of them, in discounted reward.")
+    v_max: float = setting(100.0, -1e6, 1e6, "Largest of them, in discounted reward.")
 
     ALGORITHM: ClassVar[str] = "c51"
-    SCHEMA: ClassVar[tuple[Parameter, ...]] = C51_SCHEMA
 
     def check(self) -> None:
         super().check()
@@ -71,22 +44,20 @@ class C51Settings(DqnSettings):
 
 @dataclass(frozen=True)
 class QrdqnSettings(DqnSettings):
-    """Settings of QR-DQN; see ``QRDQN_SCHEMA``."""
+    """Settings of QR-DQN."""
 
-    quantiles: int = 51
+    quantiles: int = setting(51, 1, 1000, "Number of quantiles of the return.")
 
     ALGORITHM: ClassVar[str] = "qrdqn"
-    SCHEMA: ClassVar[tuple[Parameter, ...]] = QRDQN_SCHEMA
 
 
 @dataclass(frozen=True)
 class ExpectileSettings(DqnSettings):
-    """Settings of expectile DQN; see ``EXPECTILE_SCHEMA``."""
+    """Settings of expectile DQN."""
 
-    expectiles: int = 11
+    expectiles: int = setting(11, 3, 101, "Number of expectiles of the return, an odd one.")
 
     ALGORITHM: ClassVar[str] = "expectile"
-    SCHEMA: ClassVar[tuple[Parameter, ...]] = EXPECTILE_SCHEMA
 
     def check(self) -> None:
         super().check()
@@ -96,14 +67,13 @@ class ExpectileSettings(DqnSettings):
 
 @dataclass(frozen=True)
 class FixedHorizonSettings(DqnSettings):
-    """Settings of fixed-horizon DQN; see ``FIXED_HORIZON_SCHEMA``."""
+    """Settings of fixed-horizon DQN."""
 
-    horizon: int = 200
-    times: int = 4
-    head_exploration: float = 0.2
+    horizon: int = setting(200, 1, 1000, "Longest time to go that is learned, in steps.")
+    times: int = setting(4, 1, 100, "Random times to go that each transition teaches in one update.")
+    head_exploration: float = exploring_heads()
 
     ALGORITHM: ClassVar[str] = "fixed_horizon"
-    SCHEMA: ClassVar[tuple[Parameter, ...]] = FIXED_HORIZON_SCHEMA
 
     def discounts(self) -> np.ndarray:
         """None: the returns that it values end with the time to go."""

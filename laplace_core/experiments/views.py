@@ -184,7 +184,7 @@ def _value(rng: np.random.Generator, preset: str, parameter: Parameter) -> Any:
         most = {"length": 12, "width": 4, "height": 3, "early": 5, "late": 9}[parameter.name]
         if preset == "rise_and_fade":
             most = 20
-        return int(rng.integers(max(1, int(parameter.low)), most + 1))
+        return int(rng.integers(max(1, int(parameter.bounds[0])), most + 1))
     if rng.random() < 0.5 or not usual:
         return float(usual)
     return float(round(usual * rng.uniform(0.4, 1.6), 2))

@@ -1,22 +1,23 @@
 """How an agent learns: every choice as one frozen, typed object, with the defaults that suit a world.
 
-The command line, the app and the saved files read and write these settings through the one schema below; None means
-"what suits the world" and is filled in by :func:`resolve_learning`.
+A setting stands in one place, as a field of :class:`LearnSettings`; the command line, the app and the saved files read
+and write it by what stands there. None means "what suits the world" and is filled in by :func:`resolve_learning`.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, fields
+from functools import partial
 from typing import Any
 
 import numpy as np
 
-from laplace_core.encoding import GAMMA_SPACINGS, discount_grid
+from laplace_core.encoding import discount_grid
 from laplace_core.errors import InputError
 from laplace_core.learning import TARGET_POLICIES, Decay
-from laplace_core.parameters import Parameter
-from laplace_core.settings import Settings, resolve
+from laplace_core.parameters import Parameter, choice, like, schema_of, setting, switch
+from laplace_core.settings import DISCOUNT_RANGE, Settings, resolve
 from laplace_core.worlds import World
 
 CONSTANT = 1e9
@@ -24,38 +25,45 @@ CONSTANT = 1e9
 MAX_NUMBERS = 12_000_000
 """Most numbers in the tables of all seeds together: a saved file stays below 64 MB."""
 
+# None until chosen; the default that stands here is what `resolve_learning` fills in.
+_setting, _choice, _switch = (partial(kind, undecided=True) for kind in (setting, choice, switch))
+
 
 @dataclass(frozen=True)
 class LearnSettings:
-    """Settings of one run of learning; see ``LEARN_SCHEMA`` for the meaning and range of each.
+    """Settings of one run of learning; None is what suits the world.
 
     Raises:
         InputError: a value out of its range.
     """
 
-    episodes: int | None = None
-    seeds: int | None = None
-    seed: int | None = None
-    policy: str | None = None
-    rate_first: float | None = None
-    rate_half: float | None = None
-    rate_floor: float | None = None
-    epsilon_first: float | None = None
-    epsilon_half: float | None = None
-    epsilon_floor: float | None = None
-    max_steps: int | None = None
-    starts: str | None = None
-    gammas: int | None = None
-    spacing: str | None = None
-    gamma_min: float | None = None
-    gamma_max: float | None = None
-    acting_gamma: float | None = None
-    peers: bool | None = None
-    peer_gamma: float | None = None
-    atoms: int | None = None
-    quantiles: int | None = None
-    expectiles: int | None = None
-    quantile_half: float | None = None
+    episodes: int | None = _setting(None, 1, 1_000_000, "Episodes of each learner.")
+    seeds: int | None = _setting(1, 1, 8, "Independent learners, one seed each; they are drawn as bands.")
+    seed: int | None = _setting(0, 0, 2**31 - 1, "Seed of the first learner; the next ones count up from it.")
+    policy: str | None = _choice("shared", TARGET_POLICIES, "Whose greedy policy every discount learns.")
+    rate_first: float | None = _setting(1.0, 0, 1, "Learning rate of the first visit of a state and action.")
+    rate_half: float | None = _setting(None, 1e-3, CONSTANT, "Visits after which the learning rate has halved.")
+    rate_floor: float | None = _setting(0.0, 0, 1, "Smallest learning rate.")
+    epsilon_first: float | None = _setting(1.0, 0, 1, "Chance of a random action in the first episode.")
+    epsilon_half: float | None = _setting(None, 1e-3, CONSTANT, "Episodes after which that chance has halved.")
+    epsilon_floor: float | None = _setting(None, 0, 1, "Smallest chance of a random action.")
+    max_steps: int | None = _setting(None, 1, 100_000, "An episode is cut after so many steps.")
+    starts: str | None = _choice(None, ("world", "everywhere"), "Start where the world does, or everywhere.")
+    gammas: int | None = like(Settings, "gammas")
+    spacing: str | None = like(Settings, "spacing")
+    gamma_min: float | None = like(Settings, "gamma_min")
+    gamma_max: float | None = like(Settings, "gamma_max")
+    acting_gamma: float | None = _setting(0.99, *DISCOUNT_RANGE, "Discount by which the learner chooses its actions.")
+    peers: bool | None = _switch(
+        False, "Also learn the categorical, quantile, expectile and plain codes of the return."
+    )
+    peer_gamma: float | None = _setting(None, *DISCOUNT_RANGE, "Discount of that return (default: the acting gamma).")
+    atoms: int | None = _setting(51, 2, 500, "Atoms of the categorical code.")
+    quantiles: int | None = _setting(51, 1, 500, "Quantiles of the quantile code.")
+    expectiles: int | None = _setting(11, 1, 101, "Expectiles of the expectile code, an odd number.")
+    # Its step has the size of the rate however small the error is: a rate that stays high, as suits a world without
+    # chance, would never let it settle.
+    quantile_half: float | None = _setting(30.0, 1e-3, CONSTANT, "As rate-half, for the quantile code alone.")
 
     def __post_init__(self) -> None:
         for parameter in LEARN_SCHEMA:
@@ -124,34 +132,8 @@ class ResolvedLearning(LearnSettings):
         return discount_grid(self.gammas, self.spacing, self.gamma_min, self.gamma_max)
 
 
-_GAMMA = 0.999999
-LEARN_SCHEMA: tuple[Parameter, ...] = (
-    Parameter("episodes", None, 1, 1_000_000, "Episodes of each learner.", int),
-    Parameter("seeds", 1, 1, 8, "Independent learners, one seed each; they are drawn as bands."),
-    Parameter("seed", 0, 0, 2**31 - 1, "Seed of the first learner; the next ones count up from it."),
-    Parameter("policy", "shared", 0, 0, "Whose greedy policy every discount learns.", str, TARGET_POLICIES),
-    Parameter("rate_first", 1.0, 0, 1, "Learning rate of the first visit of a state and action."),
-    Parameter("rate_half", None, 1e-3, CONSTANT, "Visits after which the learning rate has halved.", float),
-    Parameter("rate_floor", 0.0, 0, 1, "Smallest learning rate."),
-    Parameter("epsilon_first", 1.0, 0, 1, "Chance of a random action in the first episode."),
-    Parameter("epsilon_half", None, 1e-3, CONSTANT, "Episodes after which that chance has halved.", float),
-    Parameter("epsilon_floor", None, 0, 1, "Smallest chance of a random action.", float),
-    Parameter("max_steps", None, 1, 100_000, "An episode is cut after so many steps.", int),
-    Parameter("starts", None, 0, 0, "Start where the world does, or everywhere.", str, ("world", "everywhere")),
-    Parameter("gammas", None, 2, 500, "Number of discounts.", int),
-    Parameter("spacing", None, 0, 0, "How the discounts are spaced.", str, GAMMA_SPACINGS),
-    Parameter("gamma_min", None, 1e-6, _GAMMA, "Smallest discount.", float),
-    Parameter("gamma_max", None, 1e-6, _GAMMA, "Largest discount.", float),
-    Parameter("acting_gamma", 0.99, 1e-6, _GAMMA, "Discount by which the learner chooses its actions."),
-    Parameter("peers", False, 0, 1, "Also learn the categorical, quantile, expectile and plain codes of the return."),
-    Parameter("peer_gamma", None, 1e-6, _GAMMA, "Discount of that return (default: the acting gamma).", float),
-    Parameter("atoms", 51, 2, 500, "Atoms of the categorical code."),
-    Parameter("quantiles", 51, 1, 500, "Quantiles of the quantile code."),
-    Parameter("expectiles", 11, 1, 101, "Expectiles of the expectile code, an odd number."),
-    Parameter("quantile_half", 30.0, 1e-3, CONSTANT, "As rate-half, for the quantile code alone."),
-)
-"""One entry a setting. The quantile code has a rate of its own because its step has the size of the rate however small
-the error is: a rate that stays high, as suits a world without chance, would never let it settle."""
+LEARN_SCHEMA = schema_of(LearnSettings)
+"""One entry a setting, in the order of the fields."""
 
 BY_NAME: Mapping[str, Parameter] = {parameter.name: parameter for parameter in LEARN_SCHEMA}
 GRID_NAMES = ("gammas", "spacing", "gamma_min", "gamma_max", "acting_gamma")

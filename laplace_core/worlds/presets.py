@@ -67,7 +67,7 @@ _BRANCH_PARAMETERS = (
     Parameter("length", 3, 1, 200, "Steps on the long branch; it pays r2 at the last."),
     Parameter("r1", 5.0, -1000, 1000, "Reward of the short branch, paid at once."),
     Parameter("r2", 10.0, -1000, 1000, "Reward at the end of the long branch."),
-    Parameter("auxiliary", False, 0, 1, "Add zero-reward states until both branches have the same length."),
+    Parameter("auxiliary", False, help="Add zero-reward states until both branches have the same length."),
     Parameter("slip", 0.0, 0, 0.5, "Chance that the branching action is swapped for the other one."),
 )
 

@@ -11,18 +11,18 @@ from laplace_core.errors import InputError
 from laplace_core.parameters import Parameter, as_text, parse_named
 from laplace_core.worlds.model import END, Outcome, World
 
-_SLIPPERY = Parameter("is_slippery", True, 0, 1, "Whether a move may go sideways.")
+_SLIPPERY = Parameter("is_slippery", True, help="Whether a move may go sideways.")
 _SUCCESS = Parameter("success_rate", 1 / 3, 0, 1, "Chance that a move on slippery ice goes where it was meant to.")
 
 # A fixed list: a name from outside never reaches gymnasium.make.
 TOY_TEXT: dict[str, tuple[Parameter, ...]] = {
     "FrozenLake-v1": (_SLIPPERY, _SUCCESS),
     "FrozenLake8x8-v1": (_SLIPPERY, _SUCCESS),
-    "CliffWalking-v1": (Parameter("is_slippery", False, 0, 1, "Whether a move may go sideways."),),
+    "CliffWalking-v1": (Parameter("is_slippery", False, help="Whether a move may go sideways."),),
     "CliffWalkingSlippery-v1": (),
     "Taxi-v4": (
-        Parameter("is_rainy", False, 0, 1, "Whether a move may go sideways."),
-        Parameter("fickle_passenger", False, 0, 1, "Whether the passenger may change the destination."),
+        Parameter("is_rainy", False, help="Whether a move may go sideways."),
+        Parameter("fickle_passenger", False, help="Whether the passenger may change the destination."),
         Parameter("rainy_probability", 0.8, 0, 1, "Chance that a move in the rain goes where it was meant to."),
         Parameter("fickle_probability", 0.3, 0, 1, "Chance that a fickle passenger changes the destination."),
     ),
