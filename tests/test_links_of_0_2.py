@@ -1,7 +1,7 @@
 """Twenty links as version 0.2.0 wrote them open the same view, in numbers.
 
-``data/links_of_0_2.json`` holds what that version made of each: the settings of the study, the row that is read, sums of
-the rows of tau-space, expected rewards, and the value of every action at T.
+``data/links_of_0_2.json`` holds what that version made of each: the settings of the study, the row that is read, sums
+of the rows of tau-space, expected rewards, and the value of every action at T.
 """
 
 from __future__ import annotations

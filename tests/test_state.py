@@ -59,7 +59,7 @@ _BAD_VALUES = [
 _OUT_OF_RANGE = [
     (parameter.name, f"{value}")
     for parameter in SCHEMA
-    if parameter.type is not str
+    if parameter.type not in (str, bool)
     for value in (parameter.low - 1, parameter.high * 2 + 1)
 ]
 _FRACTIONS = [(parameter.name, "2.5") for parameter in SCHEMA if parameter.type is int]
