@@ -9,7 +9,6 @@ from typing import Any
 from app.lens.payload import structure
 from app.lens.state import state_of
 from app.sources import View, view_of
-from laplace_core import World
 
 PRESETS: dict[str, dict[str, Any]] = {
     "Fig. 4b": {"world": "two_branch", "normalise": "paper", "action": "long"},
@@ -43,8 +42,7 @@ def presets_for(view: View) -> list[Preset]:
         other = view_of(values)
         last = other.settings.steps * other.settings.time_step
         horizon = other.horizon or last + (1.0 - other.settings.time_step) / 2.0
-        same = isinstance(view.subject, World) and structure(view.settings, view.subject) == structure(
-            other.settings, other.subject
-        )
+        exact = view.world is not None and view.learned is None
+        same = exact and structure(view.settings, view.world) == structure(other.settings, other.world)
         found.append(Preset(name, same, state_of(values, other.settings, horizon, other.action)))
     return found

@@ -11,7 +11,7 @@ import streamlit as st
 from app import compute, state
 from app.lens import PRESETS, Graph, Preset, Released, Said, Simulated, checked, lens, state_of, values_of
 from app.parts import compare
-from app.sources import Observed, View
+from app.sources import View
 from laplace_core.artifacts import Artefact
 from laplace_core.verdict import Verdict
 
@@ -127,7 +127,7 @@ def artefacts(view: View) -> None:
     beyond = lens_only(view)
     if beyond:
         st.caption(f"From here on everything is without what only the lens can do: {beyond}.")
-    if isinstance(view.subject, Observed) and view.subject.added:
+    if view.subject.added:
         st.caption("Interpolated discounts share the errors of their neighbours: noise is louder than it looks.")
     name = compute.study_for(view).action_names[view.action]
     found, others = compute.artefacts_for(view), compute.artefacts_elsewhere(view)
