@@ -18,7 +18,7 @@ lint: .venv/.dev
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	$(BIN)/lint-imports
-	$(BIN)/mypy laplace_core
+	$(BIN)/mypy laplace_core app
 
 # What takes long: random views against an independent judge, detectors against ground truth, the lens on 1,000 views.
 verify: .venv/.dev

@@ -15,6 +15,7 @@ import streamlit as st
 from app import training_runs
 from app.sources import Observed
 from laplace_core import InputError
+from laplace_core.agents.capabilities import HasGammaSpace
 from laplace_core.agents.settings import ENVIRONMENTS, SETTINGS
 from laplace_core.experiments.shipping import TrainingCurve, curves_of, manifest
 from laplace_core.interpolation import with_added
@@ -173,6 +174,13 @@ def observe(
     """The same object for the same observation, so that what is cached for it is found again.
 
     ``added`` interpolated discounts go into every gap between those that were trained.
+
+    Raises:
+        InputError: an agent without a gamma-space.
     """
-    space = with_added(loaded.agent.gamma_space(np.array(observation)), added)
-    return Observed(space, action_names, loaded.agent.sensitivities.places, added)
+    agent = loaded.agent
+    if not isinstance(agent, HasGammaSpace):
+        raise InputError(f"{titled(loaded)} has no gamma-space to look at.")
+    return Observed(
+        with_added(agent.gamma_space(np.array(observation)), added), action_names, agent.sensitivities.places, added
+    )

@@ -10,31 +10,22 @@ import numpy as np
 
 from app import figures
 from app.lens.payload import Simulated, payload, structure
-from app.sources import Learner, Observed, View
-from laplace_core import GammaSpace, InputError, Study, World, study, study_of_gamma_space
+from app.sources import Learner, Subject, View, state_in
+from laplace_core import InputError, Study, World
 from laplace_core.artifacts import Artefact, find_artefacts
-from laplace_core.compare import Difference, difference, summary, value_difference
+from laplace_core.compare import Space, difference, summary, value_difference
 from laplace_core.control import episode_regret_of
 from laplace_core.learned import Bands, Learned, bands, return_distributions
 from laplace_core.learning import greedy_policy
+from laplace_core.pipeline import WorldStudy
 from laplace_core.settings import Resolved
 from laplace_core.trials import Trials
 from laplace_core.verdict import Verdict, judge
 
-Subject = World | Learner | GammaSpace | Observed
-
 
 @lru_cache(maxsize=32)
 def _study(subject: Subject, settings: Resolved) -> Study:
-    if isinstance(subject, GammaSpace):
-        return study_of_gamma_space(subject, settings)
-    if isinstance(subject, Observed):
-        space = replace(subject.gamma_space, places=subject.places)
-        found = study_of_gamma_space(space, settings, own_convention=False)
-        return replace(found, action_names=subject.action_names)
-    if isinstance(subject, Learner):
-        return study(subject.world, settings, learned=subject.basis(subject.world.state_index(settings.state)))
-    return study(subject, settings)
+    return subject.study(settings)
 
 
 def study_for(view: View) -> Study:
@@ -64,7 +55,7 @@ def verdict_for(view: View) -> Verdict:
 def _trials(view: View) -> Trials | None:
     """What single changes make of a view, for its verdict and its list of artefacts alike."""
     found = study_for(view)
-    return None if found.truth is None else Trials(found, row_of(view), view.action)
+    return Trials(found, row_of(view), view.action) if isinstance(found, WorldStudy) else None
 
 
 _explained: dict[View, None] = {}
@@ -78,7 +69,8 @@ def is_explained(view: View) -> bool:
     graded = _graded(view)
     if graded.searched or view in _explained:
         return True
-    return _trials(view).work <= AT_ONCE
+    trials = _trials(view)
+    return trials is None or trials.work <= AT_ONCE
 
 
 def verdict_at_once(view: View) -> Verdict:
@@ -116,7 +108,9 @@ def artefacts_elsewhere(view: View) -> str:
 @lru_cache(maxsize=32)
 def _episode_regrets(subject: Subject, settings: Resolved) -> np.ndarray | None:
     found = _study(subject, settings)
-    learned = subject.tables if isinstance(subject, Learner) else None
+    if not isinstance(found, WorldStudy):
+        return None
+    learned = None if subject.learner is None else subject.learner.tables
     try:
         return episode_regret_of(found.world, found.settings, learned=learned)[:, found.state]
     except InputError:
@@ -141,15 +135,15 @@ _UNSEEN: dict[str, Any] = {
 
 def world_figure(view: View) -> str:
     """The graph of a view's world as JSON."""
-    return _world_figure(view.subject, replace(view.settings, **_UNSEEN), view.action)
+    world = view.world
+    assert world is not None  # without one there is no graph to ask for
+    return _world_figure(world, view.subject.learner, replace(view.settings, **_UNSEEN), view.action)
 
 
 @lru_cache(maxsize=64)
-def _world_figure(subject: World | Learner, settings: Resolved, action: int) -> str:
-    learned = isinstance(subject, Learner)
-    world = subject.world if learned else subject
-    policy = subject.policy if learned else greedy_policy(world, settings.acting_gamma)
-    return figures.to_json(figures.world_graph(world, world.state_index(settings.state), action, policy))
+def _world_figure(world: World, learner: Learner | None, settings: Resolved, action: int) -> str:
+    policy = greedy_policy(world, settings.acting_gamma) if learner is None else learner.policy
+    return figures.to_json(figures.world_graph(world, world.state_index(state_in(settings)), action, policy))
 
 
 @lru_cache(maxsize=8)
@@ -161,16 +155,18 @@ def learning_figure(name: str, view: View) -> str:
     """One of the pictures that only learning has; ``values`` and ``rewards`` only with several seeds."""
     softness = view.settings.softness if name == "values" else 0.0
     settings = replace(view.settings, deadline="constant", softness=softness)
-    return _learning_figure(name, view.subject, settings, view.action, row_of(view) if name == "values" else 0)
+    learner = view.subject.learner
+    assert learner is not None  # nobody asks for these pictures where nothing was learned
+    return _learning_figure(name, learner, settings, view.action, row_of(view) if name == "values" else 0)
 
 
 @lru_cache(maxsize=32)
 def _learning_figure(name: str, subject: Learner, settings: Resolved, action: int, row: int) -> str:
-    learned, index = subject.learned, subject.index or 0
+    learned, index, state = subject.learned, subject.index or 0, state_in(settings)
     drawn = {
         "curve": lambda: figures.learning_curve(learned),
         "probabilities": lambda: figures.reward_bands(_bands(learned, settings), action),
-        "returns": lambda: figures.return_laws(return_distributions(learned, settings.state, action, index, settings)),
+        "returns": lambda: figures.return_laws(return_distributions(learned, state, action, index, settings)),
         "values": lambda: figures.values_over_horizon(_study(subject, settings), row, _bands(learned, settings)),
         "rewards": lambda: figures.rewards_and_survival(_study(subject, settings), action, _bands(learned, settings)),
     }[name]()
@@ -178,7 +174,7 @@ def _learning_figure(name: str, subject: Learner, settings: Resolved, action: in
 
 
 @lru_cache(maxsize=16)
-def comparison(a: View, b: View, what: str) -> tuple[str, dict[str, str]]:
+def comparison(a: View, b: View, what: Space) -> tuple[str, dict[str, str]]:
     """One sentence on two views, and the pictures of a space of A, of B and of B - A.
 
     Where the spaces have no common grid, the sentence says so and there are no pictures.
@@ -186,7 +182,7 @@ def comparison(a: View, b: View, what: str) -> tuple[str, dict[str, str]]:
     first, second = study_for(a), study_for(b)
     values = value_difference(first, second, a.action, b.action)
     try:
-        found: Difference | None = difference(first, second, a.action, b.action, what)
+        found = difference(first, second, a.action, b.action, what)
     except InputError as error:
         return f"{error} {summary(None, values)}", {}
     drawn = figures.comparison(found)
@@ -201,8 +197,7 @@ def lens_payload(view: View, simulated: Simulated | None = None) -> bytes:
 
 @lru_cache(maxsize=16)
 def _lens_payload(subject: Subject, settings: Resolved, simulated: Simulated | None) -> bytes:
-    network = {"places": subject.places, "added": subject.added} if isinstance(subject, Observed) else {}
-    return payload(_study(subject, settings), simulated, **network)[0]
+    return payload(_study(subject, settings), simulated, subject.places, subject.added)[0]
 
 
 def forget() -> None:

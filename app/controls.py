@@ -62,7 +62,7 @@ def state_group(world: World, settings: Resolved) -> None:
         key = state.show("state", settings.state)
         st.selectbox("State", world.states, key=key, on_change=state.keep, args=(key,), help=BY_NAME["state"].help)
         return
-    index = world.state_index(settings.state)
+    index = world.state_index(sources.state_in(settings))
     state.put("state_index", index)
     st.number_input("State", 0, world.n_states - 1, key="state_index", on_change=_keep_state, args=(world,))
     st.caption(settings.state)
@@ -110,7 +110,7 @@ def grid_group(settings: Resolved, decided: bool = False) -> None:
     _pair("steps", "time_step", settings)
 
 
-def _choice(name: str, value: str) -> None:
+def _choice(name: str, value: str | None) -> None:
     key = state.show(name, value)
     st.selectbox(
         _TITLES[name], BY_NAME[name].choices, key=key, on_change=state.keep, args=(key,), help=BY_NAME[name].help,
@@ -144,5 +144,5 @@ def number(key: str, parameter: Parameter, value: object, label: str) -> None:
         low, high = parameter.bounds
         step = 0.01 if high <= 1 else 0.5
         if parameter.default:  # a small number moves by its last digit
-            step = min(step, 10.0 ** math.floor(math.log10(abs(parameter.default))))
+            step = min(step, 10.0 ** math.floor(math.log10(abs(float(parameter.default)))))
         st.number_input(label, float(low), float(high), step=step, format="%g", **kept)

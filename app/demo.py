@@ -7,7 +7,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
 import streamlit as st
 
-from app.lens import checked, lens, payload, presets_for, state_of, structure
+from app.lens import Released, checked, lens, payload, presets_for, state_of, structure
 from app.query import parse_query
 from app.sources import view_of
 from laplace_core import World, study
@@ -22,6 +22,7 @@ def packed(_world: World, settings: Resolved) -> bytes:
 st.set_page_config(layout="wide")
 values = parse_query(dict(st.query_params))[0]
 view = view_of(values)
+assert view.world is not None  # its links show worlds
 found = study(view.world, view.settings)
 horizon = view.settings.horizon or float(found.horizons[-1])
 opening = state_of(view.settings, horizon, action=view.action)
@@ -29,7 +30,7 @@ state = st.session_state.setdefault("state", opening)
 st.session_state["runs"] = st.session_state.get("runs", 0) + 1
 
 
-def heard(released):
+def heard(released: Released) -> None:
     st.session_state["state"] = checked(released.state, found)
     st.session_state["asked"] = released.preset
 

@@ -16,7 +16,7 @@ from laplace_core.pipeline import grids
 from laplace_core.settings import BY_NAME, resolve
 from laplace_core.worlds import parameters_of
 
-OPENING = {"world": "two_branch", "normalise": "paper"}
+OPENING = {"world": sources.FIRST_WORLD, "normalise": "paper"}
 """The paper's Fig. 4c: what a visitor without a link sees."""
 
 VIEW = (
@@ -83,6 +83,7 @@ def parse_query(query: Mapping[str, str]) -> tuple[dict[str, Any], list[str]]:
             return dict(OPENING), notes
         found = {name: value for name, value in found.items() if not name.startswith(PARAM)}
         built = sources.world_of(found)
+    assert built is not None  # only a gamma-space from a file has no world
     for name, members in (("state", built.states), ("action", built.actions)):
         if name in found and found[name] not in members:
             notes.append(f"Left out of the link: {name} {str(found.pop(name))[:40]!r} is not in {world}.")

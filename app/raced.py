@@ -10,6 +10,7 @@ from app.link import read_values
 from app.races import Control
 from laplace_core import InputError, Settings
 from laplace_core.agents.agent import Agent
+from laplace_core.agents.capabilities import HasDiscounts, HasTimeToGo
 from laplace_core.agents.settings import GYMNASIUM_ENVIRONMENTS
 from laplace_core.parameters import Parameter
 from laplace_core.settings import resolve
@@ -61,9 +62,9 @@ def _environment(name: str) -> str | None:
 
 def rules_of(agent: Agent) -> tuple[str, ...]:
     """Rules that an agent can act by."""
-    if hasattr(agent, "gammas"):
+    if isinstance(agent, HasDiscounts):
         return ("greedy", "matched", "fading", "readout", "decoded")
-    return ("own",) if hasattr(agent, "horizon") else ("greedy",)
+    return ("own",) if isinstance(agent, HasTimeToGo) else ("greedy",)
 
 
 def longest_horizon(loaded: Loaded) -> int:
@@ -143,9 +144,9 @@ def control_of(values: Mapping[str, Any]) -> Control:
     return Control(left, left_rule, gamma, right, right_rule, horizon)
 
 
-def _trained_discount(agent: Agent, gamma: object) -> float | None:
+def _trained_discount(agent: Agent, gamma: float | None) -> float | None:
     """The nearest one that the agent has learned; None for the acting one, or where there is no choice."""
-    if gamma is None or not hasattr(agent, "gammas"):
+    if gamma is None or not isinstance(agent, HasDiscounts):
         return None
     head = int(abs(agent.gammas - float(gamma)).argmin())
     return None if head == agent.acting_head else float(agent.gammas[head])
@@ -161,7 +162,8 @@ def sides(control: Control) -> tuple[str, str]:
     if control.left.algorithm == control.right.algorithm:
         return f"{left}, other agent", right
     codes = (checkpoints.ALGORITHMS[side.algorithm] for side in (control.left, control.right))
-    return tuple(f"{code}: {rule}" for code, rule in zip(codes, (left, right), strict=True))
+    left_code, right_code = codes
+    return f"{left_code}: {left}", f"{right_code}: {right}"
 
 
 def alike(control: Control) -> bool:

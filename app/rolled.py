@@ -9,6 +9,7 @@ import numpy as np
 
 from app.rollouts import Control
 from laplace_core.agents.agent import Agent
+from laplace_core.agents.capabilities import HasDiscounts, HasTimeToGo
 from laplace_core.parameters import Parameter
 from laplace_core.training.rollout import MOST_SEED, MOST_STEPS, RULES, Rollout
 
@@ -37,11 +38,16 @@ PARAMETERS = {parameter.name: parameter for parameter in VIEW}
 ADAPTED = ("fading", "readout", "decoded", "matched", "own")
 
 
+def title_of(rule: str) -> str:
+    """What a rule is called."""
+    return TITLES.get(rule, rule)
+
+
 def rules_of(agent: Agent) -> dict[str, str]:
     """Rules that an agent can act by, the first one by default, and what they are called."""
-    if hasattr(agent, "gammas"):
+    if isinstance(agent, HasDiscounts):
         return {name: title for name, title in TITLES.items() if name != "own"}
-    if hasattr(agent, "horizon"):
+    if isinstance(agent, HasTimeToGo):
         return {"own": TITLES["own"], "greedy": "greedy for the longest T", "random": "random"}
     return {"greedy": "greedy", "random": "random"}
 
@@ -50,7 +56,7 @@ def parameters(agent: Agent) -> dict[str, Parameter]:
     """What a link may say of a rollout of this agent."""
     rules = tuple(rules_of(agent))
     own = Parameter(RULE, rules[0], help="Control rule.", kind=str, choices=rules)
-    kept = {name: one for name, one in PARAMETERS.items() if name != GAMMA or hasattr(agent, "gammas")}
+    kept = {name: one for name, one in PARAMETERS.items() if name != GAMMA or isinstance(agent, HasDiscounts)}
     shown = Parameter(ACTION, TAKEN, help="Action that is shown of an agent without a lens.", kind=str)
     return kept | {RULE: own, ACTION: shown}
 

@@ -35,9 +35,14 @@ def plotly_js() -> str:
     return served("plotly.min.js", (Path(plotly.__file__).parent / "package_data" / "plotly.min.js").read_bytes())
 
 
-if __name__ == "__main__":
+def serve_all() -> tuple[str, ...]:
+    """Put everything there; returns the addresses."""
     from app.lens import lens_js
     from app.player import player_js
     from app.track import track_js
 
-    print(plotly_js(), lens_js(), player_js(), track_js())
+    return plotly_js(), lens_js(), player_js(), track_js()
+
+
+if __name__ == "__main__":
+    print(*serve_all())

@@ -58,4 +58,6 @@ def begin(loaded: Loaded, rollout: Rollout, step: int, action: int, own: bool) -
 @lru_cache(maxsize=MOST_KEPT)
 def for_lens(one: Simulation, agent: Agent, action: int) -> Simulated:
     """What the lens draws of finished continuations; the same object for the same ones."""
-    return Simulated(action, empirical(agent, one.result()))
+    came = one.result()
+    assert isinstance(came, Continuations)  # of many states the lens draws nothing
+    return Simulated(action, empirical(agent, came))

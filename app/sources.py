@@ -5,17 +5,27 @@ from __future__ import annotations
 import hashlib
 import json
 import re
-from collections.abc import Mapping
+from collections.abc import Hashable, Mapping
 from dataclasses import dataclass, replace
 from functools import cache, lru_cache
 from pathlib import Path
-from typing import Any
+from typing import Any, Protocol
 
 import numpy as np
 import streamlit as st
 
 from app.link import pack, unpack
-from laplace_core import PRESETS, GammaSpace, InputError, Settings, World, load_world
+from laplace_core import (
+    PRESETS,
+    GammaSpace,
+    InputError,
+    Settings,
+    Study,
+    World,
+    load_world,
+    study,
+    study_of_gamma_space,
+)
 from laplace_core.learned import Learned, parse_learned, read_learned
 from laplace_core.learned.reading import study_settings
 from laplace_core.saved import read_gamma_space, states_of
@@ -23,6 +33,7 @@ from laplace_core.settings import BY_NAME, ENCODING_NAMES, Resolved, resolve, re
 from laplace_core.worlds import TOY_TEXT, dump_world, parse_world, timeline_world
 
 WORLDS = (*PRESETS, *(f"gym:{name}" for name in TOY_TEXT))
+FIRST_WORLD = "two_branch"
 OWN, TIMELINE, DATA = "own", "timeline", "data"
 BROUGHT = (OWN, TIMELINE, DATA)
 TITLES = {OWN: "Your own world", TIMELINE: "Your own timeline", DATA: "Your own gamma-space"}
@@ -75,7 +86,7 @@ def world_of(values: Values) -> World | None:
     Raises:
         InputError: the values name no world that exists.
     """
-    name = str(values.get("world", "two_branch"))
+    name = str(values.get("world", FIRST_WORLD))
     if name == DATA:
         return None
     if name in (OWN, TIMELINE):
@@ -109,9 +120,98 @@ def open_gamma_space(name: str, data: bytes) -> str:
     return digest
 
 
+class Subject(Hashable, Protocol):
+    """What can be looked at: a world, what was learned of it, or a gamma-space that came without a world.
+
+    Equal subjects show the same, so that what is cached for one is found again.
+    """
+
+    @property
+    def world(self) -> World | None:
+        """Where the truth comes from; None where there is only a gamma-space."""
+
+    @property
+    def learner(self) -> Learner | None:
+        """What was learned of the world, where that is looked at."""
+
+    @property
+    def gamma_space(self) -> GammaSpace | None:
+        """The one that is looked at where there is no world to make it from."""
+
+    @property
+    def action_names(self) -> tuple[str, ...]: ...
+
+    @property
+    def places(self) -> np.ndarray | None:
+        """Of a network's sensitivities on the axis of its activation, ``(H,)``, in units of 1/slope."""
+
+    @property
+    def added(self) -> int:
+        """How many of the discounts between two that were trained are interpolated."""
+
+    def study(self, settings: Resolved) -> Study:
+        """The subject, looked at through these settings.
+
+        Raises:
+            InputError: settings that do not fit the subject.
+        """
+
+
+class _Plain:
+    """What most subjects lack."""
+
+    @property
+    def learner(self) -> Learner | None:
+        return None
+
+    @property
+    def places(self) -> np.ndarray | None:
+        return None
+
+    @property
+    def added(self) -> int:
+        return 0
+
+
+@dataclass(frozen=True)
+class Exact(_Plain):
+    """A world, solved exactly; equal where the world is the same object."""
+
+    world: World
+
+    @property
+    def gamma_space(self) -> None:
+        return None
+
+    @property
+    def action_names(self) -> tuple[str, ...]:
+        return self.world.actions
+
+    def study(self, settings: Resolved) -> Study:
+        return study(self.world, settings)
+
+
+@dataclass(frozen=True, eq=False)
+class FromFile(_Plain):
+    """A gamma-space from a file, which may follow another convention and is looked at for that."""
+
+    gamma_space: GammaSpace
+
+    @property
+    def world(self) -> None:
+        return None
+
+    @property
+    def action_names(self) -> tuple[str, ...]:
+        return tuple(f"action {a}" for a in range(len(self.gamma_space.values)))
+
+    def study(self, settings: Resolved) -> Study:
+        return study_of_gamma_space(self.gamma_space, settings)
+
+
 @lru_cache(maxsize=8)
-def _gamma_space(data: bytes, state: str | None) -> GammaSpace:
-    return read_gamma_space(data, state)
+def _from_file(data: bytes, state: str | None) -> FromFile:
+    return FromFile(read_gamma_space(data, state))
 
 
 @dataclass(frozen=True, eq=False)
@@ -121,6 +221,29 @@ class Learner:
     world: World
     learned: Learned
     index: int | None
+
+    @property
+    def learner(self) -> Learner:
+        return self
+
+    @property
+    def gamma_space(self) -> None:
+        return None
+
+    @property
+    def places(self) -> None:
+        return None
+
+    @property
+    def added(self) -> int:
+        return 0
+
+    @property
+    def action_names(self) -> tuple[str, ...]:
+        return self.world.actions
+
+    def study(self, settings: Resolved) -> Study:
+        return study(self.world, settings, learned=self.basis(self.world.state_index(state_in(settings))))
 
     def basis(self, state: int) -> np.ndarray:
         """The reward-indicator basis of a state, ``(A, G, V)``."""
@@ -216,6 +339,31 @@ class Observed:
     places: np.ndarray
     added: int = 0
 
+    @property
+    def world(self) -> None:
+        return None
+
+    @property
+    def learner(self) -> None:
+        return None
+
+    def study(self, settings: Resolved) -> Study:
+        """Its convention is ours, so nothing is looked for; actions have the environment's names."""
+        space = replace(self.gamma_space, places=self.places)
+        found = study_of_gamma_space(space, settings, own_convention=False)
+        return replace(found, action_names=self.action_names)
+
+
+def state_in(settings: Resolved) -> str:
+    """The state that settings of a world look from.
+
+    Raises:
+        InputError: the settings leave it open; those of a world never do.
+    """
+    if settings.state is None:
+        raise InputError("state is not decided: resolve the settings with their world first.")
+    return settings.state
+
 
 @dataclass(frozen=True)
 class View:
@@ -226,25 +374,21 @@ class View:
             from a file or from a trained agent.
     """
 
-    subject: World | Learner | GammaSpace | Observed
+    subject: Subject
     settings: Resolved
     action: int
 
     @property
     def world(self) -> World | None:
-        if isinstance(self.subject, Learner):
-            return self.subject.world
-        return self.subject if isinstance(self.subject, World) else None
+        return self.subject.world
 
     @property
     def learned(self) -> Learned | None:
-        return self.subject.learned if isinstance(self.subject, Learner) else None
+        return None if self.learner is None else self.learner.learned
 
     @property
-    def actions(self) -> int:
-        if isinstance(self.subject, Observed):
-            return len(self.subject.action_names)
-        return len(self.subject.values) if self.world is None else self.world.n_actions
+    def learner(self) -> Learner | None:
+        return self.subject.learner
 
 
 def view_of(values: Values, learned: Learned | None = None) -> View:
@@ -255,24 +399,26 @@ def view_of(values: Values, learned: Learned | None = None) -> View:
     """
     world = world_of(values)
     given = {name: value for name, value in values.items() if name in BY_NAME}
+    subject: Subject
+    settings: Resolved
     if world is None:
         file = gamma_space_files().get(str(values.get("data", "")))
         if file is None:
             raise InputError(DATA_IS_GONE)
         state = given.get("state")
-        subject = _gamma_space(file.data, None if state is None else str(state))
+        subject = opened = _from_file(file.data, None if state is None else str(state))
         given = {name: value for name, value in given.items() if name not in ENCODING_NAMES}
-        settings = resolve_for_gamma_space(Settings(world=file.name, **given), subject.gammas)
-        names = [f"action {a}" for a in range(len(subject.values))]
+        settings = resolve_for_gamma_space(Settings(world=file.name, **given), opened.gamma_space.gammas)
     else:
         params = tuple(sorted((k.removeprefix(PARAM), v) for k, v in values.items() if k.startswith(PARAM)))
         wanted = Settings(world=world.source or file_name(world), params=params, **given)
-        subject, names = world, list(world.actions)
+        subject = Exact(world)
         if learned is not None:
             wanted = replace(wanted, paper_grid=None)  # it learned at its own discounts
             wanted = study_settings(learned.settings, wanted)
             subject = learner(world, learned, _shown_seed(values, learned))
         settings = resolve(wanted, world)
+    names = subject.action_names
     action = names.index(values["action"]) if values.get("action") in names else 0
     return View(subject, settings, action)
 

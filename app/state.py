@@ -14,7 +14,7 @@ import streamlit as st
 from app import link, sources
 from app.query import OPENING, query_of
 from app.sources import PARAM
-from laplace_core import World
+from laplace_core import World, load_world
 from laplace_core.settings import BY_NAME
 from laplace_core.worlds import dump_world
 
@@ -89,7 +89,8 @@ def choose_world() -> None:
     """Callback of the world widget: what belonged to the old world is dropped."""
     name = st.session_state["world"]
     if name == sources.OWN:
-        edit_world(sources.world_of(chosen()))
+        # A gamma-space from a file has no world to begin with.
+        edit_world(sources.world_of(chosen()) or load_world(sources.FIRST_WORLD))
     elif name == sources.TIMELINE:
         go_to(world=name, timeline=chosen().get("timeline", sources.FIRST_TIMELINE), edit="yes")
     else:

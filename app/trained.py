@@ -34,7 +34,8 @@ def opening() -> dict[str, Any]:
 
 def parse_query(query: Mapping[str, str]) -> tuple[dict[str, Any], list[str]]:
     """State and notes from URL values."""
-    found, notes = dict(opening()), []
+    notes: list[str] = []
+    found = dict(opening())
     # The lens of version 0.2 wrote these here as well, where they never did anything.
     query = {name: text for name, text in translated(query).items() if name not in ("clip", "paper_grid")}
     try:
@@ -84,11 +85,13 @@ def view_of(
         InputError: values that do not fit each other.
     """
     seen, added = observation or observation_of(scene, values), int(values.get("added", 0))
-    subject = checkpoints.observe(loaded, seen, scene.actions, added)
+    observed = checkpoints.observe(loaded, seen, scene.actions, added)
     given = {name: value for name, value in values.items() if name in _READING and name != "state"}
     usual = DEFAULTS | _steps(loaded.environment)
-    settings = resolve_for_gamma_space(Settings(world=loaded.environment, **(usual | given)), loaded.agent.gammas)
-    return View(subject, settings, action_of(scene, values))
+    settings = resolve_for_gamma_space(
+        Settings(world=loaded.environment, **(usual | given)), loaded.settings.discounts()
+    )
+    return View(observed, settings, action_of(scene, values))
 
 
 @cache

@@ -10,6 +10,7 @@ from functools import cache, lru_cache
 from pathlib import Path
 
 from laplace_core import InputError
+from laplace_core.agents.settings import LoopSettings
 from laplace_core.training.curves import Curves, Reader
 from laplace_core.training.queue import Queue, Run
 
@@ -79,6 +80,12 @@ def best(run: Run) -> Path | None:
     """The checkpoint of the best evaluation so far; None before the first."""
     path = run.folder / "best.safetensors"
     return path if path.is_file() and not path.is_symlink() else None
+
+
+def settings_of(run: Run) -> LoopSettings:
+    """The settings of a run whose folder holds some that can be read."""
+    assert run.settings is not None  # others are neither drawn nor compared
+    return run.settings
 
 
 def curves(run: Run) -> Curves:

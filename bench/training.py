@@ -45,7 +45,7 @@ def agent(settings: LoopSettings) -> Agent:
 def one_update(settings: LoopSettings) -> Callable[[], object]:
     """Drawing a batch and learning from it: loss, gradient, optimiser and averaging."""
     learner, random = agent(settings), np.random.default_rng(0)
-    own = getattr(settings, "experience", "shared") == "per_discount"
+    own = settings.own_experience
     replay = Replay(2_000, settings.rings, OBSERVATION, own=own)
     for i in range(2_000 // settings.rings):
         _add(replay, i, random)

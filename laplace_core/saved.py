@@ -19,8 +19,10 @@ from laplace_core.atomic import atomic_write
 from laplace_core.conventions import check_convention, order_of_axes
 from laplace_core.errors import InputError
 from laplace_core.gamma_space import GammaSpace, check_gammas, check_shapes, check_thetas, shown_shape
+from laplace_core.horizon import regret
 from laplace_core.kernels import averaging_kernel_of, discount_kernel_of
 from laplace_core.pipeline import Study
+from laplace_core.ties import greedy_action
 
 MAX_BYTES = 400_000_000
 """Most that a file's arrays may take together, as float64."""
@@ -30,9 +32,12 @@ _WANTED = ("gamma_space", "gammas", "thetas", "constant_channel", "open_ends", "
 def study_arrays(study: Study) -> dict[str, Any]:
     """Every array of a study by its name in the file (design: ``decode``), float64, and ``settings`` as JSON."""
     decoded, truth = study.decoded, study.truth
+    read, left = study.reading(study.row)
+    chosen = greedy_action(decoded.horizon_values[:, read], scale=decoded.scale)
     arrays = {
         "gamma_space": study.gamma_space.values,
         "constant_channel": study.gamma_space.constant,
+        "differences": study.gamma_space.differences,
         "tau_space": decoded.tau_space,
         "survival": decoded.survival,
         "expected_reward": decoded.expected_reward,
@@ -43,7 +48,6 @@ def study_arrays(study: Study) -> dict[str, Any]:
         "horizons": study.horizons,
         "discount_kernel": discount_kernel_of(study),
         "averaging_kernel": averaging_kernel_of(study, 0),
-        "read_row": np.array(study.reading(study.row)[0]),
     }
     if study.gamma_space.open_ends:
         arrays["open_ends"] = np.array(1.0)
@@ -57,8 +61,10 @@ def study_arrays(study: Study) -> dict[str, Any]:
             "true_horizon_values": truth.horizon_values,
         }
     arrays = {name: np.ascontiguousarray(array, dtype=np.float64) for name, array in arrays.items()}
+    arrays |= {"read_row": np.array(read), "chosen": chosen}
     if truth is not None:
         arrays["optimal_action"] = truth.optimal_action
+        arrays["regret"] = regret(truth.optimum[:, [left]], np.array([chosen]))[0]
     settings = asdict(study.settings) | {"params": dict(study.settings.params)}
     settings |= {"actions": study.action_names, "command": study.settings.to_command()}
     return arrays | {"settings": np.array(json.dumps(settings))}

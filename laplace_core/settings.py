@@ -18,6 +18,7 @@ import numpy as np
 
 from laplace_core.encoding import GAMMA_SPACINGS, PAPER_GAMMAS, THETA_SCALE_HELP, THETA_SPACINGS, sensitivity_grid
 from laplace_core.errors import InputError
+from laplace_core.horizon import row_horizons
 from laplace_core.inverse import MAX_STEPS, NORMALISATIONS
 from laplace_core.learning import TARGET_POLICIES
 from laplace_core.parameters import Parameter, as_text, choice, schema_of, setting, switch, text
@@ -327,6 +328,7 @@ def resolve(settings: Settings, world: World) -> ResolvedForWorld:
         values["steps"] = _random_walk_length(world)
     if settings.steps is None:  # the same stretch of time, whatever the resolution
         values["steps"] = min(MAX_STEPS, int(np.ceil(values["steps"] / values["time_step"] - 1e-9)))
+    values["horizon"] = _nearest_horizon(values)
     source: dict[str, Any] = {"world": world.source or _file_of(settings.world, world), "params": world.params}
     state = int(np.argmax(world.start)) if values["state"] is None else world.state_index(values["state"])
     values["state"] = world.states[state]
@@ -371,7 +373,16 @@ def resolve_for_gamma_space(settings: Settings, gammas: np.ndarray) -> Resolved:
     if values["value_gamma"] is None:
         values["value_gamma"] = values["acting_gamma"]
     values["steps"] = settings.steps or min(MAX_STEPS, int(np.ceil(length / (settings.time_step or 1.0))))
+    values["horizon"] = _nearest_horizon(values)
     return Resolved(world=settings.world, **values)
+
+
+def _nearest_horizon(values: Mapping[str, Any]) -> float | None:
+    """The horizon of a row that is nearest to the one that is asked for."""
+    if values["horizon"] is None:
+        return None
+    horizons = row_horizons(values["steps"], values["time_step"])
+    return float(horizons[np.argmin(np.abs(horizons - values["horizon"]))])
 
 
 def _round(bound: float, overhang: float) -> float:

@@ -81,7 +81,8 @@ def _options() -> Iterator[tuple[list[str], tuple[str, ...]]]:
     for parameter in SCHEMA:
         for text in _outside(parameter):
             yield ["decode", "two_branch", flag(parameter), text], (parameter.name, "must be")
-        yield ["decode", "two_branch", flag(parameter)], (flag(parameter), "expected one argument")
+        if parameter.type is not bool:  # a switch may stand alone: it is on
+            yield ["decode", "two_branch", flag(parameter)], (flag(parameter), "expected one argument")
     for text in NOT_STATES:
         yield ["decode", "two_branch", "--state", text], ("state", text[:10])
 

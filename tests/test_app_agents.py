@@ -17,6 +17,7 @@ from app.observations import scene_of
 from app.parts import truth
 from laplace_core import InputError, Settings
 from laplace_core.agents import ENVIRONMENTS, LaplaceSettings
+from laplace_core.encoding import softening
 from laplace_core.interpolation import with_added
 from laplace_core.settings import resolve_for_gamma_space
 from laplace_core.training import environments
@@ -277,7 +278,14 @@ def test_the_link_adds_discounts_and_softens_the_slope(shipped):
     np.testing.assert_array_equal(arrays["gammas"], space.gammas)
     np.testing.assert_array_equal(arrays["differences"], space.differences)
     np.testing.assert_array_equal(arrays["places"], loaded.agent.sensitivities.places)
-    assert "0.5 of the trained slope" in words(page)
+    # What stands under the lens is of the softer slope, too.
+    scene = scene_of("CartPole-v1")
+    view = trained.view_of(loaded, scene, {"added": 2, "slope_share": 0.5})
+    found = compute.study_for(view)
+    soft = space.differences @ softening(loaded.agent.sensitivities.places, 0.5, open_ends=True)
+    np.testing.assert_allclose(found.gamma_space.differences, soft, rtol=1e-9, atol=1e-9)
+    for artefact in compute.artefacts_for(view):
+        assert artefact.sentence in words(page)
     assert "louder" in words(page)
 
 

@@ -374,3 +374,12 @@ def test_a_world_too_long_for_a_link_is_shown_and_says_so():
     choose(page, alpha=0.05)  # the view stays although its link is empty
     assert page.selectbox(key="world").value == "own"
     assert handed(page)[0]["state"]["alpha"] == 0.05
+
+
+def test_a_world_of_ones_own_can_be_begun_beside_a_gamma_space():
+    """A gamma-space has no world to begin with: the opening one is there to be edited."""
+    page = upload(opened("bring"), "mine.npz", with_arrays())
+    page.selectbox(key="world").select("own")
+    run(page)
+    assert link(page)["world"] == "own"
+    assert page.data_editor[0].value.to_dict("records") == world_rows(load_world("two_branch"))

@@ -28,7 +28,7 @@ def test_a_learned_agent_is_seen_through_its_own_table():
     assert learned != exact
 
 
-@pytest.mark.parametrize("query", [{"clip": "maybe"}, {"value_gamma": "2"}, {"used": "-1"}, {"fold": "1"}])
+@pytest.mark.parametrize("query", [{"clip": "maybe"}, {"value_gamma": "2"}, {"used": "-1"}, {"fold": "2"}])
 def test_bad_values_of_the_lens_in_a_link_are_noted(query):
     page = opened(world="two_branch", **query)
     assert page.warning

@@ -12,7 +12,7 @@ import plotly.graph_objects as go
 import pytest
 
 from app import compute, figures
-from app.sources import WORLDS, Learner, View
+from app.sources import WORLDS, Exact, Learner, View
 from laplace_core import Settings, load_world, study
 from laplace_core.compare import difference
 from laplace_core.learned import Learning, LearnSettings, bands, return_distributions, study_of
@@ -26,7 +26,7 @@ OVER_SEEDS = ("values", "rewards")
 @pytest.mark.parametrize("world", WORLDS)
 def test_plotly_accepts_the_graph_of_every_world(world):
     found = study(load_world(world), Settings(world=world))
-    view = View(found.world, found.settings, 0, None)
+    view = View(Exact(found.world), found.settings, 0, None)
     go.Figure(json.loads(compute.world_figure(view)))  # raises on any property or value that plotly does not know
 
 
@@ -59,7 +59,7 @@ def test_plotly_accepts_every_figure_of_a_learner(world, seeds):
 @pytest.mark.parametrize("what", ["tau_space", "gamma_space"])
 @pytest.mark.parametrize("world", WORLDS)
 def test_plotly_accepts_every_map_of_a_comparison(world, what):
-    a, b = (View(load_world(world), resolve(Settings(world=world, alpha=alpha), load_world(world)), 0, None)
+    a, b = (View(Exact(load_world(world)), resolve(Settings(world=world, alpha=alpha), load_world(world)), 0, None)
             for alpha in (0.1, 1.0))  # fmt: skip
     sentence, maps = compute.comparison(a, b, what)
     assert sentence
@@ -77,7 +77,7 @@ def unpacked(packed: dict | list) -> np.ndarray:
 
 def test_large_worlds_are_drawn_in_part_and_say_so():
     found = study(load_world("gym:Taxi-v4"), Settings(world="gym:Taxi-v4"))
-    figure = json.loads(compute.world_figure(View(found.world, found.settings, 0, None)))
+    figure = json.loads(compute.world_figure(View(Exact(found.world), found.settings, 0, None)))
     nodes = next(trace for trace in figure["data"] if "customdata" in trace)
     assert len(nodes["x"]) <= 26
     assert "not drawn" in figure["layout"]["title"]["text"]
@@ -140,7 +140,7 @@ def test_the_laws_of_the_return_rise_to_one_and_the_true_one_is_exact():
 @pytest.mark.parametrize("step", [1.0, 0.5])
 def test_the_maps_of_a_comparison_share_a_scale_and_hold_the_difference(step):
     world = load_world("two_branch")
-    a, b = (View(world, resolve(Settings(alpha=alpha, time_step=step), world), 0, None) for alpha in (0.2, 0.01))
+    a, b = (View(Exact(world), resolve(Settings(alpha=alpha, time_step=step), world), 0, None) for alpha in (0.2, 0.01))
     found = difference(compute.study_for(a), compute.study_for(b), 0, 0)
     maps = {name: json.loads(figure)["data"][0] for name, figure in compute.comparison(a, b, "tau_space")[1].items()}
     for name, values in (("A", found.a), ("B", found.b), ("B - A", found.difference)):
@@ -153,7 +153,7 @@ def test_columns_of_a_comparison_are_equally_wide_and_labelled_by_their_reward()
     """Whole numbers are places; a label lies where its reward is between them, and none on another."""
     world = load_world("two_branch")
     uneven = Settings(theta_spacing="asinh", theta_min=-100.0, theta_max=100.0, thetas=61)
-    a, b = (View(world, resolve(replace(uneven, alpha=alpha), world), 0, None) for alpha in (0.2, 0.01))
+    a, b = (View(Exact(world), resolve(replace(uneven, alpha=alpha), world), 0, None) for alpha in (0.2, 0.01))
     figure = json.loads(compute.comparison(a, b, "tau_space")[1]["A"])
     heat, across = figure["data"][0], figure["layout"]["xaxis"]
     np.testing.assert_array_equal(unpacked(heat["x"]), np.arange(60))

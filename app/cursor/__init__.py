@@ -43,8 +43,8 @@ def under_cursor(
             return
         known["held"] = message.held(known["held"], digest, found, HELD)
         step = found.get("step")
-        whole = isinstance(step, int | float) and not isinstance(step, bool) and 0 <= step < 1e6
-        if whole and found.get("id") == digest:
+        number = isinstance(step, int | float) and not isinstance(step, bool)
+        if step is not None and number and 0 <= step < 1e6 and found.get("id") == digest:
             known["at"] = int(step)
             if on_step is not None:
                 on_step(int(step))

@@ -22,9 +22,10 @@ Places = dict[int, tuple[float, float]]
 
 def world_graph(world: World, state: int, action: int, policy: np.ndarray) -> Figure:
     """The states near ``state``, the outcomes of ``action`` lit up, those of the policy elsewhere in grey."""
-    gridded = world.positions is not None and world.n_states <= _GRID_MAX
+    positions = world.positions if world.n_states <= _GRID_MAX else None
+    gridded = positions is not None
     drawn = list(range(world.n_states)) if gridded else _nearby(world, state)
-    places = _grid_places(world) if gridded else _layered_places(world, drawn)
+    places = _layered_places(world, drawn) if positions is None else _grid_places(positions)
     edges = _grid_edges(world, places, drawn, policy) if gridded else []
     arrows: list[dict] = []
     for s in drawn:
@@ -87,9 +88,9 @@ def _nearby(world: World, state: int) -> list[int]:
     return list(seen)
 
 
-def _grid_places(world: World) -> Places:
-    places = {s: (float(x), float(y)) for s, (x, y) in enumerate(world.positions)}
-    places[END] = (float(world.positions[:, 0].max()) + 1.0, float(world.positions[:, 1].min()))
+def _grid_places(positions: np.ndarray) -> Places:
+    places = {s: (float(x), float(y)) for s, (x, y) in enumerate(positions)}
+    places[END] = (float(positions[:, 0].max()) + 1.0, float(positions[:, 1].min()))
     return places
 
 

@@ -192,7 +192,9 @@ def returns_over_episode(
             that is more than ``OWN`` of the weight, what came is dashed.
     """
     steps, traces = np.arange(len(received)), []
-    for outer, share, opacity in ((0, 80, 0.14), (1, 50, 0.22)) if quantiles is not None else ():
+    for outer, share, opacity in ((0, 80, 0.14), (1, 50, 0.22)):
+        if quantiles is None:
+            break
         edge = np.concatenate([quantiles[:, -1 - outer], quantiles[::-1, outer]])
         traces.append({
             "type": "scatter", "x": np.concatenate([steps, steps[::-1]]), "y": edge, "fill": "toself", "mode": "lines",

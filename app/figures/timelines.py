@@ -77,7 +77,8 @@ def values_over_horizon(study: Study, row: int, bands: Bands) -> Figure:
         traces.append({**line, **style, "y": decoded.horizon_values[a], "hovertemplate": hover})
     traces += _value_bands(horizons, bands)
     traces += _shares(horizons, names, bands.action_share)
-    traces.append(_strip(horizons, names, {"best": truth.optimal_action}))
+    if truth is not None:
+        traces.append(_strip(horizons, names, {"best": truth.optimal_action}))
     at = float(horizons[row])
     cursor = {"type": "line", "x0": at, "x1": at, "y0": 0, "y1": 1, "xref": "x", "yref": "paper"}
     return build(

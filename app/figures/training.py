@@ -34,10 +34,17 @@ class Line:
 class Scored(Protocol):
     """Evaluations of one seed while it was trained; see :class:`laplace_core.experiments.shipping.TrainingCurve`."""
 
-    seed: int
-    steps: Sequence[float]
-    scores: Sequence[float]
-    errors: Sequence[float]
+    @property
+    def seed(self) -> int: ...
+
+    @property
+    def steps(self) -> Sequence[float]: ...
+
+    @property
+    def scores(self) -> Sequence[float]: ...
+
+    @property
+    def errors(self) -> Sequence[float]: ...
 
 
 @dataclass(frozen=True, eq=False)

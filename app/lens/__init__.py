@@ -157,8 +157,9 @@ def _released(found: object) -> Released:
 
 
 def _index(value: object) -> int | None:
-    whole = isinstance(value, int | float) and not isinstance(value, bool) and 0 <= value < 2**31
-    return int(value) if whole else None
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        return None
+    return int(value) if 0 <= value < 2**31 else None
 
 
 @cache

@@ -17,7 +17,7 @@ from laplace_core import Study, World
 from laplace_core.encoding import PAPER_GAMMAS
 from laplace_core.inverse import transform_factors
 from laplace_core.learning import reward_indicator_basis
-from laplace_core.pipeline import basis_of, clipped_sensitivities, policies_of, timeline_of
+from laplace_core.pipeline import WorldStudy, basis_of, clipped_sensitivities, policies_of, timeline_of
 from laplace_core.settings import Resolved
 
 if TYPE_CHECKING:  # it brings torch along, which no world needs
@@ -91,13 +91,13 @@ def payload(
     arrays = {"thetas": space.thetas, **_transform("", space.gammas, s.steps, s.time_step)}
     if space.open_ends:
         arrays |= {"bin_values": space.bin_values, "bin_edges": space.bin_edges}
-    if study.world is None:
-        arrays |= {"differences": space.differences, "constant": space.constant}
-    else:
+    if isinstance(study, WorldStudy):
         arrays |= _of_world(study)
+    else:
+        arrays |= {"differences": space.differences, "constant": space.constant}
     if places is not None:
         arrays["places"] = places
-    header = {
+    header: dict[str, Any] = {
         "added": added,
         "world": s.world,
         "state": s.state or "",
@@ -117,11 +117,11 @@ def payload(
     return _packed(header, arrays), header
 
 
-def _of_world(study: Study) -> dict[str, np.ndarray]:
+def _of_world(study: WorldStudy) -> dict[str, np.ndarray]:
     s, world, space = study.settings, study.world, study.gamma_space
     length = int(np.ceil(study.horizons[-1] - 1e-9))
     timeline = timeline_of(study, length)
-    arrays = {
+    arrays: dict[str, np.ndarray] = {
         "rewards": world.reward_values,
         "timeline": timeline,
         "optimum": study.truth.optimum,
@@ -140,12 +140,12 @@ def _of_world(study: Study) -> dict[str, np.ndarray]:
         arrays |= {f"paper_{kind}": _basis(study, world, grid, kind) for kind in ("shared", "per_gamma")}
     # One process whichever discount decides: nothing to mix, and nothing to send twice.
     for name in ("", "paper_"):
-        if np.array_equal(arrays.get(f"{name}shared"), arrays.get(f"{name}per_gamma")):
-            arrays.pop(f"{name}per_gamma", None)
+        if f"{name}per_gamma" in arrays and np.array_equal(arrays[f"{name}shared"], arrays[f"{name}per_gamma"]):
+            del arrays[f"{name}per_gamma"]
     return arrays
 
 
-def _basis(study: Study, world: World, gammas: np.ndarray, kind: str) -> np.ndarray:
+def _basis(study: WorldStudy, world: World, gammas: np.ndarray, kind: str) -> np.ndarray:
     if study.policy is not None:
         return reward_indicator_basis(world, study.state, gammas, [study.policy] * gammas.size)
     policies = policies_of(world, gammas, kind, study.settings.acting_gamma)

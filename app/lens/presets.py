@@ -9,7 +9,6 @@ from typing import Any
 from app.lens.payload import structure
 from app.lens.state import state_of
 from app.sources import View, view_of
-from laplace_core import World
 
 PRESETS: dict[str, dict[str, Any]] = {
     "Fig. 4b": {"world": "two_branch", "normalise": "paper", "action": "long"},
@@ -43,9 +42,8 @@ def presets_for(view: View) -> list[Preset]:
         other = view_of(values)
         last = other.settings.steps * other.settings.time_step
         horizon = other.settings.horizon or last + (1.0 - other.settings.time_step) / 2.0
-        same = isinstance(view.subject, World) and structure(view.settings, view.subject) == structure(
-            other.settings, other.subject
-        )
+        exact = view.world is not None and view.learned is None
+        same = exact and structure(view.settings, view.world) == structure(other.settings, other.world)
         state = state_of(other.settings, horizon, action=other.action, look=str(values.get("look", "heatmap")))
         found.append(Preset(name, same, state))
     return found

@@ -80,6 +80,8 @@ def _uploaded() -> None:
 def editor(view: View) -> None:
     """Under the pictures: the world or the timeline as a table, if it is open."""
     name = state.world_name()
+    if view.world is None:
+        return
     if name == sources.OWN:
         _world_table(view.world)
     elif name == sources.TIMELINE:

@@ -10,6 +10,14 @@ from app import checkpoints, figures
 from app.chart import chart
 from app.figures.training import CARD, score_curve
 from app.observations import Scene
+from laplace_core.agents.settings import (
+    C51Settings,
+    DqnSettings,
+    ExpectileSettings,
+    FixedHorizonSettings,
+    LaplaceSettings,
+    QrdqnSettings,
+)
 from laplace_core.training.checkpoint import Loaded
 
 
@@ -35,16 +43,26 @@ def card(name: str, loaded: Loaded, scene: Scene) -> None:
 
 def _outputs(loaded: Loaded) -> str:
     """What its network gives for an action."""
-    agent, s = loaded.agent, loaded.settings
-    if loaded.algorithm == "laplace":
-        grid = f"{len(agent.gammas)} discounts to {s.gamma_max:g}, {len(agent.thetas)} sensitivities"
+    s = loaded.settings
+    if isinstance(s, LaplaceSettings):
+        grid = f"{s.n_discounts} discounts to {s.gamma_max:g}, {s.thetas} sensitivities"
         return f"{grid}, {s.network}, {s.parametrisation}"
-    numbers = {
-        "c51": lambda: f"{s.atoms} atoms from {s.v_min:g} to {s.v_max:g}", "qrdqn": lambda: f"{s.quantiles} quantiles",
-        "expectile": lambda: f"{s.expectiles} expectiles", "dqn": lambda: "the mean return",
-        "fixed_horizon": lambda: f"a mean for every T to {s.horizon}",
-    }  # fmt: skip
-    return f"{numbers[loaded.algorithm]()}, discount {s.gamma:g}"
+    assert isinstance(s, DqnSettings)  # what all others are
+    return f"{_numbers(s)}, discount {s.gamma:g}"
+
+
+def _numbers(settings: DqnSettings) -> str:
+    match settings:
+        case C51Settings(atoms=atoms, v_min=low, v_max=high):
+            return f"{atoms} atoms from {low:g} to {high:g}"
+        case QrdqnSettings(quantiles=quantiles):
+            return f"{quantiles} quantiles"
+        case ExpectileSettings(expectiles=expectiles):
+            return f"{expectiles} expectiles"
+        case FixedHorizonSettings(horizon=horizon):
+            return f"a mean for every T to {horizon}"
+        case _:
+            return "the mean return"
 
 
 def _written(value: object) -> str:

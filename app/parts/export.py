@@ -69,8 +69,8 @@ def _copying(place, view: View) -> None:
         file = settings_on_disk(view).world
         copy_button("Copy as command", settings_on_disk(view).to_command("view.npz"), "command")
         copy_button("Copy as Python", python_of(view), "python")
-        if view.learned is not None:
-            mean = " The command shows the first learner, not the mean of all." if view.subject.index is None else ""
+        if view.learner is not None:
+            mean = " The command shows the first learner, not the mean of all." if view.learner.index is None else ""
             st.caption(f"Both read {file}: Download agent saves it.{mean}")
         elif state.world_name() in sources.BROUGHT:
             st.caption(f"Both read {file}, so download or keep that file beside them.")
@@ -78,21 +78,21 @@ def _copying(place, view: View) -> None:
 
 def settings_on_disk(view: View) -> Resolved:
     """The settings by which the command line repeats a view: what was learned is read from its file."""
-    if view.learned is None:
+    if view.learner is None:
         return view.settings
-    shown = view.subject.index
-    file = f"{sources.plain_name(view.world)}_td.safetensors"
+    shown = view.learner.index
+    file = f"{sources.plain_name(view.learner.world)}_td.safetensors"
     return replace(view.settings, world=file, params=() if shown is None else (("seed_index", shown),))
 
 
 def python_of(view: View) -> str:
     """A script that repeats a view."""
-    if view.learned is None:
+    if view.learner is None:
         brought = state.world_name() in sources.BROUGHT and view.world is not None
         return view.settings.to_python(f'read_world("{view.settings.world}")' if brought else None)
     settings = view.settings.to_python().partition("settings = Settings(")[2]
-    imports, found = "Settings", f"found = study_of(learned, settings, {view.subject.index})"
-    if view.subject.index is None:
+    imports, found = "Settings", f"found = study_of(learned, settings, {view.learner.index})"
+    if view.learner.index is None:
         imports = "Settings, study"
         found = (
             "tables = learned.basis[:, learned.world.state_index(settings.state)]  # a table a seed\n"
@@ -101,7 +101,7 @@ def python_of(view: View) -> str:
     return "\n".join(
         [
             f"from laplace_core import {imports}",
-            f"from laplace_core.learned import read_learned{'' if view.subject.index is None else ', study_of'}",
+            f"from laplace_core.learned import read_learned{'' if view.learner.index is None else ', study_of'}",
             "",
             f'learned = read_learned("{settings_on_disk(view).world}")',
             "settings = Settings(" + settings.replace("found = study(world, settings)", found),

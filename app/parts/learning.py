@@ -13,7 +13,7 @@ from app.figures.theme import HEIGHT
 from app.sources import LEARN, View
 from laplace_core import InputError, World, load_world
 from laplace_core.learned import LEARN_SCHEMA, Learned, LearnSettings, learned_bytes, resolve_learning
-from laplace_core.learned.settings import DECIDED_NAMES
+from laplace_core.learned.settings import DECIDED_NAMES, ResolvedLearning
 
 _SHOWN = {
     "episodes": "Episodes",
@@ -69,7 +69,7 @@ def agent_title(agent: str) -> str:
     return "the file that you opened" if agent in sources.opened_agents() else agent.replace("_", " ")
 
 
-def learning_of(world: World, values: sources.Values | None = None) -> LearnSettings:
+def learning_of(world: World, values: sources.Values | None = None) -> ResolvedLearning:
     """What would be learned in a view, by default the present one: the learner's settings, its discounts and policy.
 
     Raises:
@@ -172,19 +172,20 @@ def strip(view: View, watched: runs.Watched | None) -> None:
         text, button, seed, save = st.columns([3, 1, 1.2, 1.2], vertical_alignment="center")
         with text:
             _told(view, watched)
-        if watched is None and view.learned is None:
+        learner = view.learner
+        if watched is None and learner is None:
             button.button("Learn now", on_click=_begin, args=(view.world,), type="primary", width="stretch")
         if watched is not None and watched.running:
             button.button("Cancel", on_click=_cancel, args=(watched,), width="stretch")
-        if view.learned is None:
+        if learner is None:
             return
-        if len(view.learned.basis) > 1:
+        if len(learner.learned.basis) > 1:
             with seed:
-                _which(view.learned)
+                _which(learner.learned)
         if watched is None or not watched.running:
             save.download_button(
-                "Download agent", lambda: learned_bytes(view.learned), mime="application/octet-stream",
-                file_name=f"{sources.plain_name(view.world)}_td.safetensors", width="stretch", on_click="ignore",
+                "Download agent", lambda: learned_bytes(learner.learned), mime="application/octet-stream",
+                file_name=f"{sources.plain_name(learner.world)}_td.safetensors", width="stretch", on_click="ignore",
             )  # fmt: skip
 
 
@@ -214,7 +215,11 @@ def _told(view: View, watched: runs.Watched | None) -> None:
         st.progress(0.0, "Waiting for a free place: other learners are running." if watched.waiting else "Starting ...")
         return
     share = told["episodes"] / told["of"]
-    seeds = (view.learned.settings if view.learned else learning_of(view.world)).seeds
+    if view.learned is None:
+        assert view.world is not None  # a run learns of a world
+        seeds = learning_of(view.world).seeds
+    else:
+        seeds = view.learned.settings.seeds
     each = f" by each of {seeds} learners" if seeds > 1 else ""
     words = [f"{told['episodes'] // seeds:,} of {told['of'] // seeds:,} episodes{each}"]
     words.append(f"{told['steps_per_second']:,} steps/s")
@@ -246,7 +251,7 @@ def pictures(view: View) -> None:
     """Under the lens: the learning curve, what the learners agree on, the codes of the return."""
     if view.learned is None:
         return
-    name = view.world.actions[view.action]
+    name = view.subject.action_names[view.action]
     row = st.columns(3, gap="small")
     with row[0]:
         alt = "Error of the learned gamma-space and return over episodes, a line a seed."

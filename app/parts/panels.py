@@ -11,7 +11,7 @@ import streamlit as st
 from app import compute, state
 from app.lens import PRESETS, Graph, Preset, Released, Said, Simulated, checked, lens, state_of, values_of
 from app.parts import compare
-from app.sources import Observed, View
+from app.sources import View
 from laplace_core.artifacts import Artefact
 from laplace_core.verdict import Verdict
 
@@ -22,9 +22,8 @@ _ACROSS = 3  # artefacts side by side
 def shown_state(view: View) -> dict[str, Any]:
     """The state of the lens that a view stands for."""
     horizon = float(compute.study_for(view).horizons[compute.row_of(view)])
-    added = view.subject.added if isinstance(view.subject, Observed) else 0
     look = str(state.chosen().get("look", "heatmap"))
-    return state_of(view.settings, horizon, action=view.action, look=look, added=added)
+    return state_of(view.settings, horizon, action=view.action, look=look, added=view.subject.added)
 
 
 def pictures(
@@ -113,7 +112,7 @@ def _graph(view: View) -> Graph | None:
 
 def artefacts(view: View) -> None:
     """What in the tau-space of the shown action is not in the world: name, size, a sentence, remedies."""
-    if isinstance(view.subject, Observed) and view.subject.added:
+    if view.subject.added:
         st.caption("Interpolated discounts share the errors of their neighbours: noise is louder than it looks.")
     name = compute.study_for(view).action_names[view.action]
     found, others = compute.artefacts_for(view), compute.artefacts_elsewhere(view)

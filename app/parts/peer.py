@@ -13,6 +13,7 @@ from app.parts import returns, rolling
 from app.rollouts import Rolling
 from app.trained import action_of, observation_of
 from laplace_core import InputError
+from laplace_core.agents.capabilities import HasTimeToGo
 from laplace_core.training.checkpoint import Loaded
 from laplace_core.training.return_laws import return_laws, return_quantiles
 from laplace_core.training.rollout import Rollout, acting_gamma
@@ -20,10 +21,10 @@ from laplace_core.training.rollout import Rollout, acting_gamma
 
 def view(loaded: Loaded, scene: Scene, asked: Rolling | None) -> None:
     """Everything under the navigation: the player, the pictures of the state, the codes side by side."""
-    rollout, at, above = None, 0, st.container()  # what is below keeps its place without the player, too
+    rollout, said, at, above = None, {}, 0, st.container()  # what is below keeps its place without the player, too
     try:
         if asked is not None:
-            rollout = asked.rollout()
+            rollout, said = asked.rollout(), asked.said()
             with above:
                 rolling.show(asked, scene)
             at = rolled.step_of(state.chosen(), rollout)
@@ -45,7 +46,7 @@ def view(loaded: Loaded, scene: Scene, asked: Rolling | None) -> None:
             figure = figures.returns_over_episode(
                 rollout.received,
                 rollout.predicted,
-                return_quantiles(asked.said(), rollout.actions),
+                return_quantiles(said, rollout.actions),
                 at,
                 rollout.acting_gamma,
                 not rollout.terminated,
@@ -60,13 +61,13 @@ def _action(scene: Scene, taken: int | None) -> int:
         key, options, now = "action", scene.actions, scene.actions[action_of(scene, state.chosen())]
     else:
         key, options = rolled.ACTION, (rolled.TAKEN, *scene.actions)
-        now = state.chosen().get(key)
-        now = now if now in options else rolled.TAKEN
+        wanted = state.chosen().get(key)
+        now = wanted if wanted in options else rolled.TAKEN
     st.segmented_control(
         "Action shown", options, key=state.put(key, now), on_change=state.keep, args=(key,), required=True,
         help="Drawn heavier here, and taken first in the comparison below.",
     )  # fmt: skip
-    return taken if now == rolled.TAKEN else scene.actions.index(now)
+    return taken if taken is not None and now == rolled.TAKEN else scene.actions.index(now)
 
 
 def _of_state(
@@ -74,7 +75,7 @@ def _of_state(
 ) -> tuple[Figure, str]:
     """What the agent knows of this state, and what the picture shows."""
     agent, gamma, observation = loaded.agent, acting_gamma(loaded.agent), np.array(seen)
-    if hasattr(agent, "horizon"):
+    if isinstance(agent, HasTimeToGo):
         left = None if rollout is None else min(agent.horizon, (rollout.horizon or agent.horizon + at) - at)
         values = agent.action_values(observation[None])[0]
         return figures.values_over_time_to_go(values, scene.actions, gamma, left), "Value over T, a line an action."

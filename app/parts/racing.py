@@ -12,9 +12,10 @@ from app.background import Work
 from app.observations import scene_of
 from app.raced import AGAINST, AGENT, AT, COUNT, GAMMA, HORIZON, LEFT, RIGHT, START
 from app.races import Control
-from app.rolled import TITLES
+from app.rolled import title_of
 from app.track import track
 from laplace_core import InputError
+from laplace_core.agents.capabilities import HasDiscounts
 from laplace_core.training.frames import animation, side_by_side
 from laplace_core.training.race import FIRST_START, MOST_RACES, MOST_START, Race
 from laplace_core.training.race_file import race_npz
@@ -56,7 +57,7 @@ def form(control: Control) -> None:
     _left(control)
     key = state.put(RIGHT, control.right_rule)
     st.selectbox(
-        "Right side", raced.rules_of(control.right.agent), key=key, format_func=TITLES.get, on_change=_keep,
+        "Right side", raced.rules_of(control.right.agent), key=key, format_func=title_of, on_change=_keep,
         args=(key,), help="The rule by which the agent acts for the time to go.",
     )  # fmt: skip
     key = state.show(COUNT, raced.USUAL_COUNT)
@@ -69,10 +70,10 @@ def form(control: Control) -> None:
 def _left(control: Control) -> None:
     key = state.put(LEFT, control.left_rule)
     st.selectbox(
-        "Left side", raced.rules_of(control.left.agent), key=key, format_func=TITLES.get, on_change=_keep,
+        "Left side", raced.rules_of(control.left.agent), key=key, format_func=title_of, on_change=_keep,
         args=(key,), help="What the right side is held against.",
     )  # fmt: skip
-    if control.left_rule == "greedy" and hasattr(control.left.agent, "gammas"):
+    if control.left_rule == "greedy" and isinstance(control.left.agent, HasDiscounts):
         gammas = [float(gamma) for gamma in control.left.agent.gammas]
         at = control.gamma or gammas[control.left.agent.acting_head]
         key = state.put(GAMMA, min(gammas, key=lambda gamma: abs(gamma - at)))

@@ -115,7 +115,7 @@ def _progress(found: Returned) -> None:
 @lru_cache(maxsize=128)
 def law_of(loaded: Loaded, observation: tuple[float, ...], action: int, alpha: float) -> ReturnLaw:
     """What an agent says of one return."""
-    return return_laws(loaded.agent, observation, [action], alpha)[0]
+    return return_laws(loaded.agent, np.array(observation), [action], alpha)[0]
 
 
 def _title(loaded: Loaded, told_apart: bool) -> str:

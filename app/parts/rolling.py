@@ -16,6 +16,7 @@ from app.rollouts import Rolling
 from app.sources import View
 from app.trained import OBSERVED
 from laplace_core import InputError
+from laplace_core.agents.capabilities import HasDiscounts
 from laplace_core.training import environments
 from laplace_core.training.checkpoint import Loaded
 from laplace_core.training.frames import animation
@@ -39,7 +40,14 @@ def form(loaded: Loaded) -> None:
     shown = rolled.shown(values)
     rules = rolled.rules_of(loaded.agent)
     key = state.show(RULE, next(iter(rules)))
-    st.selectbox("Control rule", list(rules), key=key, format_func=rules.get, on_change=_keep, args=(key,))
+    st.selectbox(
+        "Control rule",
+        list(rules),
+        key=key,
+        format_func=lambda name: rules.get(name, name),
+        on_change=_keep,
+        args=(key,),
+    )
     left, right = st.columns(2, gap="small")
     key = state.show(SEED, PARAMETERS[SEED].default)
     left.number_input("Start seed", 0, MOST_SEED, step=1, key=key, on_change=_keep, args=(key,))
@@ -48,7 +56,7 @@ def form(loaded: Loaded) -> None:
         if rule in ADAPTED:
             key = state.put(HORIZON, min(limit, int(values.get(HORIZON) or limit)))
             st.number_input("T (steps)", 1, limit, step=1, key=key, on_change=_keep, args=(key,))
-        elif rule == "greedy" and hasattr(loaded.agent, "gammas"):
+        elif rule == "greedy" and isinstance(loaded.agent, HasDiscounts):
             gammas = [float(gamma) for gamma in loaded.agent.gammas]
             at = values.get(GAMMA) or gammas[loaded.agent.acting_head]
             key = state.put(GAMMA, min(gammas, key=lambda gamma: abs(gamma - at)))
@@ -145,7 +153,8 @@ def show(rolling: Rolling, scene: Scene, view: View | None = None) -> None:
     Without a view there is nothing decoded that artefacts could be in.
     """
     rollout = rolling.rollout()
-    at, flags = rolled.step_of(state.chosen(), rollout), {"alpha": 0.0, "names": [], "marks": []}
+    at = rolled.step_of(state.chosen(), rollout)
+    flags: dict[str, Any] | None = {"alpha": 0.0, "names": [], "marks": []}
     if view is not None:
         search = flagging(rolling, view)
         flags = None if search.going else for_player(search.result(), view.settings.alpha)

@@ -79,7 +79,7 @@ def _head(run: Run, title: str, colour: str, looked: bool) -> None:
 
 def _progress(run: Run, progress: Progress | None, curves: Curves) -> tuple[float, str]:
     """Share of the steps that are done, and words for it."""
-    of = run.settings.steps
+    of = training_runs.settings_of(run).steps
     told = [int(steps[-1]) for steps in (curves.episode_steps, curves.steps) if len(steps)]
     step = min(of, max(progress.step if progress else 0, *told, 0))  # the last round of environments may go beyond
     step = of if run.state == FINISHED else step
@@ -90,7 +90,8 @@ def _progress(run: Run, progress: Progress | None, curves: Curves) -> tuple[floa
         words.append("starting" if not step else "first episodes")
     if run.state == TRAINING and progress and progress.steps_per_second:
         words.append(f"{progress.steps_per_second:,.0f} steps/s")
-        words.append(f"{_duration(progress.seconds_left)} left")
+        if progress.seconds_left is not None:
+            words.append(f"{_duration(progress.seconds_left)} left")
     return min(1.0, step / of), " · ".join(words)
 
 
@@ -113,7 +114,7 @@ def _numbers(curves: Curves) -> str:
 
 
 def _different(run: Run) -> str:
-    words = changed(run.settings)
+    words = changed(training_runs.settings_of(run))
     listed = ", ".join(words[:6]) + (", ..." if len(words) > 6 else "")
     return f"set by hand: {listed}" if words else "settings that suit it"
 
@@ -167,7 +168,7 @@ def _more(run: Run, curves: Curves | None) -> None:
             with right:
                 _file("Metrics (JSONL)", metrics, f"{run.name}.jsonl")
                 _file("Metrics (CSV)", metrics, f"{run.name}.csv", metrics_csv)
-            words = command_of(run.settings, f"runs/{run.name}_again")
+            words = command_of(training_runs.settings_of(run), f"runs/{run.name}_again")
             copy_button("Copy the command", shlex.join(["python", "-m", "laplace_core", *words]), f"command {run.name}")
         st.caption(f"In {run.folder}")
         asked = f"_remove {run.name}"

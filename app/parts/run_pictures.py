@@ -12,6 +12,7 @@ from app.controls import world_title
 from app.figures.theme import ACTION_COLOURS, action_colour, to_json
 from app.figures.training import TALL, Band, Line, discount_errors, learning_curves, shipped_curves, values_by_discount
 from app.training_form import ALGORITHMS, MOST_AT_ONCE, NOTHING, algorithm_title, names_in
+from app.training_runs import settings_of
 from laplace_core.training.queue import Run
 
 _MOST_OFFERED = 24
@@ -21,12 +22,13 @@ def looked_at(runs: Sequence[Run]) -> Run | None:
     """The run that was chosen, else the newest that can be read."""
     readable = [run for run in runs if run.settings is not None]
     named = [run for run in readable if run.name == state.chosen().get("run")]
-    return (named or readable or [None])[0]
+    return next(iter(named or readable), None)
 
 
 def family(runs: Sequence[Run], run: Run) -> list[Run]:
     """Runs of the same environment, the oldest first: their returns mean the same."""
-    same = [other for other in runs if other.settings and other.settings.environment == run.settings.environment]
+    environment = settings_of(run).environment
+    same = [other for other in runs if other.settings and other.settings.environment == environment]
     return same[::-1]
 
 
@@ -41,30 +43,32 @@ def shipped_colour(algorithm: str) -> str:
 
 def label(run: Run) -> str:
     """Short words for a run among those of its environment."""
-    usual = f"{run.settings.ALGORITHM}_{run.settings.environment.replace(':', '-')}_{run.settings.seed}"
+    s = settings_of(run)
+    usual = f"{s.ALGORITHM}_{s.environment.replace(':', '-')}_{s.seed}"
     rest = run.name.removeprefix(usual).strip("_") if run.name.startswith(usual) else run.name
-    return f"{algorithm_title(run.settings.ALGORITHM)}, seed {run.settings.seed}" + (f" ({rest})" if rest else "")
+    return f"{algorithm_title(s.ALGORITHM)}, seed {s.seed}" + (f" ({rest})" if rest else "")
 
 
 def pictures(runs: Sequence[Run], run: Run) -> None:
     same = family(runs, run)
     drawn, bands = _beside(same, run)
-    gammas = run.settings.discounts()
+    settings = settings_of(run)
+    gammas = settings.discounts()
     row = st.container(key="run_pictures")  # its height is kept free while a browser still loads what draws
     places = row.columns([1.35, *[1] * min(2, len(gammas))], gap="small")
     lines = [Line(label(one), colour_of(runs, one), training_runs.curves(one)) for one in drawn]
     with places[0]:
-        steps = max(one.settings.steps for one in drawn)
-        figure = learning_curves(f"{world_title(run.settings.environment)}: return", lines, steps, bands)
+        steps = max(settings_of(one).steps for one in drawn)
+        figure = learning_curves(f"{world_title(settings.environment)}: return", lines, steps, bands)
         alt = f"Return over steps of {len(drawn)} runs: while training, and in evaluation with standard errors."
-        chart(to_json(figure), "training", alt, TALL, f"{run.settings.environment} {steps}")
+        chart(to_json(figure), "training", alt, TALL, f"{settings.environment} {steps}")
     if not gammas.size:
         return
     mine = training_runs.curves(run)
-    first = min(run.settings.evaluate_every, run.settings.steps)
+    first = min(settings.evaluate_every, settings.steps)
     with places[1]:
         alt = f"How far the values of {label(run)} at the start lie from what came, a line a discount."
-        chart(to_json(discount_errors(mine, gammas, run.settings.steps, first)), "discounts", alt, TALL, run.name)
+        chart(to_json(discount_errors(mine, gammas, settings.steps, first)), "discounts", alt, TALL, run.name)
     if len(gammas) == 1:
         return
     with places[2]:
@@ -90,10 +94,11 @@ def shipped(environment: str) -> None:
 def _beside(same: Sequence[Run], run: Run) -> tuple[list[Run], list[Band]]:
     """What is drawn: runs that were picked, by default the newest, and the one that is looked at always; and agents
     that ship, by default those of its algorithm."""
+    settings = settings_of(run)
     others = [one.name for one in same if one.name != run.name]
-    names, curves = _picked_runs(others), checkpoints.shipped_curves(run.settings.environment)
+    names, curves = _picked_runs(others), checkpoints.shipped_curves(settings.environment)
     picked = state.chosen().get("ships")
-    ships = [run.settings.ALGORITHM] if picked is None else names_in(picked)
+    ships = [settings.ALGORITHM] if picked is None else names_in(picked)
     ships = [algorithm for algorithm in curves if algorithm in ships]
     left, right, words = st.columns([2.5, 2.5, 1], vertical_alignment="center")
     if others:
@@ -123,7 +128,9 @@ def _beside(same: Sequence[Run], run: Run) -> tuple[list[Run], list[Band]]:
 
 def _picked_runs(others: Sequence[str]) -> list[str]:
     picked = state.chosen().get("beside")
-    return others[-MOST_AT_ONCE + 1 :] if picked is None else [name for name in names_in(picked) if name in others]
+    return (
+        list(others[-MOST_AT_ONCE + 1 :]) if picked is None else [name for name in names_in(picked) if name in others]
+    )
 
 
 def _pick(name: str) -> None:

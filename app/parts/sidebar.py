@@ -38,7 +38,9 @@ def _groups() -> View | None:
         return None
     if world is None:
         file = sources.gamma_space_files()[str(state.chosen()["data"])]
-        st.caption(f"{file.name}: {len(view.subject.gammas)} discounts, {len(view.subject.thetas)} sensitivities")
+        space = view.subject.gamma_space
+        if space is not None:
+            st.caption(f"{file.name}: {len(space.gammas)} discounts, {len(space.thetas)} sensitivities")
         controls.state_of_file(file.states)
     else:
         controls.state_group(world, view.settings)

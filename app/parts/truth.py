@@ -12,11 +12,11 @@ from app.figures.theme import HEIGHT
 from app.lens import Simulated
 from app.rolled import AFTER
 from app.simulations import COUNT, EACH, EPISODES, STEPS, Simulation
-from app.sources import Observed, View
+from app.sources import Subject, View
 from laplace_core import InputError
 from laplace_core.training import environments
 from laplace_core.training.checkpoint import Loaded
-from laplace_core.training.continuations import steps_known
+from laplace_core.training.continuations import Outcomes, steps_known
 from laplace_core.training.rollout import Rollout
 from laplace_core.training.simulated_truth import Confronted, confront, confront_states
 
@@ -31,9 +31,9 @@ def ask(view: View, loaded: Loaded, rollout: Rollout, step: int) -> Simulated | 
         shares = [7, 1.2] if rollout.of_the_values else [5.8, 2.6, 1.2]
         words, *picker, button = st.columns(shares, vertical_alignment="center", gap="small")
         if picker:
-            key = state.show(AFTER, "values")
+            key, titles = state.show(AFTER, "values"), _titles(rollout)
             picker[0].selectbox(
-                "Control of what is simulated", list(_titles(rollout)), key=key, format_func=_titles(rollout).get,
+                "Control of what is simulated", list(titles), key=key, format_func=lambda name: titles.get(name, name),
                 label_visibility="collapsed", on_change=state.keep, args=(key,),
                 help="Tau-space predicts one policy; under another one, what comes is another process.",
             )  # fmt: skip
@@ -126,7 +126,9 @@ def _progress(found: Simulation) -> None:
 
 
 @lru_cache(maxsize=16)
-def _confronted(found: Simulation, loaded: Loaded, subject: Observed, action: int, alpha: float) -> Confronted:
-    if environments.chance(loaded.environment):
-        return confront(loaded.agent, subject.gamma_space, action, found.result(), alpha)
-    return confront_states(loaded.agent, found.result(), alpha)
+def _confronted(found: Simulation, loaded: Loaded, subject: Subject, action: int, alpha: float) -> Confronted:
+    came = found.result()
+    if isinstance(came, Outcomes):
+        return confront_states(loaded.agent, came, alpha)
+    assert subject.gamma_space is not None  # an agent was observed: there is no world to make one from
+    return confront(loaded.agent, subject.gamma_space, action, came, alpha)

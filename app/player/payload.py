@@ -38,7 +38,7 @@ def payload(rollout: Rollout, said: Mapping[str, np.ndarray] | None = None) -> b
     """
     doubles = ("actions", "differs", "rewards", "surprise", "received", "predicted", "values", "greedy_values")
     blocks = {
-        **({} if rollout.spaces is None else _spaces(rollout)),
+        **_spaces(rollout.spaces, rollout.constants),
         **{name: ("z4", zlib.compress(array.astype("<f4").tobytes(), 6)) for name, array in (said or {}).items()},
         "observations": ("f4", rollout.observations.astype("<f4").tobytes()),
         **{name: ("f8", getattr(rollout, name).astype("<f8").tobytes()) for name in doubles},
@@ -65,14 +65,16 @@ def payload(rollout: Rollout, said: Mapping[str, np.ndarray] | None = None) -> b
     return struct.pack("<I", len(text)) + text + b"".join(packed)
 
 
-def _spaces(rollout: Rollout) -> dict[str, tuple[str, bytes]]:
-    """Blocks of the gamma-spaces."""
-    levels, scales = rounded(bin_differences(rollout.spaces, rollout.constants, open_ends=True))
+def _spaces(spaces: np.ndarray | None, constants: np.ndarray | None) -> dict[str, tuple[str, bytes]]:
+    """Blocks of the gamma-spaces of a rollout, if there are any."""
+    if spaces is None or constants is None:
+        return {}
+    levels, scales = rounded(bin_differences(spaces, constants, open_ends=True))
     changes = np.diff(levels, axis=0, prepend=np.zeros_like(levels[:1]))  # 16-bit, wrapping around as the sum will
     halves = np.ascontiguousarray(changes).view(np.uint8).reshape(-1, 2).T
     return {
         "differences": ("i2", zlib.compress(np.ascontiguousarray(halves).tobytes(), 6)),
-        "constant": ("f4", zlib.compress(rollout.constants.astype("<f4").tobytes(), 6)),
+        "constant": ("f4", zlib.compress(constants.astype("<f4").tobytes(), 6)),
         "scales": ("f8", scales.tobytes()),
     }
 

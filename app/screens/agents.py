@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import streamlit as st
 
 from app import checkpoints, compute, rolled, state
@@ -12,7 +14,9 @@ from app.parts.card import card
 from app.rollouts import Rolling
 from app.trained import OBSERVED, observation_of, opening, parse_query, view_of
 from laplace_core import InputError
+from laplace_core.agents.capabilities import HasGammaSpace
 from laplace_core.training.checkpoint import Loaded
+from laplace_core.training.rollout import Rollout
 
 
 def page() -> None:
@@ -89,32 +93,35 @@ def _observation(scene: Scene) -> None:
 @st.fragment
 def _view(loaded: Loaded, scene: Scene, asked: Rolling | None) -> None:
     state.write_url()
-    if not hasattr(loaded.agent, "gamma_space"):
+    if not isinstance(loaded.agent, HasGammaSpace):
         peer.view(loaded, scene, asked)
         return
-    observation, follow, simulated, at, above = None, {}, None, 0, st.container()
+    observation, simulated, at, above = None, None, 0, st.container()
+    rollout: Rollout | None = None
+    lead: dict[str, Any] | None = None
+    followed: dict[str, Any] | None = None
     try:
         if asked is not None:
             rollout = asked.rollout()
             at = rolled.step_of(state.chosen(), rollout)
             observation = rolled.observation_at(rollout, at)
-            follow = {"lead": rolling.lead(asked, at), "followed": rolled.followed(rollout, at)}
+            lead, followed = rolling.lead(asked, at), rolled.followed(rollout, at)
         view = view_of(loaded, scene, state.chosen(), observation)
         base = view_of(loaded, scene, state.without(*LIVE), observation)
         compute.study_for(view)
     except InputError as error:
         st.error(str(error))
         return
-    if asked is not None:
+    if asked is not None and rollout is not None:
         with above:
             rolling.show(asked, scene, view)
-            simulated = truth.ask(view, loaded, asked.rollout(), at)
-    panels.pictures(view, base, simulated=simulated, **follow)
-    if asked is not None:
-        truth.section(view, loaded, asked.rollout(), at)
+            simulated = truth.ask(view, loaded, rollout, at)
+    panels.pictures(view, base, lead=lead, followed=followed, simulated=simulated)
+    if rollout is not None:
+        truth.section(view, loaded, rollout, at)
     seen = observation or observation_of(scene, state.chosen())
-    name, followed = view.subject.action_names[view.action], None if asked is None else asked.rollout()
-    returns.section(loaded, seen, view.action, name, view.settings.alpha, followed, at)
+    name = view.subject.action_names[view.action]
+    returns.section(loaded, seen, view.action, name, view.settings.alpha, rollout, at)
     panels.artefacts(view)
     export.agent_footer(view)
 

@@ -77,5 +77,9 @@ class LaplaceSettings(LoopSettings):
         return len(PAPER_GAMMAS) if self.spacing == "paper" else self.gammas
 
     @property
+    def own_experience(self) -> bool:
+        return self.experience == "per_discount"
+
+    @property
     def rings(self) -> int:
-        return self.n_discounts if self.experience == "per_discount" else self.envs
+        return self.n_discounts if self.own_experience else self.envs

@@ -78,6 +78,16 @@ class LoopSettings:
             raise InputError("learning_starts must not exceed the buffer.")
 
     @property
+    def own_experience(self) -> bool:
+        """Whether every discount learns from a buffer of its own."""
+        return False
+
+    @property
+    def head_exploration(self) -> float:
+        """Fraction of episodes that a random head behaves in; 0 where there is one head only."""
+        return 0.0
+
+    @property
     def rings(self) -> int:
         """Environments, and rings in the replay buffer."""
         return self.envs

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from laplace_core.agents.capabilities import HasAtoms
 from laplace_core.agents.settings import (
     ENVIRONMENTS,
     GYMNASIUM_ENVIRONMENTS,
@@ -262,7 +263,7 @@ class _Line:
 
 def own_discount(agent: Agent) -> np.ndarray | None:
     """The discount of the return that an agent's fixed atoms stand for, ``(1,)``; None where it has none."""
-    return np.array([agent.acting_discount]) if hasattr(agent, "atoms") else None
+    return np.array([agent.acting_discount]) if isinstance(agent, HasAtoms) else None
 
 
 def return_notes(agent: Agent, scores: Scores) -> list[str]:
@@ -271,7 +272,7 @@ def return_notes(agent: Agent, scores: Scores) -> list[str]:
     Args:
         scores: with the discounted returns at :func:`own_discount`.
     """
-    if not hasattr(agent, "atoms"):
+    if not isinstance(agent, HasAtoms):
         return []
     low, high = float(agent.atoms[0]), float(agent.atoms[-1])
     came = scores.discounted[:, 0]

@@ -60,7 +60,7 @@ class _Run:
         s = self.settings = folder.settings
         self.folder, self.started = folder, perf_counter()
         self.agent = new_agent(s)
-        own = getattr(s, "experience", "shared") == "per_discount"
+        own = s.own_experience
         self.own_heads = np.arange(s.rings) if own else None
         seeds = np.random.SeedSequence(s.seed).generate_state(s.rings + 1)
         self.random = self.agent.random = np.random.default_rng(int(seeds[-1]))
@@ -140,7 +140,7 @@ class _Run:
             return
         fresh = np.flatnonzero(self.envs.fresh)
         if fresh.size:
-            share = getattr(self.settings, "head_exploration", 0.0)
+            share = self.settings.head_exploration
             others = self.random.integers(self.agent.heads, size=fresh.size)
             explores = self.random.random(fresh.size) < share
             self.heads[fresh] = np.where(explores, others, self.agent.acting_head)

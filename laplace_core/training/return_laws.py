@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 
 from laplace_core.agents.agent import Agent
-from laplace_core.agents.capabilities import HasGammaSpace
+from laplace_core.agents.capabilities import HasGammaSpace, HasReturnDistribution, HasTimeToGo
 from laplace_core.errors import InputError
 from laplace_core.inverse import decode
 from laplace_core.learned.returns import independent_steps_return, wasserstein
@@ -100,7 +100,7 @@ class SimulatedReturns:
 
 def has_return_law(agent: Agent) -> bool:
     """Whether an agent says something of the whole return."""
-    return hasattr(agent, "return_distribution") or hasattr(agent, "gamma_space")
+    return isinstance(agent, HasReturnDistribution | HasGammaSpace)
 
 
 def steps_until_cut(gamma: float) -> int:
@@ -118,7 +118,7 @@ def return_laws(
     """
     gamma = acting_gamma(agent)
     actions = range(agent.n_actions) if actions is None else actions
-    if hasattr(agent, "return_distribution"):
+    if isinstance(agent, HasReturnDistribution):
         locations, masses = agent.return_distribution(observation)
         kind = MEAN if locations.shape[1] == 1 else LEARNED
         return [ReturnLaw(kind, gamma, locations[action], masses[action]) for action in actions]
@@ -137,10 +137,10 @@ def said_along(agent: Agent, rollout: Rollout) -> dict[str, np.ndarray]:
         ``locations`` and ``masses`` ``(N, A, M)`` of learned returns; ``horizon_values`` ``(N, T, A)`` of an agent that
         knows the time to go; nothing for others, or if it were more than ``MOST_SAID`` numbers.
     """
-    if hasattr(agent, "horizon"):
+    if isinstance(agent, HasTimeToGo):
         names: tuple[str, ...] = ("horizon_values",)
         read: Callable[[np.ndarray], tuple[np.ndarray, ...]] = lambda some: (agent.action_values(some),)  # noqa: E731
-    elif hasattr(agent, "return_distributions"):
+    elif isinstance(agent, HasReturnDistribution):
         names, read = ("locations", "masses"), agent.return_distributions
     else:
         return {}

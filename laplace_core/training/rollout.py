@@ -18,7 +18,7 @@ import numpy as np
 import torch
 
 from laplace_core.agents.agent import Agent
-from laplace_core.agents.capabilities import HasGammaSpace
+from laplace_core.agents.capabilities import HasDiscounts, HasGammaSpace
 from laplace_core.errors import InputError
 from laplace_core.gamma_space import GammaSpace
 from laplace_core.ties import greedy_action
@@ -198,7 +198,7 @@ def nearest_head(agent: Agent, rule: str, gamma: float | None) -> tuple[int | No
     """
     if gamma is None:
         return None, None
-    if rule != "greedy" or not hasattr(agent, "gammas"):
+    if rule != "greedy" or not isinstance(agent, HasDiscounts):
         raise InputError("a discount can be chosen for the rule 'greedy' of an agent with many discounts only.")
     if not 0.0 < gamma < 1.0:
         raise InputError(f"the discount is {gamma}; it must lie between 0 and 1.")
@@ -208,7 +208,7 @@ def nearest_head(agent: Agent, rule: str, gamma: float | None) -> tuple[int | No
 
 def acting_gamma(agent: Agent) -> float:
     """The discount of the values that an agent is meant to act by."""
-    return float(agent.gammas[agent.acting_head] if hasattr(agent, "gammas") else agent.settings.gamma)
+    return float(agent.gammas[agent.acting_head] if isinstance(agent, HasDiscounts) else agent.settings.gamma)
 
 
 def _act(

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from laplace_core.agents.agent import Agent
-from laplace_core.agents.capabilities import HasGammaSpace
+from laplace_core.agents.capabilities import HasDiscounts, HasGammaSpace, HasTimeToGo
 from laplace_core.errors import InputError
 from laplace_core.gamma_space import GammaSpace
 from laplace_core.horizon import readout_weights, target_discounts
@@ -116,7 +116,7 @@ def decoded(agent: Agent, length: int | None, options: Options) -> Judge:
 
 def own(agent: Agent, length: int | None, options: Options) -> Judge:
     """Values for the time to go, of an agent that has learned it; beyond its longest one, for that."""
-    if not hasattr(agent, "horizon"):
+    if not isinstance(agent, HasTimeToGo):
         raise InputError("rule 'own' needs an agent that takes the time to go as an input: train fixed_horizon.")
     longest = agent.horizon
     return lambda observations, time: agent.action_values(
@@ -146,9 +146,9 @@ def suited(agent: Agent, horizon: int | None) -> str:
     """The rule by which an agent acts for a horizon if none is named."""
     if horizon is None:
         return "greedy"
-    if hasattr(agent, "horizon"):
+    if isinstance(agent, HasTimeToGo):
         return "own"
-    return "fading" if hasattr(agent, "gammas") else "greedy"
+    return "fading" if isinstance(agent, HasDiscounts) else "greedy"
 
 
 def _discounts(agent: Agent, length: int | None, rule: str) -> tuple[np.ndarray, int]:
@@ -157,7 +157,7 @@ def _discounts(agent: Agent, length: int | None, rule: str) -> tuple[np.ndarray,
     Raises:
         InputError: it has one discount only, or the episode has no end to go to.
     """
-    if not hasattr(agent, "gammas"):
+    if not isinstance(agent, HasDiscounts):
         raise InputError(f"rule {rule!r} needs an agent with many discounts.")
     if length is None:
         raise InputError(f"rule {rule!r} needs a horizon here: the environment has no time limit.")
