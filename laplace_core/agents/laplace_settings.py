@@ -17,12 +17,12 @@ from laplace_core.encoding import (
     sensitivity_grid,
 )
 from laplace_core.errors import InputError
+from laplace_core.learning import TARGET_POLICIES
 from laplace_core.parameters import choice, setting
 from laplace_core.settings import SLOPE_TIMES_SPACING
 
 NETWORKS = ("trunk", "network", "multiplexer")
 PARAMETRISATIONS = ("softmax", "accumulated", "clipped", "free")
-POLICIES = ("shared", "per_gamma")
 TERMINATIONS = ("plain", "auxiliary", "absorbing")
 EXPERIENCES = ("shared", "per_discount")
 
@@ -49,7 +49,7 @@ class LaplaceSettings(LoopSettings):
         1.0, 0, 2, "Power of 1 - gamma that weighs the consistency loss of a discount."
     )
     acting_share: float = setting(0.0, 0, 1, "Share of the acting discount in the loss; 0 is the same as the others'.")
-    target_policy: str = choice("shared", POLICIES, "Whose policy every discount evaluates.")
+    target_policy: str = choice("shared", TARGET_POLICIES, "Whose policy every discount evaluates.")
     acting_gamma: float = setting(0.99, 1e-6, 0.9999, "Discount whose greedy actions are taken; the nearest is used.")
     termination: str = choice("plain", TERMINATIONS, "What follows the end of an episode.")
     experience: str = choice("shared", EXPERIENCES, "Whether the discounts share one buffer.")
