@@ -11,7 +11,7 @@ import struct
 from collections.abc import Mapping
 from dataclasses import asdict
 from pathlib import Path
-from typing import Any, NoReturn
+from typing import Any
 
 import numpy as np
 
@@ -26,6 +26,7 @@ from laplace_core.learned.settings import (
     resolve_learning,
     table_shapes,
 )
+from laplace_core.strict_json import parse_json
 from laplace_core.worlds import PRESETS, World, dump_world, load_world, parse_world
 
 KIND, VERSION = "laplace learned", 1
@@ -146,34 +147,16 @@ def _header(content: bytes, name: str) -> dict[str, object]:
     length = struct.unpack("<Q", content[:8])[0]
     if not 2 <= length <= min(MAX_HEADER, len(content) - 8):
         raise InputError(f"{name} is not a .safetensors file, or it is cut short: its header does not fit.")
-    header = _json(content[8 : 8 + length], f"the header of {name}")
+    header = parse_json(content[8 : 8 + length], f"the header of {name}")
     if not isinstance(header, dict):
         raise InputError(f"the header of {name} is not one JSON object.")
     return header
 
 
-def _json(text: bytes | str, what: str) -> object:
-    def refuse(constant: str) -> NoReturn:
-        raise InputError(f"{what} contains {constant}; every number must be finite.")
-
-    def unique(pairs: list[tuple[str, object]]) -> dict[str, object]:
-        found = dict(pairs)
-        if len(found) < len(pairs):
-            raise InputError(f"{what} has an entry that stands twice.")
-        return found
-
-    try:
-        return json.loads(text, parse_constant=refuse, object_pairs_hook=unique)
-    except InputError:
-        raise
-    except (ValueError, RecursionError):  # no JSON, no UTF-8, too many digits, or nested without end
-        raise InputError(f"{what} is not JSON.") from None
-
-
 def _metadata(found: object, name: str) -> dict[str, object]:
     if not isinstance(found, dict) or not all(isinstance(value, str) for value in found.values()):
         raise InputError(f"{name} holds no agent learned here: its metadata is missing or no text.")
-    if _json(found.get("kind", "null"), "'kind'") != KIND:
+    if parse_json(found.get("kind", "null"), "'kind'") != KIND:
         raise InputError(f"{name} holds no agent learned here: its 'kind' is not {KIND!r}.")
     for key in _KEYS:
         if key not in found:
@@ -181,7 +164,7 @@ def _metadata(found: object, name: str) -> dict[str, object]:
     for key in found:
         if key not in _KEYS:
             raise InputError(f"the metadata of {name} has an unknown entry {key[:40]!r}.")
-    metadata = {key: _json(found[key], f"the metadata entry {key!r}") for key in _KEYS}
+    metadata = {key: parse_json(found[key], f"the metadata entry {key!r}") for key in _KEYS}
     if metadata["version"] != VERSION or isinstance(metadata["version"], bool):
         raise InputError(f"{name} was saved in version {str(metadata['version'])[:20]}; this reads {VERSION}.")
     return metadata

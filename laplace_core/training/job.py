@@ -9,10 +9,11 @@ from functools import lru_cache
 from pathlib import Path
 
 from laplace_core.agents.settings import LoopSettings
+from laplace_core.atomic import write_whole
 from laplace_core.errors import InputError
+from laplace_core.strict_json import parse_json
 from laplace_core.training.process import read_small
 from laplace_core.training.run_folder import RUN_NAME, settings_from_json
-from laplace_core.training.tensor_file import parse_json, write_whole
 
 _MOST_CONFIG = 100_000  # bytes
 _MOST_ERRORS = 1_000_000

@@ -12,8 +12,9 @@ from dataclasses import asdict, dataclass
 from functools import cache
 from pathlib import Path
 
+from laplace_core.atomic import write_whole
 from laplace_core.errors import InputError
-from laplace_core.training.tensor_file import parse_json, write_whole
+from laplace_core.strict_json import parse_json
 
 PATIENCE = 1.5
 """Seconds that a process is given to end after SIGTERM, before it is killed."""

@@ -17,11 +17,13 @@ from typing import Any, TextIO
 import numpy as np
 
 from laplace_core.agents.settings import SETTINGS, LoopSettings
+from laplace_core.atomic import write_whole
 from laplace_core.errors import InputError
+from laplace_core.strict_json import parse_json
 from laplace_core.training.events import Event
 from laplace_core.training.process import FILE as PROCESS
 from laplace_core.training.process import Process, read_process, write_process
-from laplace_core.training.tensor_file import parse_json, read_tensors, write_tensors, write_whole
+from laplace_core.training.tensor_file import read_tensors, write_tensors
 
 MAX_RESUME_BYTES = 4_000_000_000
 RUN_NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]{0,120}")

@@ -16,24 +16,13 @@ from typing import Any
 import numpy as np
 import safetensors.numpy
 
-from laplace_core.atomic import atomic_write
+from laplace_core.atomic import write_whole
 from laplace_core.errors import InputError
+from laplace_core.strict_json import parse_json
 
 MAX_HEADER = 1_000_000  # bytes; a header has some hundred per array
 _WIDTHS = {"BOOL": 1, "I32": 4, "I64": 8, "F32": 4, "F64": 8}
 _KEY = "laplace"
-
-
-def write_whole(path: Path, data: bytes) -> None:
-    """Put ``data`` at ``path`` so that a reader sees the old file or the new one, whatever happens in between.
-
-    Raises:
-        InputError: the folder is missing, full or not writable.
-    """
-    with atomic_write(path) as file:
-        file.write(data)
-        file.flush()
-        os.fsync(file.fileno())
 
 
 def write_tensors(path: Path, arrays: dict[str, np.ndarray], about: dict[str, Any]) -> None:
@@ -91,29 +80,6 @@ def _header(data: bytes, name: str) -> dict[str, Any]:
     if not isinstance(header, dict):
         raise InputError(f"the header of {name!r} is not a JSON object.")
     return header
-
-
-def parse_json(text: bytes | str, what: str) -> Any:
-    """Strict JSON: no NaN, no name twice in an object, no absurd nesting.
-
-    Raises:
-        InputError: naming ``what``.
-    """
-    try:
-        return json.loads(text, object_pairs_hook=_object, parse_constant=_refuse)
-    except (ValueError, RecursionError):
-        raise InputError(f"{what} is not proper JSON.") from None
-
-
-def _object(pairs: list[tuple[str, object]]) -> dict[str, Any]:
-    found = dict(pairs)
-    if len(found) < len(pairs):
-        raise ValueError("a name comes twice")
-    return found
-
-
-def _refuse(constant: str) -> None:
-    raise ValueError(constant)
 
 
 def _about(metadata: object, name: str) -> dict[str, Any]:
