@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 import torch
 
-from laplace_core import __version__
+from laplace_core import __version__, atomic
 from laplace_core.agents import LaplaceSettings
 from laplace_core.errors import InputError
 from laplace_core.strict_json import parse_json
@@ -54,7 +54,7 @@ def test_a_failed_write_leaves_the_old_file_and_no_other(tmp_path, good, monkeyp
     def fail(*_):
         raise OSError(28, "No space left on device")
 
-    monkeypatch.setattr(tensor_file.os, "replace", fail)
+    monkeypatch.setattr(atomic.os, "replace", fail)
     with pytest.raises(InputError, match="no space left on device"):
         save_checkpoint(path, new_agent(TINY), 1, None)
     assert path.read_bytes() == good
