@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import threading
 from collections import OrderedDict
-from collections.abc import Callable, Hashable, Iterator
+from collections.abc import Callable, Hashable
 from typing import Any, Generic, TypeVar
 
 from app.background import Work
@@ -48,12 +48,6 @@ class Shelf(Generic[Kind]):
             while self._kept:
                 self._kept.popitem()[1].cancel()
 
-    def keys(self) -> list[Any]:
-        """The oldest first."""
-        return list(self._kept)
-
-    def __len__(self) -> int:
-        return len(self._kept)
-
-    def __iter__(self) -> Iterator[Kind]:
-        return iter(list(self._kept.values()))
+    def items(self) -> list[tuple[Any, Kind]]:
+        """Keys and their work, the oldest first."""
+        return list(self._kept.items())
