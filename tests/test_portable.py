@@ -63,7 +63,8 @@ SUPERVISED = """
 import pathlib, time
 from laplace_core.supervise import Process, read_process
 from laplace_core.training.queue import Queue
-from tests.quick_runs import SMALL
+from tests.quick_runs import SMALL, until
+from laplace_core.training.curves import Reader
 from laplace_core import load_world
 from laplace_core.learned import LearnSettings, start
 from app import training_runs
@@ -72,6 +73,8 @@ runs = Queue(sys.argv[1])
 name = runs.add(SMALL)
 while (process := read_process(runs.folder / name)) is None:
     time.sleep(0.02)
+until(lambda: (runs.folder / name / "metrics.jsonl").exists() or runs.get(name).error)
+Reader(runs.folder / name / "metrics.jsonl").look()
 runs.stop(name)
 assert not process.alive
 folder = pathlib.Path(sys.argv[1], "learner")

@@ -17,6 +17,10 @@ from laplace_core.strict_json import parse_json
 from laplace_core.supervise.process import Process
 
 FILE = "process.json"
+PLAIN = os.O_RDONLY
+"""Flags to open a file in a folder of ours: no link is followed, no pipe waited for, where the system knows of them."""
+for _flag in ("O_NOFOLLOW", "O_NONBLOCK", "O_BINARY"):
+    PLAIN |= getattr(os, _flag, 0)
 _MOST_BYTES = 10_000
 _MOST_ERRORS = 1_000_000
 
@@ -55,9 +59,8 @@ def _started_in_0_2(word: str) -> float:
 
 def read_small(path: Path, most: int) -> str | None:
     """The text of a plain file of at most ``most`` bytes; None for anything else, a link or a pipe among it."""
-    flags = os.O_RDONLY | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0)
     try:
-        handle = os.open(path, flags)
+        handle = os.open(path, PLAIN)
         try:
             data = os.read(handle, most + 1) if stat.S_ISREG(os.fstat(handle).st_mode) else None
         finally:

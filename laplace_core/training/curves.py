@@ -17,6 +17,8 @@ from pathlib import Path
 
 import numpy as np
 
+from laplace_core.supervise import PLAIN
+
 MOST_POINTS = 1024
 """Points of a curve; when there are more, neighbours are merged."""
 MOST_EVALUATIONS = 512
@@ -86,7 +88,7 @@ class Reader:
     def _new(self) -> bytes:
         """Whole lines that were not read yet, at most ``_AT_ONCE`` bytes of them."""
         try:
-            handle = os.open(self.path, os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK)
+            handle = os.open(self.path, PLAIN)
         except OSError:  # not there yet, or removed
             self._restart()
             return b""
