@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import threading
-from collections import OrderedDict
 from dataclasses import replace
 from typing import Any
 from weakref import WeakKeyDictionary
@@ -12,13 +11,13 @@ import numpy as np
 
 from app.background import Told, Work
 from app.rollouts import Rolling
+from app.shelf import Shelf
 from app.sources import View
-from laplace_core.settings import Resolved
 from laplace_core.training.flags import Flags, flag_steps
 
 MOST_KEPT = 8
 """Searches for one rollout, of some kilobytes each; they go when it goes."""
-_kept: WeakKeyDictionary[Rolling, OrderedDict[tuple[Resolved, int], Work[Flags]]] = WeakKeyDictionary()
+_kept: WeakKeyDictionary[Rolling, Shelf[Work[Flags]]] = WeakKeyDictionary()
 _lock = threading.Lock()
 
 
@@ -32,13 +31,8 @@ def flagging(rolling: Rolling, view: View) -> Work[Flags]:
         return flag_steps(rollout, settings, added, told)
 
     with _lock:
-        kept = _kept.setdefault(rolling, OrderedDict())
-        if key not in kept or kept[key].gone:
-            kept[key] = Work(make)
-        kept.move_to_end(key)
-        while len(kept) > MOST_KEPT:
-            kept.popitem(last=False)[1].cancel()
-        return kept[key]
+        shelf = _kept.setdefault(rolling, Shelf(MOST_KEPT))
+    return shelf.take(key, lambda: Work(make))
 
 
 def for_player(flags: Flags, alpha: float) -> dict[str, Any]:

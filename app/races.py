@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-import threading
-from collections import OrderedDict
-from collections.abc import Callable, Hashable
 from dataclasses import dataclass
-from typing import Any, TypeVar
+from typing import Any
 
 from app.background import Told, Work
+from app.shelf import Shelf
 from app.track.payload import payload
 from laplace_core.agents.settings import GYMNASIUM_ENVIRONMENTS
 from laplace_core.training.checkpoint import Loaded
@@ -63,27 +61,15 @@ class Field(Work[tuple[Races, dict[str, Any]]]):
         super().__init__(make)
 
 
-_racing: OrderedDict[Hashable, Racing] = OrderedDict()
-_fields: OrderedDict[Hashable, Field] = OrderedDict()
-_lock = threading.Lock()
-_Kind = TypeVar("_Kind", Racing, Field)
+_racing: Shelf[Racing] = Shelf(MOST_KEPT)
+_fields: Shelf[Field] = Shelf(MOST_KEPT)
 
 
 def racing(control: Control, start: int) -> Racing:
     """The race of a control from a start: the one there is, or a new one; the oldest makes room."""
-    return _kept(_racing, (control, start), lambda: Racing(control, start))
+    return _racing.take((control, start), lambda: Racing(control, start))
 
 
 def field(control: Control, count: int) -> Field:
     """The races of a control from the first so many starts."""
-    return _kept(_fields, (control, count), lambda: Field(control, count))
-
-
-def _kept(shelf: OrderedDict[Hashable, _Kind], key: Hashable, make: Callable[[], _Kind]) -> _Kind:
-    with _lock:
-        if key not in shelf or shelf[key].gone:
-            shelf[key] = make()
-        shelf.move_to_end(key)
-        while len(shelf) > MOST_KEPT:
-            shelf.popitem(last=False)[1].cancel()
-        return shelf[key]
+    return _fields.take((control, count), lambda: Field(control, count))

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import threading
-from collections import OrderedDict
 from collections.abc import Sequence
 
 from app import checkpoints
 from app.background import Told, Work
+from app.shelf import Shelf
 from laplace_core.agents.agent import Agent
 from laplace_core.training.checkpoint import Loaded
 from laplace_core.training.return_laws import SimulatedReturns, has_return_law, simulate_returns
@@ -19,8 +18,7 @@ BESIDE = ("laplace", "c51", "qrdqn", "expectile")
 """Algorithms whose shipped agents stand beside the opened one: those that say more than a mean."""
 
 Returned = Work[tuple[SimulatedReturns, ...]]
-_kept: OrderedDict[tuple, Returned] = OrderedDict()
-_lock = threading.Lock()
+_kept: Shelf[Returned] = Shelf(MOST_KEPT)
 
 
 def beside(loaded: Loaded) -> list[Loaded]:
@@ -41,8 +39,7 @@ def _key(agents: Sequence[Loaded], rollout: Rollout, step: int, action: int) -> 
 
 def found(agents: Sequence[Loaded], rollout: Rollout, step: int, action: int) -> Returned | None:
     """The simulation for this state and first action, if one was begun."""
-    one = _kept.get(_key(agents, rollout, step, action))
-    return None if one is None or one.gone else one
+    return _kept.get(_key(agents, rollout, step, action))
 
 
 def begin(agents: Sequence[Loaded], rollout: Rollout, step: int, action: int) -> None:
@@ -57,9 +54,4 @@ def begin(agents: Sequence[Loaded], rollout: Rollout, step: int, action: int) ->
 
         return tuple(simulate_returns(each.agent, rollout, step, action, told=of(i)) for i, each in enumerate(agents))
 
-    with _lock:
-        if key not in _kept or _kept[key].gone:
-            _kept[key] = Work(make)
-        _kept.move_to_end(key)
-        while len(_kept) > MOST_KEPT:
-            _kept.popitem(last=False)[1].cancel()
+    _kept.take(key, lambda: Work(make))

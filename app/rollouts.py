@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-import threading
-from collections import OrderedDict
 from dataclasses import dataclass
 
 import numpy as np
 
 from app.background import Told, Work
 from app.player.payload import payload
-from laplace_core.agents.agent import Agent
+from app.shelf import Shelf
 from laplace_core.agents.settings import GYMNASIUM_ENVIRONMENTS
 from laplace_core.training.checkpoint import Loaded
 from laplace_core.training.return_laws import said_along
@@ -69,20 +67,16 @@ class Rolling(Work[tuple[Rollout, bytes, dict[str, np.ndarray]]]):
         return self.rollout().bytes + len(self.packed()) + sum(array.nbytes for array in self.said().values())
 
 
-_kept: OrderedDict[tuple[Agent, Control], Rolling] = OrderedDict()
-_lock = threading.Lock()
+def _too_large(kept: list[Rolling]) -> bool:
+    return sum(one.bytes for one in kept) > MOST_BYTES
+
+
+_kept: Shelf[Rolling] = Shelf(MOST_KEPT, _too_large)
 
 
 def rolling(loaded: Loaded, control: Control) -> Rolling:
     """The rollout of an agent under a control: the one there is, or a new one; the oldest makes room."""
-    key = loaded.agent, control
-    with _lock:
-        if key not in _kept or _kept[key].gone:
-            _kept[key] = Rolling(loaded, control)
-        _kept.move_to_end(key)
-        while len(_kept) > 1 and (len(_kept) > MOST_KEPT or sum(one.bytes for one in _kept.values()) > MOST_BYTES):
-            _kept.popitem(last=False)[1].cancel()
-        return _kept[key]
+    return _kept.take((loaded.agent, control), lambda: Rolling(loaded, control))
 
 
 def most_steps(loaded: Loaded) -> int:

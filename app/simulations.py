@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import threading
-from collections import OrderedDict
 from functools import lru_cache
 
 from app.background import Told, Work
 from app.lens.payload import Simulated
+from app.shelf import Shelf
 from laplace_core.agents.agent import Agent
 from laplace_core.training import environments
 from laplace_core.training.checkpoint import Loaded
@@ -21,8 +20,7 @@ COUNT, EPISODES, EACH = 100, 20, 10
 STEPS = 200
 
 Simulation = Work[Continuations | Outcomes]
-_kept: OrderedDict[tuple, Simulation] = OrderedDict()
-_lock = threading.Lock()
+_kept: Shelf[Simulation] = Shelf(MOST_KEPT)
 
 
 def _key(loaded: Loaded, rollout: Rollout, step: int, action: int, own: bool) -> tuple[Agent | Rollout | object, ...]:
@@ -33,8 +31,7 @@ def _key(loaded: Loaded, rollout: Rollout, step: int, action: int, own: bool) ->
 
 def found(loaded: Loaded, rollout: Rollout, step: int, action: int, own: bool) -> Simulation | None:
     """The simulation for this state and first action, if one was begun; ``own``: under the rollout's own rule."""
-    one = _kept.get(_key(loaded, rollout, step, action, own))
-    return None if one is None or one.gone else one
+    return _kept.get(_key(loaded, rollout, step, action, own))
 
 
 def begin(loaded: Loaded, rollout: Rollout, step: int, action: int, own: bool) -> None:
@@ -47,12 +44,7 @@ def begin(loaded: Loaded, rollout: Rollout, step: int, action: int, own: bool) -
         like = rollout if own else None
         return outcomes_of_states(loaded.agent, loaded.environment, EPISODES, EACH, STEPS, like=like, told=told)
 
-    with _lock:
-        if key not in _kept or _kept[key].gone:
-            _kept[key] = Work(make)
-        _kept.move_to_end(key)
-        while len(_kept) > MOST_KEPT:
-            _kept.popitem(last=False)[1].cancel()
+    _kept.take(key, lambda: Work(make))
 
 
 @lru_cache(maxsize=MOST_KEPT)

@@ -31,11 +31,12 @@ def folder() -> Path:
 @cache
 def _temporary() -> Path:
     """The same after a restart of the server, unless somebody else has taken its name."""
-    wanted = Path(tempfile.gettempdir()) / f"laplace_runs_{os.getuid()}"
+    user = os.getuid() if hasattr(os, "getuid") else 0  # where users have no numbers, each has a folder of their own
+    wanted = Path(tempfile.gettempdir()) / f"laplace_runs_{user}"
     try:
         wanted.mkdir(mode=0o700, exist_ok=True)
         found = wanted.lstat()
-        if stat.S_ISDIR(found.st_mode) and found.st_uid == os.getuid():
+        if stat.S_ISDIR(found.st_mode) and found.st_uid == user:
             return wanted
     except OSError:
         pass

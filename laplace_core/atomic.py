@@ -41,5 +41,17 @@ def atomic_write(path: str | Path) -> Iterator[BinaryIO]:
         raise
 
 
+def write_whole(path: Path, data: bytes) -> None:
+    """Put ``data`` at ``path`` so that a reader sees the old file or the new one, whatever happens in between.
+
+    Raises:
+        InputError: the folder is missing, full or not writable.
+    """
+    with atomic_write(path) as file:
+        file.write(data)
+        file.flush()
+        os.fsync(file.fileno())
+
+
 def _refusal(path: Path, error: OSError) -> InputError:
     return InputError(f"{path} cannot be written: {(error.strerror or 'unknown error').lower()}.")

@@ -9,8 +9,8 @@ from dataclasses import replace
 from pathlib import Path
 
 from laplace_core.agents import LaplaceSettings
+from laplace_core.supervise import Process, read_process
 from laplace_core.training import queue
-from laplace_core.training.process import Process, read_process
 from laplace_core.training.queue import Queue
 
 SMALL = LaplaceSettings(

@@ -15,12 +15,12 @@ import pytest
 
 from laplace_core.agents import LaplaceSettings
 from laplace_core.errors import InputError
+from laplace_core.supervise import Process, read_process
 from laplace_core.training import environments
 from laplace_core.training.checkpoint import load_checkpoint
 from laplace_core.training.evaluation import evaluate
 from laplace_core.training.events import Checkpoint, Episode, Evaluation, Resumed, Step
 from laplace_core.training.loop import train
-from laplace_core.training.process import Process, read_process
 from laplace_core.training.replay import Replay
 from laplace_core.training.run_folder import read_config, read_metrics
 from laplace_core.training.tensor_file import read_tensors, write_tensors
@@ -37,7 +37,7 @@ from laplace_core.agents import LaplaceSettings
 from laplace_core.training.evaluation import evaluate
 from laplace_core.training.events import Step
 from laplace_core.training.loop import train
-from laplace_core.training.process import Process, read_process
+from laplace_core.supervise import Process, read_process
 for event in train(LaplaceSettings.parse(json.loads(sys.argv[1])), sys.argv[2]):
     if not isinstance(event, Step):
         print(type(event).__name__, getattr(event, "path", ""), flush=True)
@@ -321,6 +321,6 @@ def test_an_evaluation_tells_what_was_expected_at_every_discount(whole):
 def test_progress_and_process_are_noted_while_a_run_is_trained(tmp_path):
     events = train(TINY, tmp_path / "run")
     next(events)
-    assert read_process(tmp_path / "run") == Process.of(os.getpid())
+    assert Process.of(os.getpid()).same(read_process(tmp_path / "run"))
     events.close()
     assert read_process(tmp_path / "run") is None

@@ -11,12 +11,14 @@ import numpy as np
 import pytest
 import torch
 
-from laplace_core import __version__
+from laplace_core import __version__, atomic
 from laplace_core.agents import LaplaceSettings
 from laplace_core.errors import InputError
+from laplace_core.strict_json import parse_json
 from laplace_core.training import tensor_file
 from laplace_core.training.checkpoint import MAX_BYTES, load_checkpoint, new_agent, save_checkpoint
 from laplace_core.training.command import settings_of
+from tests.hostile import assert_one_sentence
 
 FILES = Path(tensor_file.__file__).parent / "settings"
 TINY = LaplaceSettings(hidden=4, features=2, gammas=2, thetas=3, seed=7)
@@ -52,17 +54,28 @@ def test_a_failed_write_leaves_the_old_file_and_no_other(tmp_path, good, monkeyp
     def fail(*_):
         raise OSError(28, "No space left on device")
 
-    monkeypatch.setattr(tensor_file.os, "replace", fail)
+    monkeypatch.setattr(atomic.os, "replace", fail)
     with pytest.raises(InputError, match="no space left on device"):
         save_checkpoint(path, new_agent(TINY), 1, None)
     assert path.read_bytes() == good
     assert os.listdir(tmp_path) == ["agent.safetensors"]
 
 
-@pytest.mark.parametrize("text", ['{"a": 1, "a": 2}', '{"a": NaN}', "[" * 100_000, "{", b"\xff"])
-def test_json_is_read_strictly(text):
-    with pytest.raises(InputError, match="the text is not proper JSON"):
-        tensor_file.parse_json(text, "the text")
+@pytest.mark.parametrize(
+    ("text", "named"),
+    [
+        ('{"a": 1, "a": 2}', "'a' stands twice"),
+        ('{"a": NaN}', "contains NaN"),
+        ("[" * 100_000, "nested too deeply"),
+        ('{"a": ' + "9" * 10_000 + "}", "too many digits"),
+        ("{", "not JSON"),
+        (b"\xff", "not UTF-8"),
+    ],
+)
+def test_json_is_read_strictly(text, named):
+    with pytest.raises(InputError) as refused:
+        parse_json(text, "the text")
+    assert_one_sentence(str(refused.value), "the text", named)
 
 
 # Settings files

@@ -188,3 +188,15 @@ def test_a_table_holds_every_episode_and_evaluation(file):
     assert [float(row["episode_return"]) for row in rows if row["episode_return"]] == [3, 5, 10, 2]
     assert rows[2]["score"] == "4.0"
     assert rows[2]["length"] == ""
+
+
+def test_a_table_is_written_byte_by_byte_as_ever_and_text_with_a_comma_is_one_cell(file):
+    file.write_text(
+        episode(1, 3.0) + evaluation(10, 4.0) + '{"event": "Episode", "step": 1e-7, "loss": "a,b", "length": [1, 2]}\n'
+    )
+    assert metrics_csv(file) == (
+        b"event,step,episode,head,episode_return,length,truncated,epsilon,loss,score,standard_error,episodes,best,seconds\n"
+        b"Episode,10,1,0,3.0,10,False,0.1,,,,,,1.0\n"
+        b"Evaluation,10,,,,,,,,4.0,0.5,20,False,1.0\n"
+        b'Episode,1e-07,,,,"[1, 2]",,,"a,b",,,,,\n'
+    )

@@ -14,9 +14,9 @@ from pathlib import Path
 import pytest
 
 from laplace_core.errors import InputError
+from laplace_core.supervise import Process, read_process, write_process
 from laplace_core.training import queue
 from laplace_core.training.loop import train
-from laplace_core.training.process import Process, read_process, write_process
 from laplace_core.training.progress import read_progress
 from laplace_core.training.queue import FAILED, FINISHED, STOPPED, TRAINING, WAITING, Queue
 from laplace_core.training.run_folder import new_run, read_metrics
@@ -257,7 +257,8 @@ def test_a_real_run_that_was_stopped_and_resumed_is_one_that_was_not(tmp_path):
     list(train(settings, tmp_path / "whole"))
     name = runs.add(settings)
     folder = runs.folder / name
-    until(lambda: (note := read_progress(folder)) and note.step > 0)
+    # The first step that learns loads parts of torch, which may take longer than a process is given to end.
+    until(lambda: (note := read_progress(folder)) and note.step > settings.learning_starts)
     assert runs.get(name).state == TRAINING
     runs.stop(name)
     assert runs.get(name).state == STOPPED

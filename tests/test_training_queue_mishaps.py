@@ -7,11 +7,12 @@ import shutil
 import subprocess
 import sys
 import threading
+import time
 
 import pytest
 
 from laplace_core.errors import InputError
-from laplace_core.training.process import Process, read_process, write_process
+from laplace_core.supervise import Process, read_process, write_process
 from laplace_core.training.progress import read_progress
 from laplace_core.training.queue import FAILED, STOPPED, TRAINING, WAITING, Queue
 from laplace_core.training.run_folder import new_run
@@ -154,7 +155,7 @@ def test_a_number_given_out_anew_is_not_taken_for_the_process_of_a_run(still_run
     other = subprocess.Popen([sys.executable, "-c", "import time; time.sleep(60)"])
     try:
         assert Process.of(other.pid).alive
-        write_process(still_runs.folder / "one", Process(other.pid, "another time"))
+        write_process(still_runs.folder / "one", Process(other.pid, time.time() - 3600))
         assert still_runs.get("one").state == STOPPED
         still_runs.stop("one")
         assert other.poll() is None

@@ -16,11 +16,12 @@ from typing import Any
 import numpy as np
 
 from laplace_core.agents.settings import LoopSettings
+from laplace_core.atomic import write_whole
 from laplace_core.errors import InputError
 from laplace_core.experiments import training
+from laplace_core.strict_json import parse_json
 from laplace_core.training.command import settings_of
 from laplace_core.training.run_folder import read_metrics
-from laplace_core.training.tensor_file import parse_json, write_whole
 
 MANIFEST = "manifest.json"
 PICKED, ALONE = "median score over the seeds", "the only seed"

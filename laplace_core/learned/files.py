@@ -7,11 +7,9 @@ Tensors: ``table_shapes`` names them; tables are float32, values float64. Metada
 from __future__ import annotations
 
 import json
-import struct
 from collections.abc import Mapping
 from dataclasses import asdict
 from pathlib import Path
-from typing import Any, NoReturn
 
 import numpy as np
 
@@ -26,6 +24,8 @@ from laplace_core.learned.settings import (
     resolve_learning,
     table_shapes,
 )
+from laplace_core.strict_json import parse_json
+from laplace_core.tensors import parse_tensor_file, read_bytes
 from laplace_core.worlds import PRESETS, World, dump_world, load_world, parse_world
 
 KIND, VERSION = "laplace learned", 1
@@ -104,14 +104,7 @@ def read_learned(path: str | Path, limit: int = MAX_BYTES) -> Learned:
         InputError: missing, larger than ``limit`` bytes, or in any way not such a file.
     """
     path = Path(path)
-    try:
-        with path.open("rb") as file:
-            content = file.read(limit + 1)
-    except OSError as error:
-        raise InputError(f"{path.name} cannot be read: {(error.strerror or 'unknown error').lower()}.") from None
-    except ValueError:
-        raise InputError(f"{path.name!r} cannot be the name of a file.") from None
-    return parse_learned(content, path.name, limit)
+    return parse_learned(read_bytes(path, path.name, most_bytes=limit), path.name, limit)
 
 
 def parse_learned(content: bytes, name: str = "the file", limit: int = MAX_BYTES) -> Learned:
@@ -123,16 +116,15 @@ def parse_learned(content: bytes, name: str = "the file", limit: int = MAX_BYTES
     Raises:
         InputError: not such a file; the sentence names the entry at fault.
     """
-    if len(content) > limit:
-        raise InputError(f"{name} is larger than {limit / 1e6:g} MB; a learned agent is not.")
-    header = _header(content, name)
-    metadata = _metadata(header.pop("__metadata__", None), name)
+    file = parse_tensor_file(content, name, most_bytes=limit, most_header=MAX_HEADER)
+    metadata = _metadata(file.metadata, name)
     world = _world(metadata["world"])
     settings = _settings(metadata["settings"], world)
     curves = _curves(metadata["curves"], settings)
     if not isinstance(metadata["finished"], bool):
         raise InputError("'finished' must be true or false.")
-    tensors = _tensors(content, header, table_shapes(settings, world))
+    shapes = {key: (_DTYPES.get(key, "F32"), shape) for key, shape in table_shapes(settings, world).items()}
+    tensors = file.load(tuple(_NUMPY), shapes)
     low, high = bounds_of(world, settings) if settings.peers else (0.0, 0.0)
     _check_ranges(tensors, world, settings, low, high)
     basis, acting_values = tensors.pop("basis"), tensors.pop("acting_values")
@@ -140,40 +132,8 @@ def parse_learned(content: bytes, name: str = "the file", limit: int = MAX_BYTES
     return Learned(world, settings, basis, acting_values, curves, metadata["finished"], peers)
 
 
-def _header(content: bytes, name: str) -> dict[str, object]:
-    if len(content) < 8:
-        raise InputError(f"{name} is not a .safetensors file: it has {len(content)} bytes.")
-    length = struct.unpack("<Q", content[:8])[0]
-    if not 2 <= length <= min(MAX_HEADER, len(content) - 8):
-        raise InputError(f"{name} is not a .safetensors file, or it is cut short: its header does not fit.")
-    header = _json(content[8 : 8 + length], f"the header of {name}")
-    if not isinstance(header, dict):
-        raise InputError(f"the header of {name} is not one JSON object.")
-    return header
-
-
-def _json(text: bytes | str, what: str) -> object:
-    def refuse(constant: str) -> NoReturn:
-        raise InputError(f"{what} contains {constant}; every number must be finite.")
-
-    def unique(pairs: list[tuple[str, object]]) -> dict[str, object]:
-        found = dict(pairs)
-        if len(found) < len(pairs):
-            raise InputError(f"{what} has an entry that stands twice.")
-        return found
-
-    try:
-        return json.loads(text, parse_constant=refuse, object_pairs_hook=unique)
-    except InputError:
-        raise
-    except (ValueError, RecursionError):  # no JSON, no UTF-8, too many digits, or nested without end
-        raise InputError(f"{what} is not JSON.") from None
-
-
-def _metadata(found: object, name: str) -> dict[str, object]:
-    if not isinstance(found, dict) or not all(isinstance(value, str) for value in found.values()):
-        raise InputError(f"{name} holds no agent learned here: its metadata is missing or no text.")
-    if _json(found.get("kind", "null"), "'kind'") != KIND:
+def _metadata(found: Mapping[str, str], name: str) -> dict[str, object]:
+    if parse_json(found.get("kind", "null"), "'kind'") != KIND:
         raise InputError(f"{name} holds no agent learned here: its 'kind' is not {KIND!r}.")
     for key in _KEYS:
         if key not in found:
@@ -181,7 +141,7 @@ def _metadata(found: object, name: str) -> dict[str, object]:
     for key in found:
         if key not in _KEYS:
             raise InputError(f"the metadata of {name} has an unknown entry {key[:40]!r}.")
-    metadata = {key: _json(found[key], f"the metadata entry {key!r}") for key in _KEYS}
+    metadata = {key: parse_json(found[key], f"the metadata entry {key!r}") for key in _KEYS}
     if metadata["version"] != VERSION or isinstance(metadata["version"], bool):
         raise InputError(f"{name} was saved in version {str(metadata['version'])[:20]}; this reads {VERSION}.")
     return metadata
@@ -231,30 +191,6 @@ def _curves(entry: object, settings: ResolvedLearning) -> tuple[Mapping[str, np.
             raise InputError(f"the curve 'episode' must increase and end at {settings.episodes:,} at most.")
         curves.append(arrays)
     return tuple(curves)
-
-
-def _tensors(content: bytes, header: dict[str, Any], shapes: dict[str, tuple[int, ...]]) -> dict[str, np.ndarray]:
-    """The tensors named in ``shapes`` and no others, each of its type and shape, back to back in the file."""
-    from safetensors import SafetensorError
-    from safetensors.numpy import load
-
-    for name in header:
-        if name not in shapes:
-            raise InputError(f"there is an unknown tensor {name[:40]!r}; known are {', '.join(shapes)}.")
-    for name, shape in shapes.items():
-        if name not in header:
-            raise InputError(f"the tensor {name!r} is missing.")
-        entry, dtype = header[name], _DTYPES.get(name, "F32")
-        if not isinstance(entry, dict) or set(entry) != {"dtype", "shape", "data_offsets"}:
-            raise InputError(f"the tensor {name!r} must have dtype, shape and data_offsets.")
-        if entry["dtype"] != dtype:
-            raise InputError(f"the tensor {name!r} is {str(entry['dtype'])[:20]}; it must be {dtype}.")
-        if entry["shape"] != list(shape):
-            raise InputError(f"the tensor {name!r} has shape {str(entry['shape'])[:60]}; it must be {list(shape)}.")
-    try:
-        return {name: np.array(array) for name, array in load(content).items()}
-    except (SafetensorError, ValueError, KeyError, OverflowError):
-        raise InputError("the tensors do not lie in the file as its header says; save it again.") from None
 
 
 def _check_ranges(

@@ -6,26 +6,26 @@ preset, lines of progress, and a snapshot that is always whole.
 
 from __future__ import annotations
 
+import contextlib
 import json
 import os
-import signal
 import subprocess
 import sys
 import threading
 from pathlib import Path
 
-import laplace_core
+from laplace_core import supervise
 from laplace_core.errors import InputError
 from laplace_core.learned.files import read_learned
 from laplace_core.learned.model import Learned
 from laplace_core.learned.settings import LEARN_SCHEMA, LearnSettings, resolve_learning
 from laplace_core.parameters import as_text
 from laplace_core.settings import flag
+from laplace_core.supervise import last_line, refusal_in
 from laplace_core.worlds import World, dump_world, load_world, parse_world
 
 PATIENCE = 0.7
-"""Seconds that a process is given to end after SIGTERM, before it is killed."""
-_ONE_THREAD = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"), "1")
+"""Seconds that a process is given to end when it is asked to, before it is killed."""
 
 
 def start(world: World | str, settings: LearnSettings, folder: str | Path) -> Run:
@@ -51,16 +51,7 @@ def start(world: World | str, settings: LearnSettings, folder: str | Path) -> Ru
             words += [flag(parameter), as_text(getattr(settings, parameter.name))]
         files = [folder / name for name in ("learned.safetensors", "progress.jsonl", "errors.txt")]
         words += ["--out", str(files[0]), "--progress", str(files[1]), "--parent", str(os.getpid())]
-        with files[2].open("wb") as errors:
-            process = subprocess.Popen(
-                [sys.executable, "-m", "laplace_core", "learn", *words],
-                stdin=subprocess.DEVNULL,
-                stdout=subprocess.DEVNULL,
-                stderr=errors,
-                cwd=Path(laplace_core.__file__).parents[1],  # where -m finds this very package
-                env=os.environ | _ONE_THREAD,
-                start_new_session=True,
-            )
+        process = supervise.start([sys.executable, "-m", "laplace_core", "learn", *words], files[2])
     except OSError as error:
         raise InputError(f"learning cannot start: {(error.strerror or 'unknown error').lower()}.") from None
     return Run(process, *files)
@@ -106,10 +97,7 @@ class Run:
         status = self._process.poll()
         if status in (None, 0) or self._cancelled:
             return None
-        lines = self._errors.read_text(encoding="utf-8", errors="replace").strip().splitlines()
-        if lines and lines[-1].startswith("laplace: "):
-            return lines[-1].removeprefix("laplace: ")
-        return (
+        return refusal_in(last_line(self._errors)) or (
             f"learning ended unexpectedly, with status {status}; start it again, with fewer seeds if memory was short."
         )
 
@@ -149,12 +137,6 @@ class Run:
         if self.finished:
             return
         self._cancelled = True
-        for number in (signal.SIGTERM, signal.SIGKILL):
-            try:
-                os.killpg(self._process.pid, number)
-                self._process.wait(PATIENCE)
-            except ProcessLookupError:
-                self._process.wait(PATIENCE)
-            except subprocess.TimeoutExpired:
-                continue
-            return
+        supervise.Process.of(self._process.pid).end(PATIENCE)
+        with contextlib.suppress(subprocess.TimeoutExpired):
+            self._process.wait(PATIENCE)

@@ -5,6 +5,8 @@ A file of any length costs a look a bounded number of bytes; what is still ahead
 
 from __future__ import annotations
 
+import csv
+import io
 import json
 import math
 import os
@@ -14,6 +16,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
+
+from laplace_core.supervise import PLAIN
 
 MOST_POINTS = 1024
 """Points of a curve; when there are more, neighbours are merged."""
@@ -84,7 +88,7 @@ class Reader:
     def _new(self) -> bytes:
         """Whole lines that were not read yet, at most ``_AT_ONCE`` bytes of them."""
         try:
-            handle = os.open(self.path, os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK)
+            handle = os.open(self.path, PLAIN)
         except OSError:  # not there yet, or removed
             self._restart()
             return b""
@@ -180,13 +184,15 @@ def metrics_csv(path: str | Path) -> bytes:
     """Episodes and evaluations of a run, a row each; what an event does not have is left empty."""
     columns = ("event", "step", "episode", "head", "episode_return", "length", "truncated", "epsilon", "loss", "score",
                "standard_error", "episodes", "best", "seconds")  # fmt: skip
-    rows = [",".join(columns)]
+    text = io.StringIO()
+    rows = csv.writer(text, lineterminator="\n")
+    rows.writerow(columns)
     with open(path, encoding="utf-8", errors="replace") as lines:
         for line in lines:
             try:
                 about = json.loads(line)
                 if about["event"] in ("Episode", "Evaluation"):
-                    rows.append(",".join("" if about.get(name) is None else str(about[name]) for name in columns))
+                    rows.writerow([about.get(name) for name in columns])
             except (ValueError, TypeError, KeyError, RecursionError):
                 continue
-    return ("\n".join(rows) + "\n").encode()
+    return text.getvalue().encode()

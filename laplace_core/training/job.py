@@ -9,13 +9,13 @@ from functools import lru_cache
 from pathlib import Path
 
 from laplace_core.agents.settings import LoopSettings
+from laplace_core.atomic import write_whole
 from laplace_core.errors import InputError
-from laplace_core.training.process import read_small
+from laplace_core.strict_json import parse_json
+from laplace_core.supervise import last_line, read_small, refusal_in
 from laplace_core.training.run_folder import RUN_NAME, settings_from_json
-from laplace_core.training.tensor_file import parse_json, write_whole
 
 _MOST_CONFIG = 100_000  # bytes
-_MOST_ERRORS = 1_000_000
 
 
 @dataclass(frozen=True)
@@ -51,12 +51,9 @@ def write_job(path: Path, job: Job) -> None:
 
 def error_in(path: Path) -> str | None:
     """The last line of what the process complained about, as one sentence; None if it did not end by an error."""
-    lines = (read_small(path / "errors.txt", _MOST_ERRORS) or "").strip().splitlines()
-    if not lines:
-        return None
-    last = " ".join(lines[-1].split())[:300]
-    if last.startswith("laplace: "):
-        return last.removeprefix("laplace: ")
+    last = last_line(path / "errors.txt")
+    if refused := refusal_in(last):
+        return refused
     fault = re.match(r"[A-Za-z_][\w.]*(Error|Exception)\b(: )?", last)
     if not fault:
         return None

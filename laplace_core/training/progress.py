@@ -12,8 +12,8 @@ from pathlib import Path
 
 from laplace_core.atomic import atomic_write
 from laplace_core.errors import InputError
-from laplace_core.training.process import read_small
-from laplace_core.training.tensor_file import parse_json
+from laplace_core.strict_json import parse_json
+from laplace_core.supervise import read_small
 
 FILE = "progress.json"
 EVERY = 0.5

@@ -8,7 +8,7 @@ failed (``errors.txt``). A process outlives the queue that started it, and the n
 from __future__ import annotations
 
 import contextlib
-import fcntl
+import errno
 import os
 import shutil
 import signal
@@ -20,12 +20,14 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-import laplace_core
+from filelock import FileLock
+
 from laplace_core.agents.settings import LoopSettings
 from laplace_core.errors import InputError
+from laplace_core.supervise import Process, read_process, start, write_process
+from laplace_core.supervise.process import PATIENCE
 from laplace_core.training.command import name_of
 from laplace_core.training.job import Job, born_at, error_in, is_run, read_job, run_folders, settings_in, write_job
-from laplace_core.training.process import PATIENCE, Process, read_process, write_process
 from laplace_core.training.run_folder import RUN_NAME, new_run
 
 MOST_TRAINING = 2
@@ -34,7 +36,6 @@ EVERY = 0.4
 """Seconds between two looks at the runs, while one trains or waits."""
 _MOST_BUFFER = 2_000_000_000
 _ASKED_TO_END = (-signal.SIGTERM, -signal.SIGINT, 128 + signal.SIGTERM, 128 + signal.SIGINT)
-_ONE_THREAD = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"), "1")
 
 WAITING, TRAINING, FINISHED, STOPPED, FAILED = "waiting", "training", "finished", "stopped", "failed"
 
@@ -93,15 +94,17 @@ class Queue:
     def _locked(self) -> Iterator[None]:
         """One at a time, among threads and among servers on the same folder."""
         with self._turn:
+            if not self.folder.is_dir():  # the lock would make it
+                raise self._refusal(FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT)))
+            lock = FileLock(self.folder / ".lock", mode=0o600, poll_interval=0.01)
             try:
-                handle = os.open(self.folder / ".lock", os.O_RDWR | os.O_CREAT | os.O_NOFOLLOW, 0o600)
+                lock.acquire()
             except OSError as error:
                 raise self._refusal(error) from None
             try:
-                fcntl.flock(handle, fcntl.LOCK_EX)
                 yield
             finally:
-                os.close(handle)
+                lock.release()
 
     def runs(self) -> list[Run]:
         """Every run, the newest first."""
@@ -254,17 +257,7 @@ class Queue:
 
     def _start(self, run: Run) -> None:
         write_job(run.folder, Job("run", read_job(run.folder).ticket, begun=True))
-        (run.folder / "errors.txt").unlink(missing_ok=True)
-        with open(run.folder / "errors.txt", "xb") as errors:
-            child = subprocess.Popen(
-                _command(run.folder.resolve()),
-                stdin=subprocess.DEVNULL,
-                stdout=subprocess.DEVNULL,
-                stderr=errors,
-                cwd=Path(laplace_core.__file__).parents[1],  # where -m finds this very package
-                env=os.environ | _ONE_THREAD,
-                start_new_session=True,
-            )
+        child = start(_command(run.folder.resolve()), run.folder / "errors.txt")
         self._children[run.name] = child
         write_process(run.folder, Process.of(child.pid))
 

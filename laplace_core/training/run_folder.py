@@ -17,11 +17,13 @@ from typing import Any, TextIO
 import numpy as np
 
 from laplace_core.agents.settings import SETTINGS, LoopSettings
+from laplace_core.atomic import write_whole
 from laplace_core.errors import InputError
+from laplace_core.strict_json import parse_json
+from laplace_core.supervise import FILE as PROCESS
+from laplace_core.supervise import Process, read_process, write_process
 from laplace_core.training.events import Event
-from laplace_core.training.process import FILE as PROCESS
-from laplace_core.training.process import Process, read_process, write_process
-from laplace_core.training.tensor_file import parse_json, read_tensors, write_tensors, write_whole
+from laplace_core.training.tensor_file import read_tensors, write_tensors
 
 MAX_RESUME_BYTES = 4_000_000_000
 RUN_NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]{0,120}")
@@ -57,7 +59,7 @@ class RunFolder:
             new_run(self.path, settings)
         self._file: TextIO | None = None
         other, self._process = read_process(self.path), Process.of(os.getpid())
-        if other is not None and other != self._process and other.alive:
+        if other is not None and not self._process.same(other) and other.alive:
             raise InputError(f"{self.path.name} is being trained by the process {other.pid}: end that one first.")
         for half in self.path.glob("*.safetensors*.tmp"):  # half-written by a process that was killed
             half.unlink(missing_ok=True)
@@ -93,7 +95,7 @@ class RunFolder:
     def close(self) -> None:
         if self._file is not None:
             self._file.close()
-        if read_process(self.path) == self._process:
+        if self._process.same(read_process(self.path)):
             (self.path / PROCESS).unlink(missing_ok=True)
 
 

@@ -6,16 +6,16 @@ The format is shown in the README. A file is refused with one sentence that name
 from __future__ import annotations
 
 import json
-from collections import Counter
 from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
-from typing import Any, NoReturn
+from typing import Any
 
 import numpy as np
 
 from laplace_core.errors import InputError
 from laplace_core.parameters import NUMBER
+from laplace_core.strict_json import parse_json
 from laplace_core.worlds.model import END, MAX_OUTCOMES, MAX_REWARD, PROBABILITY_TOLERANCE, Outcome, World
 
 MAX_BYTES = 50_000_000
@@ -78,7 +78,7 @@ def parse_world(text: str) -> World:
     Raises:
         InputError: the first entry that makes no sense, by name.
     """
-    document = _load_json(text)
+    document = parse_json(text, "the world file")
     if not isinstance(document, dict):
         raise InputError("the world file must hold one JSON object, with states, actions and transitions.")
     for key in document:
@@ -124,29 +124,6 @@ def dump_world(world: World) -> str:
         places = np.asarray(world.positions, dtype=float).tolist()
         head["positions"] = dict(zip(world.states, places, strict=True))
     return json.dumps({**head, "transitions": transitions}, indent=1, allow_nan=False)
-
-
-def _load_json(text: str) -> object:
-    def refuse_constant(constant: str) -> NoReturn:
-        raise InputError(f"the world file contains {constant}; every number must be finite.")
-
-    def refuse_duplicates(pairs: list[tuple[str, object]]) -> dict[str, object]:
-        found = dict(pairs)
-        if len(found) < len(pairs):
-            twice = Counter(name for name, _ in pairs).most_common(1)[0][0]
-            raise InputError(f"the entry {twice[:40]!r} stands twice in one object of the world file.")
-        return found
-
-    try:
-        return json.loads(text, parse_constant=refuse_constant, object_pairs_hook=refuse_duplicates)
-    except json.JSONDecodeError as error:
-        raise InputError(f"the world file is not JSON: {error.msg.removesuffix(' at')}, line {error.lineno}.") from None
-    except RecursionError:
-        raise InputError("the world file is nested too deeply to be a world.") from None
-    except InputError:
-        raise
-    except ValueError:  # int() refuses numbers of thousands of digits
-        raise InputError("the world file contains a number with too many digits.") from None
 
 
 def _show(value: object) -> str:

@@ -14,6 +14,7 @@ from typing import Any
 
 import numpy as np
 
+from laplace_core.atomic import write_whole
 from laplace_core.errors import InputError
 from laplace_core.experiments.paper.experiment import Experiment, train_command
 from laplace_core.experiments.paper.result_files import KEPT, as_json, cells_in, result_file
@@ -21,7 +22,6 @@ from laplace_core.experiments.paper.runs import Training
 from laplace_core.experiments.search import EPISODES, START_SEEDS
 from laplace_core.experiments.training import evaluated, seconds_behind
 from laplace_core.training.checkpoint import load_checkpoint
-from laplace_core.training.tensor_file import write_whole
 
 POINTS = 300
 """Most points of a curve."""

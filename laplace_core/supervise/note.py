@@ -1,0 +1,81 @@
+"""What lies in the folder of a process: a note of which one it is, and what it complained about."""
+
+from __future__ import annotations
+
+import json
+import os
+import stat
+from contextlib import suppress
+from dataclasses import asdict
+from pathlib import Path
+
+import psutil
+
+from laplace_core.atomic import write_whole
+from laplace_core.errors import InputError
+from laplace_core.strict_json import parse_json
+from laplace_core.supervise.process import Process
+
+FILE = "process.json"
+PLAIN = os.O_RDONLY
+"""Flags to open a file in a folder of ours: no link is followed, no pipe waited for, where the system knows of them."""
+for _flag in ("O_NOFOLLOW", "O_NONBLOCK", "O_BINARY"):
+    PLAIN |= getattr(os, _flag, 0)
+_MOST_BYTES = 10_000
+_MOST_ERRORS = 1_000_000
+
+
+def write_process(folder: Path, process: Process) -> None:
+    """Note who works on this folder."""
+    write_whole(folder / FILE, json.dumps(asdict(process)).encode())
+
+
+def read_process(folder: Path) -> Process | None:
+    """Who worked on it last; None if nobody has, or the note is none."""
+    text = read_small(folder / FILE, _MOST_BYTES)
+    try:
+        about = parse_json(text or "", FILE)
+        pid, started = about["pid"], about["started"]
+    except (InputError, TypeError, KeyError):
+        return None
+    if isinstance(started, str):
+        started = _started_in_0_2(started)
+    if type(pid) is not int or not 1 < pid < 2**31 or type(started) not in (int, float) or not 0 <= started < 1e12:
+        return None
+    return Process(pid, float(started))
+
+
+def _started_in_0_2(word: str) -> float:
+    """The time in a note of version 0.2, whose processes may still run: the boot's name and clock ticks since then.
+
+    0, which is no process's time, if the machine has been started anew or the note is of another system.
+    """
+    with suppress(OSError, ValueError, OverflowError):
+        boot, ticks = word.split()
+        if boot == Path("/proc/sys/kernel/random/boot_id").read_text().strip():
+            return float(psutil.boot_time()) + int(ticks) / os.sysconf("SC_CLK_TCK")
+    return 0.0
+
+
+def read_small(path: Path, most: int) -> str | None:
+    """The text of a plain file of at most ``most`` bytes; None for anything else, a link or a pipe among it."""
+    try:
+        handle = os.open(path, PLAIN)
+        try:
+            data = os.read(handle, most + 1) if stat.S_ISREG(os.fstat(handle).st_mode) else None
+        finally:
+            os.close(handle)
+        return None if data is None or len(data) > most else data.decode()
+    except (OSError, ValueError):
+        return None
+
+
+def last_line(errors: Path) -> str:
+    """The last line of what a process complained about, of at most 300 characters; empty if it did not."""
+    lines = (read_small(errors, _MOST_ERRORS) or "").strip().splitlines()
+    return " ".join(lines[-1].split())[:300] if lines else ""
+
+
+def refusal_in(line: str) -> str | None:
+    """The sentence with which the command line refused to go on; None if the line is something else."""
+    return line.removeprefix("laplace: ") if line.startswith("laplace: ") else None
