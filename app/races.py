@@ -42,11 +42,13 @@ class Control:
 class Racing(Work[tuple[Race, bytes]]):
     """One race, and the same packed for the track."""
 
-    def __init__(self, control: Control, start: int):
+    def __init__(self, control: Control, start: int) -> None:
         pictures = control.environment in GYMNASIUM_ENVIRONMENTS
 
         def make(told: Told) -> tuple[Race, bytes]:
-            found = race(control.environment, *control.entrants, start, control.horizon, pictures, told)
+            found = race(
+                control.environment, *control.entrants, start, horizon=control.horizon, pictures=pictures, told=told
+            )
             return found, payload(found)
 
         super().__init__(make)
@@ -55,9 +57,9 @@ class Racing(Work[tuple[Race, bytes]]):
 class Field(Work[tuple[Races, dict[str, Any]]]):
     """Races from many starts, and what they come to."""
 
-    def __init__(self, control: Control, count: int):
+    def __init__(self, control: Control, count: int) -> None:
         def make(told: Told) -> tuple[Races, dict[str, Any]]:
-            found = races(control.environment, *control.entrants, control.horizon, count, told=told)
+            found = races(control.environment, *control.entrants, control.horizon, count=count, told=told)
             return found, found.summary()
 
         super().__init__(make)

@@ -33,13 +33,20 @@ class Control:
 class Rolling(Work[tuple[Rollout, bytes, dict[str, np.ndarray]]]):
     """One rollout, the same packed for the player, and what a peer said on its way."""
 
-    def __init__(self, loaded: Loaded, control: Control):
+    def __init__(self, loaded: Loaded, control: Control) -> None:
         pictures = loaded.environment in GYMNASIUM_ENVIRONMENTS
         c = self.control = control
 
         def make(told: Told) -> tuple[Rollout, bytes, dict[str, np.ndarray]]:
             found = roll_out(
-                loaded.agent, loaded.environment, c.seed, c.rule, c.horizon, c.gamma, pictures=pictures, told=told
+                loaded.agent,
+                loaded.environment,
+                c.seed,
+                rule=c.rule,
+                horizon=c.horizon,
+                gamma=c.gamma,
+                pictures=pictures,
+                told=told,
             )
             said = {} if found.spaces is not None else said_along(loaded.agent, found)
             return found, payload(found, said), said

@@ -160,7 +160,7 @@ def _decode(options: argparse.Namespace) -> None:
     horizon = longest
     if options.horizon is not None:  # at a time_step of 1 there is no T between two whole ones
         kind, least = (int, 1) if found.settings.time_step == 1.0 else (float, float(found.horizons[0]))
-        horizon = checked_number("horizon", options.horizon, kind, least, longest)
+        horizon = checked_number("horizon", options.horizon, kind, least, high=longest)
     if options.out is not None:
         save_study(found, options.out)
     row = found.row_at(horizon)

@@ -62,10 +62,10 @@ def grade(study: WorldStudy, row: int, decoded: Decoded | None = None) -> Grade:
         decoded: a reading to be graded in place of the study's own.
     """
     decoded = study.decoded if decoded is None else decoded
-    return grade_values(study.truth, study, row, decoded.horizon_values[:, row], decoded.scale)
+    return grade_values(study.truth, study, row, decoded.horizon_values[:, row], scale=decoded.scale)
 
 
-def grade_values(truth: Truth, study: WorldStudy, row: int, values: np.ndarray, scale: float) -> Grade:
+def grade_values(truth: Truth, study: WorldStudy, row: int, values: np.ndarray, *, scale: float) -> Grade:
     """The grade of values ``(A,)`` at one row, of terms of size ``scale``, against a truth.
 
     The world, the acting discount and the time step are those of the study.

@@ -103,7 +103,7 @@ class Trials:
             other noise.
     """
 
-    def __init__(self, study: WorldStudy, row: int, action: int | None = None):
+    def __init__(self, study: WorldStudy, row: int, action: int | None = None) -> None:
         self.study, self.row, self.settings = study, row, study.settings
         self.horizon = float(study.horizons[row])
         self.grade = grade(study, row)
@@ -291,7 +291,7 @@ class Trials:
         s = trial.study.settings
         values = horizon_values(rewards, s.acting_gamma, s.softness, s.time_step)[:, trial.row]
         return grade_values(
-            trial.study.truth, trial.study, trial.row, values, scale_of_values(rewards, trial.study.midpoints)
+            trial.study.truth, trial.study, trial.row, values, scale=scale_of_values(rewards, trial.study.midpoints)
         )
 
     # ---- alpha
@@ -383,7 +383,7 @@ class _Fresh:
     MOST_KEPT = 100_000_000
     """Bytes of noisy gamma-spaces that are kept; beyond it they are made anew."""
 
-    def __init__(self, study: WorldStudy):
+    def __init__(self, study: WorldStudy) -> None:
         self._study = study
         self._made: dict[int, Part] = {}
 

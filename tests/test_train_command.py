@@ -98,7 +98,7 @@ def test_evaluate_prints_what_the_library_finds(run, capsys):
     checkpoint = str(run / "best.safetensors")
     assert main(["evaluate", checkpoint, "--episodes", "7", "--seed", "3", "--json"]) == 0
     told = json.loads(capsys.readouterr().out)
-    found = evaluate(load_checkpoint(checkpoint).agent, "two_branch", 7, 3)
+    found = evaluate(load_checkpoint(checkpoint).agent, "two_branch", episodes=7, seed=3)
     np.testing.assert_array_equal(told["returns"], found.returns)
     assert told["mean"] == found.mean
     assert main(["evaluate", checkpoint, "--episodes", "5", "--horizon", "2"]) == 0

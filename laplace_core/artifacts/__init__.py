@@ -37,7 +37,7 @@ MEASURES: dict[str, Callable[[Look], Artefact | None]] = {
 
 
 def find_artefacts(
-    study: Study, action: int, horizon: float | None = None, searching: bool = True, trials: Trials | None = None
+    study: Study, action: int, horizon: float | None = None, *, searching: bool = True, trials: Trials | None = None
 ) -> list[Artefact]:  # fmt: skip
     """Every artefact present in the tau-space of one action, the gravest kinds first.
 

@@ -104,15 +104,15 @@ def repairs(view: View, changes: Mapping[str, Any]) -> bool:
     return Judge(view).repairs(changes)
 
 
-def every_single_setting(view: View, until_one: bool = False) -> dict[Change, bool]:
+def every_single_setting(view: View, *, until_one: bool = False) -> dict[Change, bool]:
     """Whether each change of one setting repairs the view; ``until_one`` stops at the first that does."""
-    return Judge(view).every_single_setting(until_one)
+    return Judge(view).every_single_setting(until_one=until_one)
 
 
 class Judge:
     """One view and all that was computed for it; a memory of solves and singular values, no more."""
 
-    def __init__(self, view: View):
+    def __init__(self, view: View) -> None:
         self.view = view
         self.horizon = _horizons(view.settings)[view.row]
         self._memory: dict[tuple[object, ...], object] = {}
@@ -192,7 +192,7 @@ class Judge:
                 params[name.removeprefix("param:")] = value
         return replace(self.view.settings, params=tuple(sorted(params.items())), **fields)
 
-    def every_single_setting(self, until_one: bool = False) -> dict[Change, bool]:
+    def every_single_setting(self, *, until_one: bool = False) -> dict[Change, bool]:
         found: dict[Change, bool] = {}
         for changes in single_settings(self.view):
             found[tuple(sorted(changes.items()))] = repaired = self.repairs(changes)
@@ -420,7 +420,7 @@ class Judge:
 class _Dense:
     """The table of a world as dense matrices, one an action; entering states that never pay or end is the end."""
 
-    def __init__(self, world: World):
+    def __init__(self, world: World) -> None:
         table = [
             (int(s), int(a), float(p), int(n), float(r))
             for s, a, p, n, r in zip(

@@ -31,7 +31,7 @@ _INNER = {"CartPole-v1": _POLE, "CartPole-v0": _POLE, "Acrobot-v1": ("state",), 
 class OneHot(gymnasium.ObservationWrapper):
     """State indices as one-hot vectors."""
 
-    def __init__(self, env: gymnasium.Env):
+    def __init__(self, env: gymnasium.Env) -> None:
         super().__init__(env)
         assert isinstance(env.observation_space, Discrete)
         self.observation_space = Box(0.0, 1.0, (int(env.observation_space.n),), np.float32)
@@ -51,7 +51,7 @@ class Spec(NamedTuple):
     time_limit: int | None
 
 
-def make(name: str, pictures: bool = False, limited: bool = True) -> gymnasium.Env:
+def make(name: str, *, pictures: bool = False, limited: bool = True) -> gymnasium.Env:
     """One environment of the list.
 
     Args:
@@ -133,7 +133,7 @@ class Environments:
         fresh: ``(N,)``; True where an episode begins with the next step.
     """
 
-    def __init__(self, makers: list[Callable[[], gymnasium.Env]], seeds: list[int]):
+    def __init__(self, makers: list[Callable[[], gymnasium.Env]], seeds: list[int]) -> None:
         self._vector = SyncVectorEnv(makers, autoreset_mode=AutoresetMode.NEXT_STEP)
         self.count = len(makers)
         self._over = np.zeros(self.count, dtype=bool)

@@ -45,11 +45,11 @@ class Progress:
 class ProgressFile:
     """Writes the file, rarely enough to cost nothing."""
 
-    def __init__(self, folder: Path, of: int):
+    def __init__(self, folder: Path, of: int) -> None:
         self._path, self._of = folder / FILE, of
         self._notes: deque[tuple[float, int]] = deque(maxlen=_WINDOW)
 
-    def at(self, step: int, last: bool = False) -> None:
+    def at(self, step: int, *, last: bool = False) -> None:
         """The run has reached this step."""
         now = time.monotonic()
         if self._notes and now - self._notes[-1][0] < EVERY and not last:
