@@ -23,7 +23,7 @@ class _Cancelled(Exception):
 class Work(Generic[Result]):
     """One piece of work: waiting, under way, done, refused or cancelled."""
 
-    def __init__(self, make: Callable[[Told], Result]) -> None:
+    def __init__(self, make: Callable[[Told], Result]):
         self.done, self.of = 0, 0
         self._cancelled = threading.Event()
         self._future: Future[Result] = _worker().submit(make, self._hear)

@@ -42,7 +42,7 @@ class Control:
 class Racing(Work[tuple[Race, bytes]]):
     """One race, and the same packed for the track."""
 
-    def __init__(self, control: Control, start: int) -> None:
+    def __init__(self, control: Control, start: int):
         pictures = control.environment in GYMNASIUM_ENVIRONMENTS
 
         def make(told: Told) -> tuple[Race, bytes]:
@@ -57,7 +57,7 @@ class Racing(Work[tuple[Race, bytes]]):
 class Field(Work[tuple[Races, dict[str, Any]]]):
     """Races from many starts, and what they come to."""
 
-    def __init__(self, control: Control, count: int) -> None:
+    def __init__(self, control: Control, count: int):
         def make(told: Told) -> tuple[Races, dict[str, Any]]:
             found = races(control.environment, *control.entrants, control.horizon, count=count, told=told)
             return found, found.summary()

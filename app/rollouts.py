@@ -33,7 +33,7 @@ class Control:
 class Rolling(Work[tuple[Rollout, bytes, dict[str, np.ndarray]]]):
     """One rollout, the same packed for the player, and what a peer said on its way."""
 
-    def __init__(self, loaded: Loaded, control: Control) -> None:
+    def __init__(self, loaded: Loaded, control: Control):
         pictures = loaded.environment in GYMNASIUM_ENVIRONMENTS
         c = self.control = control
 

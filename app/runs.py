@@ -41,7 +41,7 @@ def _room() -> Path:
 class Watched:
     """One run: waiting for a place, running, or at its end."""
 
-    def __init__(self, world: World, settings: LearnSettings) -> None:
+    def __init__(self, world: World, settings: LearnSettings):
         self._world, self._settings = world, settings
         self._run: Run | None = None
         self._folder: Path | None = None

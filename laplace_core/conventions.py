@@ -86,7 +86,7 @@ def check_convention(values: np.ndarray, constant: np.ndarray | None, gammas: np
 class _Facts:
     """What is broken in values ``(A, G, H)`` with increasing gammas, far beyond their errors."""
 
-    def __init__(self, values: np.ndarray, constant: np.ndarray | None, sizes: np.ndarray) -> None:
+    def __init__(self, values: np.ndarray, constant: np.ndarray | None, sizes: np.ndarray):
         self.values, self.constant, self.sizes = values, constant, sizes
         self.errors = _errors(values, sizes)  # of q, (G,)
         self.steps = values[..., 0] if constant is None else constant

@@ -103,7 +103,7 @@ class Trials:
             other noise.
     """
 
-    def __init__(self, study: WorldStudy, row: int, action: int | None = None) -> None:
+    def __init__(self, study: WorldStudy, row: int, action: int | None = None):
         self.study, self.row, self.settings = study, row, study.settings
         self.horizon = float(study.horizons[row])
         self.grade = grade(study, row)
@@ -383,7 +383,7 @@ class _Fresh:
     MOST_KEPT = 100_000_000
     """Bytes of noisy gamma-spaces that are kept; beyond it they are made anew."""
 
-    def __init__(self, study: WorldStudy) -> None:
+    def __init__(self, study: WorldStudy):
         self._study = study
         self._made: dict[int, Part] = {}
 

@@ -22,7 +22,7 @@ class Adam:
         moments: one tensor for every parameter, in order: steps so far, running means of its gradient and its square.
     """
 
-    def __init__(self, parameters: list[nn.Parameter]) -> None:
+    def __init__(self, parameters: list[nn.Parameter]):
         self._parameters: list[Any] = parameters
         self._steps = torch.zeros(len(parameters))
         self.moments: dict[str, list[Tensor]] = {

@@ -72,7 +72,7 @@ class Agent(ABC, Generic[Chosen]):
     acting_head: int = 0
     acting_discount: float | None = None
 
-    def __init__(self, settings: Chosen, observation: int, actions: int, time_limit: int | None = None) -> None:
+    def __init__(self, settings: Chosen, observation: int, actions: int, time_limit: int | None = None):
         self.settings, self.time_limit = settings, time_limit
         self.n_observations, self.n_actions = observation, actions
         self.random = np.random.default_rng(settings.seed)

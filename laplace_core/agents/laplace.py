@@ -30,9 +30,7 @@ class LaplaceAgent(Agent[LaplaceSettings]):
 
     settings_class: ClassVar[type[LaplaceSettings]] = LaplaceSettings
 
-    def __init__(
-        self, settings: LaplaceSettings, observation: int, actions: int, time_limit: int | None = None
-    ) -> None:
+    def __init__(self, settings: LaplaceSettings, observation: int, actions: int, time_limit: int | None = None):
         if settings.termination == "auxiliary" and time_limit is None:
             raise InputError("termination 'auxiliary' needs an environment with a time limit.")
         self.gammas = settings.discounts()

@@ -35,7 +35,7 @@ class Head(nn.Module):
         initial: outputs before training, ``(C,)``; the weights begin small, so that all discounts are near it.
     """
 
-    def __init__(self, features: int, actions: int, initial: Tensor, dueling: bool) -> None:
+    def __init__(self, features: int, actions: int, initial: Tensor, dueling: bool):
         super().__init__()
         self.dueling = dueling
         width = features // 2 if dueling else features
@@ -70,9 +70,7 @@ class Head(nn.Module):
 class Trunk(nn.Module):
     """Two hidden layers for all discounts, a layer of features for each, and the shared head."""
 
-    def __init__(
-        self, gammas: np.ndarray, observation: int, actions: int, initial: Tensor, settings: LaplaceSettings
-    ) -> None:
+    def __init__(self, gammas: np.ndarray, observation: int, actions: int, initial: Tensor, settings: LaplaceSettings):
         super().__init__()
         s = settings
         self.discounts = len(gammas)
@@ -101,7 +99,7 @@ class Trunk(nn.Module):
 class _Tower(nn.Module):
     """One network of an observation and a discount."""
 
-    def __init__(self, observation: int, actions: int, initial: Tensor, settings: LaplaceSettings) -> None:
+    def __init__(self, observation: int, actions: int, initial: Tensor, settings: LaplaceSettings):
         super().__init__()
         hidden, width = settings.hidden, _feature_width(settings)
         self.observed = nn.Linear(observation, hidden)
@@ -118,9 +116,7 @@ class _Tower(nn.Module):
 class DiscountInput(nn.Module):
     """Towers that take the discount as an input: one for all, or the paper's multiplexer of three (section 3.2)."""
 
-    def __init__(
-        self, gammas: np.ndarray, observation: int, actions: int, initial: Tensor, settings: LaplaceSettings
-    ) -> None:
+    def __init__(self, gammas: np.ndarray, observation: int, actions: int, initial: Tensor, settings: LaplaceSettings):
         super().__init__()
         self.bounds = MULTIPLEXER_BOUNDS if settings.network == "multiplexer" else ()
         self.grid = tuple(float(gamma) for gamma in gammas)
@@ -160,9 +156,7 @@ class Single(nn.Module):
         scale: what the last layer's outputs are multiplied by.
     """
 
-    def __init__(
-        self, observation: int, actions: int, initial: Tensor, settings: LoopSettings, scale: float = 1.0
-    ) -> None:
+    def __init__(self, observation: int, actions: int, initial: Tensor, settings: LoopSettings, scale: float = 1.0):
         super().__init__()
         hidden, self.shape, self.dueling = settings.hidden, (actions, initial.numel()), settings.dueling
         self.scale = scale

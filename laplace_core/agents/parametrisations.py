@@ -28,7 +28,7 @@ LEAST_INCREMENT = 1e-3
 class Softmax:
     """Probabilities of the H+1 reward bins and of the episode being over; trained by cross-entropy."""
 
-    def __init__(self, sensitivities: Sensitivities) -> None:
+    def __init__(self, sensitivities: Sensitivities):
         self._encode = sensitivities.masses
         self.channels = sensitivities.thetas.size + 2
         self.value_weights = torch.tensor([*sensitivities.bin_values, 0.0], dtype=torch.float32)
@@ -62,7 +62,7 @@ class Softmax:
 class Free:
     """The constant channel and the tails themselves, not bound to fall with theta; trained by Huber's loss."""
 
-    def __init__(self, sensitivities: Sensitivities) -> None:
+    def __init__(self, sensitivities: Sensitivities):
         self._encode = sensitivities.tails
         self.channels = sensitivities.thetas.size + 1
         # Summing bin values over differences of tails is a weighted sum of the tails.

@@ -26,7 +26,7 @@ class Sensitivities:
             below the first and above the last threshold, those thresholds themselves.
     """
 
-    def __init__(self, settings: LaplaceSettings) -> None:
+    def __init__(self, settings: LaplaceSettings):
         s = settings
         self.thetas = sensitivity_grid(s.thetas, s.theta_min, s.theta_max, s.theta_spacing, s.theta_scale or None)
         self._spacing, self._middle = s.theta_spacing, (s.theta_min + s.theta_max) / 2.0

@@ -30,7 +30,7 @@ class Look:
     ``alpha`` and ``steps`` default to those of the study everywhere.
     """
 
-    def __init__(self, study: Study, action: int, horizon: float | None = None, searching: bool = True) -> None:
+    def __init__(self, study: Study, action: int, horizon: float | None = None, searching: bool = True):
         self.study, self.action, self.horizon, self.settings = study, action, horizon, study.settings
         self.searching = searching
         self.gammas = study.gamma_space.gammas

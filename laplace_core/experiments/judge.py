@@ -112,7 +112,7 @@ def every_single_setting(view: View, *, until_one: bool = False) -> dict[Change,
 class Judge:
     """One view and all that was computed for it; a memory of solves and singular values, no more."""
 
-    def __init__(self, view: View) -> None:
+    def __init__(self, view: View):
         self.view = view
         self.horizon = _horizons(view.settings)[view.row]
         self._memory: dict[tuple[object, ...], object] = {}
@@ -420,7 +420,7 @@ class Judge:
 class _Dense:
     """The table of a world as dense matrices, one an action; entering states that never pay or end is the end."""
 
-    def __init__(self, world: World) -> None:
+    def __init__(self, world: World):
         table = [
             (int(s), int(a), float(p), int(n), float(r))
             for s, a, p, n, r in zip(

@@ -35,7 +35,7 @@ ROUNDING = 1e-12
 class Effects:
     """The effect of every artefact in one case, by the artefact's name: :meth:`all`."""
 
-    def __init__(self, case: Case) -> None:
+    def __init__(self, case: Case):
         self.case, self.world, self.action = case, case.world, case.action
         self.settings = replace(case.settings, normalise="none")  # before rescaling
         self.quiet = replace(self.settings, noise=0.0)

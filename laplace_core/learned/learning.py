@@ -29,7 +29,7 @@ class Learning:
     The result of each depends on its seed alone, not on the others.
     """
 
-    def __init__(self, world: World, settings: LearnSettings) -> None:
+    def __init__(self, world: World, settings: LearnSettings):
         self.world, self.settings = world, resolve_learning(settings, world)
         s = self.settings
         self.every = max(1, min(s.episodes // (10 * NOTES), EVENT_STEPS // s.max_steps))

@@ -83,7 +83,7 @@ def _param(name: str, value: object) -> list[str]:
 class Run:
     """A learning process and what it has written so far; every method returns at once but ``cancel``."""
 
-    def __init__(self, process: subprocess.Popen[bytes], learned: Path, progress: Path, errors: Path) -> None:
+    def __init__(self, process: subprocess.Popen[bytes], learned: Path, progress: Path, errors: Path):
         self._process, self._learned, self._progress, self._errors = process, learned, progress, errors
         self._lock = threading.Lock()  # a page may be drawn twice at a time
         self._seen: tuple[tuple[int, ...], Learned] | None = None

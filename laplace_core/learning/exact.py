@@ -44,7 +44,7 @@ def reward_indicator_basis(world: World, state: int, gammas: np.ndarray, policie
 class _Successors:
     """The process after one state's actions under a policy, restricted to the states that it can reach."""
 
-    def __init__(self, world: World, pairs: slice, policy: np.ndarray) -> None:
+    def __init__(self, world: World, pairs: slice, policy: np.ndarray):
         self.policy = policy
         pi = selection(world, policy)
         moves, first = (pi @ world.transition_matrix).tocsr(), world.transition_matrix[pairs]

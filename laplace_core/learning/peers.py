@@ -32,7 +32,7 @@ class _Peer(ABC):
         values: mean return, ``(S, A)``.
     """
 
-    def __init__(self, world: World, gamma: float, policy: np.ndarray | None = None, rate: Decay = _RATE) -> None:
+    def __init__(self, world: World, gamma: float, policy: np.ndarray | None = None, rate: Decay = _RATE):
         if not 0.0 < gamma < 1.0:
             raise InputError(f"gamma must lie between 0 and 1, both excluded, not {gamma:g}.")
         if policy is not None and check_policy(world, policy).ndim != 1:
@@ -85,7 +85,7 @@ class Categorical(_Peer):
 
     def __init__(
         self, world: World, gamma: float, atoms: np.ndarray, *, policy: np.ndarray | None = None, rate: Decay = _RATE
-    ) -> None:
+    ):
         super().__init__(world, gamma, policy, rate)
         self.atoms = np.asarray(atoms, dtype=float)
         if self.atoms.ndim != 1 or self.atoms.size < 2 or not np.all(np.diff(self.atoms) > 0):
@@ -121,7 +121,7 @@ class Quantile(_Peer):
     def __init__(
         self, world: World, gamma: float, *, count: int = 51, scale: float = 1.0, policy: np.ndarray | None = None,
         rate: Decay = _RATE, takes_over: float = np.inf,
-    ) -> None:  # fmt: skip
+    ):  # fmt: skip
         super().__init__(world, gamma, policy, rate)
         self.takes_over = takes_over
         if count < 1 or not scale > 0:

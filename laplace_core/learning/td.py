@@ -110,7 +110,7 @@ class Progress:
 class Sampler:
     """Transitions of a world, drawn from its outcome table: one search in cumulated probabilities each."""
 
-    def __init__(self, world: World, seed: int) -> None:
+    def __init__(self, world: World, seed: int):
         possible, pairs = world.probability > 0, world.n_states * world.n_actions
         pair = (world.state * world.n_actions + world.action)[possible]
         self._bounds = np.searchsorted(pair, np.arange(pairs + 1)).tolist()

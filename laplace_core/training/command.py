@@ -217,7 +217,7 @@ class _Json:
 class _Line:
     """One line that is written over: steps, speed, score, time left; evaluations stay."""
 
-    def __init__(self, folder: Path, total: int) -> None:
+    def __init__(self, folder: Path, total: int):
         self.folder, self.total = folder, total
         self.started = self.shown = time.monotonic()
         self.first: int | None = None

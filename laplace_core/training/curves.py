@@ -57,7 +57,7 @@ class Curves:
 class Reader:
     """Follows the metrics of one run."""
 
-    def __init__(self, path: str | Path) -> None:
+    def __init__(self, path: str | Path):
         self.path, self._lock = Path(path), threading.Lock()  # several pages may look at a time
         self._restart()
 

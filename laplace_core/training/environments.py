@@ -31,7 +31,7 @@ _INNER = {"CartPole-v1": _POLE, "CartPole-v0": _POLE, "Acrobot-v1": ("state",), 
 class OneHot(gymnasium.ObservationWrapper):
     """State indices as one-hot vectors."""
 
-    def __init__(self, env: gymnasium.Env) -> None:
+    def __init__(self, env: gymnasium.Env):
         super().__init__(env)
         assert isinstance(env.observation_space, Discrete)
         self.observation_space = Box(0.0, 1.0, (int(env.observation_space.n),), np.float32)
@@ -133,7 +133,7 @@ class Environments:
         fresh: ``(N,)``; True where an episode begins with the next step.
     """
 
-    def __init__(self, makers: list[Callable[[], gymnasium.Env]], seeds: list[int]) -> None:
+    def __init__(self, makers: list[Callable[[], gymnasium.Env]], seeds: list[int]):
         self._vector = SyncVectorEnv(makers, autoreset_mode=AutoresetMode.NEXT_STEP)
         self.count = len(makers)
         self._over = np.zeros(self.count, dtype=bool)

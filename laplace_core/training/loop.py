@@ -60,7 +60,7 @@ def train(
 class _Run:
     """All that changes while training."""
 
-    def __init__(self, folder: RunFolder) -> None:
+    def __init__(self, folder: RunFolder):
         s = self.settings = folder.settings
         self.folder, self.started = folder, perf_counter()
         self.agent = new_agent(s)

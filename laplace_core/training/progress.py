@@ -45,7 +45,7 @@ class Progress:
 class ProgressFile:
     """Writes the file, rarely enough to cost nothing."""
 
-    def __init__(self, folder: Path, of: int) -> None:
+    def __init__(self, folder: Path, of: int):
         self._path, self._of = folder / FILE, of
         self._notes: deque[tuple[float, int]] = deque(maxlen=_WINDOW)
 

@@ -70,7 +70,7 @@ class Queue:
         InputError: a folder that cannot be made or written to.
     """
 
-    def __init__(self, folder: str | Path, most: int = MOST_TRAINING) -> None:
+    def __init__(self, folder: str | Path, most: int = MOST_TRAINING):
         self.folder, self._most = Path(folder), most
         self._children: dict[str, subprocess.Popen[bytes]] = {}
         self._new = True

@@ -28,7 +28,7 @@ class Replay:
     def __init__(
         self, capacity: int, rings: int, observation: int, *, n_step: int = 1, own: bool = False,
         exponent: float | None = None,
-    ) -> None:  # fmt: skip
+    ):  # fmt: skip
         self.length, self.rings, self.n_step, self.own = max(1, capacity // rings), rings, n_step, own
         shape = (rings, self.length)
         self.observations = np.zeros((*shape, observation), np.float32)

@@ -8,7 +8,7 @@ import numpy as np
 class SumTree:
     """Priorities of ``count`` places as the leaves of a binary tree whose nodes hold the sum below them."""
 
-    def __init__(self, count: int) -> None:
+    def __init__(self, count: int):
         self.count = count
         self._base = 1 << max(1, (count - 1).bit_length())  # leaves begin here; node i has the children 2i and 2i+1
         self._nodes = np.zeros(2 * self._base)

@@ -24,7 +24,7 @@ class TabularEnv(gymnasium.Env):
         "render_fps": 4,
     }
 
-    def __init__(self, world: World, render_mode: str | None = None) -> None:
+    def __init__(self, world: World, render_mode: str | None = None):
         if render_mode not in (None, "ansi"):
             raise ValueError(f"render_mode {render_mode!r} is not None or 'ansi'")
         self.world = world

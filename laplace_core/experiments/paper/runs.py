@@ -109,7 +109,7 @@ class Speeds:
         measured: settings, steps and seconds of finished trainings.
     """
 
-    def __init__(self, measured: Sequence[tuple[LoopSettings, float]]) -> None:
+    def __init__(self, measured: Sequence[tuple[LoopSettings, float]]):
         self._measured = measured
 
     def of(self, settings: LoopSettings) -> float | None:
