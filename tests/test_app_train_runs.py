@@ -208,7 +208,7 @@ def test_the_copied_command_repeats_the_run(runs, tmp_path, monkeypatch, capsys)
     told = shlex.split(copied(opened("more_one"), "command one"))
     assert told[:3] == ["python", "-m", "laplace_core"]
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr("laplace_core.training.loop.train", lambda settings, path, *_: new_run(path, settings) or ())
+    monkeypatch.setattr("laplace_core.training.loop.train", lambda settings, path, **_: new_run(path, settings) or ())
     assert main(told[3:]) == 0
     assert read_config(tmp_path / "runs" / "one_again" / "config.json") == read_config(folder / "config.json")
 

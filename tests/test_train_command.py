@@ -163,6 +163,6 @@ def test_the_command_of_settings_makes_those_settings(tmp_path, monkeypatch):
     words = command_of(settings, str(tmp_path / "run"))
     assert words[:3] == ["train", "laplace", "CartPole-v1"]
     assert "--hidden" not in words  # the settings file says it
-    monkeypatch.setattr("laplace_core.training.loop.train", lambda settings, path, *_: new_run(path, settings) or ())
+    monkeypatch.setattr("laplace_core.training.loop.train", lambda settings, path, **_: new_run(path, settings) or ())
     assert main(words) == 0
     assert read_config(tmp_path / "run" / "config.json") == settings
