@@ -81,7 +81,7 @@ def verdict_at_once(view: View) -> Verdict:
 @lru_cache(maxsize=128)
 def _artefacts(view: View, action: int, *, searching: bool) -> tuple[Artefact, ...]:
     found, trials = study_for(view), _trials(view) if searching and action == view.action else None
-    listed = find_artefacts(found, action, float(found.horizons[row_of(view)]), searching, trials)
+    listed = find_artefacts(found, action, float(found.horizons[row_of(view)]), searching=searching, trials=trials)
     return tuple(listed if searching else (replace(each, remedies=()) for each in listed))
 
 
@@ -157,16 +157,18 @@ def learning_figure(name: str, view: View) -> str:
     settings = replace(view.settings, deadline="constant", softness=softness)
     learner = view.subject.learner
     assert learner is not None  # nobody asks for these pictures where nothing was learned
-    return _learning_figure(name, learner, settings, view.action, row_of(view) if name == "values" else 0)
+    return _learning_figure(name, learner, settings, view.action, row=row_of(view) if name == "values" else 0)
 
 
 @lru_cache(maxsize=32)
-def _learning_figure(name: str, subject: Learner, settings: Resolved, action: int, row: int) -> str:
+def _learning_figure(name: str, subject: Learner, settings: Resolved, action: int, *, row: int) -> str:
     learned, index, state = subject.learned, subject.index or 0, state_in(settings)
     drawn = {
         "curve": lambda: figures.learning_curve(learned),
         "probabilities": lambda: figures.reward_bands(_bands(learned, settings), action),
-        "returns": lambda: figures.return_laws(return_distributions(learned, state, action, index, settings)),
+        "returns": lambda: figures.return_laws(
+            return_distributions(learned, state, action, seed_index=index, settings=settings)
+        ),
         "values": lambda: figures.values_over_horizon(_study(subject, settings), row, _bands(learned, settings)),
         "rewards": lambda: figures.rewards_and_survival(_study(subject, settings), action, _bands(learned, settings)),
     }[name]()
@@ -182,7 +184,7 @@ def comparison(a: View, b: View, what: Space) -> tuple[str, dict[str, str]]:
     first, second = study_for(a), study_for(b)
     values = value_difference(first, second, a.action, b.action)
     try:
-        found = difference(first, second, a.action, b.action, what)
+        found = difference(first, second, a.action, b.action, what=what)
     except InputError as error:
         return f"{error} {summary(None, values)}", {}
     drawn = figures.comparison(found)

@@ -83,7 +83,7 @@ def _keep_state(world: World) -> None:
     state.choose("state", world.states[int(st.session_state["state_index"])])
 
 
-def grid_group(settings: Resolved, decided: bool = False) -> None:
+def grid_group(settings: Resolved, *, decided: bool = False) -> None:
     """Discounts, sensitivities, target policy, length: what is learned.
 
     ``decided`` leaves out what an agent that learned before has decided.

@@ -36,8 +36,8 @@ def heard(released: Released) -> None:
 
 
 data = packed(view.world, structure(view.settings, view.world))
-if st.toggle("show the lens", True):
-    lens(data, state, "demo", opening, presets_for(view), heard)
+if st.toggle("show the lens", value=True):
+    lens(data, state, "demo", base=opening, presets=presets_for(view), on_release=heard)
 if st.button("alpha 0.001 from Python"):
     st.session_state["state"] = {**state, "alpha": 0.001}
     st.rerun()

@@ -44,7 +44,9 @@ class Racing(Work[tuple[Race, bytes]]):
         pictures = control.environment in GYMNASIUM_ENVIRONMENTS
 
         def make(told: Told) -> tuple[Race, bytes]:
-            found = race(control.environment, *control.entrants, start, control.horizon, pictures, told)
+            found = race(
+                control.environment, *control.entrants, start, horizon=control.horizon, pictures=pictures, told=told
+            )
             return found, payload(found)
 
         super().__init__(make)
@@ -55,7 +57,7 @@ class Field(Work[tuple[Races, dict[str, Any]]]):
 
     def __init__(self, control: Control, count: int):
         def make(told: Told) -> tuple[Races, dict[str, Any]]:
-            found = races(control.environment, *control.entrants, control.horizon, count, told=told)
+            found = races(control.environment, *control.entrants, control.horizon, count=count, told=told)
             return found, found.summary()
 
         super().__init__(make)

@@ -37,7 +37,14 @@ class Rolling(Work[tuple[Rollout, bytes, dict[str, np.ndarray]]]):
 
         def make(told: Told) -> tuple[Rollout, bytes, dict[str, np.ndarray]]:
             found = roll_out(
-                loaded.agent, loaded.environment, c.seed, c.rule, c.horizon, c.gamma, pictures=pictures, told=told
+                loaded.agent,
+                loaded.environment,
+                c.seed,
+                rule=c.rule,
+                horizon=c.horizon,
+                gamma=c.gamma,
+                pictures=pictures,
+                told=told,
             )
             said = {} if found.spaces is not None else said_along(loaded.agent, found)
             return found, payload(found, said), said

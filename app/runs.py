@@ -96,7 +96,7 @@ class Watched:
 class Runs:
     """The runs of one session, by what they learn."""
 
-    def __init__(self):
+    def __init__(self) -> None:
         self._runs: dict[str, Watched] = {}
 
     def get(self, key: str) -> Watched | None:
@@ -122,6 +122,6 @@ class Runs:
         if key in self._runs:
             self._runs.pop(key).forget()
 
-    def __del__(self):  # the session is over: nobody looks at its runs any more
+    def __del__(self) -> None:  # the session is over: nobody looks at its runs any more
         for run in self._runs.values():
             run.forget()

@@ -23,26 +23,32 @@ Simulation = Work[Continuations | Outcomes]
 _kept: Shelf[Simulation] = Shelf(MOST_KEPT)
 
 
-def _key(loaded: Loaded, rollout: Rollout, step: int, action: int, own: bool) -> tuple[Agent | Rollout | object, ...]:
+def _key(
+    loaded: Loaded, rollout: Rollout, step: int, action: int, *, own: bool
+) -> tuple[Agent | Rollout | object, ...]:
     if environments.chance(loaded.environment):
         return loaded.agent, rollout, step, action, own
     return loaded.agent, (rollout.rule, rollout.horizon, rollout.gamma) if own else None
 
 
-def found(loaded: Loaded, rollout: Rollout, step: int, action: int, own: bool) -> Simulation | None:
+def found(loaded: Loaded, rollout: Rollout, step: int, action: int, *, own: bool) -> Simulation | None:
     """The simulation for this state and first action, if one was begun; ``own``: under the rollout's own rule."""
-    return _kept.get(_key(loaded, rollout, step, action, own))
+    return _kept.get(_key(loaded, rollout, step, action, own=own))
 
 
-def begin(loaded: Loaded, rollout: Rollout, step: int, action: int, own: bool) -> None:
+def begin(loaded: Loaded, rollout: Rollout, step: int, action: int, *, own: bool) -> None:
     """Begin it, unless it was."""
-    key = _key(loaded, rollout, step, action, own)
+    key = _key(loaded, rollout, step, action, own=own)
 
     def make(told: Told) -> Continuations | Outcomes:
         if environments.chance(loaded.environment):
-            return continue_from(loaded.agent, rollout, step, action, COUNT, STEPS, own=own, told=told)
+            return continue_from(
+                loaded.agent, rollout, step, action=action, count=COUNT, steps=STEPS, own=own, told=told
+            )
         like = rollout if own else None
-        return outcomes_of_states(loaded.agent, loaded.environment, EPISODES, EACH, STEPS, like=like, told=told)
+        return outcomes_of_states(
+            loaded.agent, loaded.environment, episodes=EPISODES, each=EACH, steps=STEPS, like=like, told=told
+        )
 
     _kept.take(key, lambda: Work(make))
 

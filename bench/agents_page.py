@@ -101,7 +101,7 @@ def _rollouts(loaded: Loaded) -> Iterator[Figure]:
         seconds, busy, megabytes = [], [], []
         for _ in range(3):
             began, before = perf_counter(), process_time()
-            found = roll_out(loaded.agent, loaded.environment, LONG, rule, 1_000, pictures=True)
+            found = roll_out(loaded.agent, loaded.environment, LONG, rule=rule, horizon=1_000, pictures=True)
             packed = payload(found)
             seconds.append(perf_counter() - began)
             busy.append(process_time() - before)

@@ -21,16 +21,16 @@ def figures() -> Iterator[Figure]:
     yield from _episodes(load_world("fig6_chain"))
 
 
-def learner(world: World, direct: bool) -> LaplaceTD:
+def learner(world: World, *, direct: bool) -> LaplaceTD:
     """Of gamma-space directly, or of the reward-indicator basis W."""
     thetas = sensitivity_grid(THETAS, -4.0, 4.0)
     channels = sensitivity_channels(world.reward_values, thetas, 25.0) if direct else None
-    return LaplaceTD(world, discount_grid(GAMMAS), channels)
+    return LaplaceTD(world, discount_grid(GAMMAS), channels=channels)
 
 
-def run(world: World, direct: bool, episodes: int = EPISODES) -> LaplaceTD:
+def run(world: World, *, direct: bool, episodes: int = EPISODES) -> LaplaceTD:
     """A fresh learner after so many episodes, every event consumed."""
-    fresh = learner(world, direct)
+    fresh = learner(world, direct=direct)
     for _ in learn(world, [fresh], Schedule(episodes)):
         pass
     return fresh
@@ -47,10 +47,10 @@ def _one_update() -> Iterator[Figure]:
 
     seconds = interleaved(
         {
-            "update": (lambda: td_update(value, following, now, gammas, 0.01, work), 100),
+            "update": (lambda: td_update(value, following, now, gammas, rate=0.01, work=work), 100),
             "bare": (bare, 100),
             "same bare": (bare, 100),
-            "ending": (lambda: td_update(value, None, now, gammas, 0.01, work), 100),
+            "ending": (lambda: td_update(value, None, now, gammas, rate=0.01, work=work), 100),
         },
         rounds=101,
     )

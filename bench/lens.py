@@ -51,7 +51,7 @@ _SEEN = """
 # ---- agreement with the library
 
 
-def payloads(small: bool = False) -> dict[str, tuple[bytes, Settings]]:
+def payloads(*, small: bool = False) -> dict[str, tuple[bytes, Settings]]:
     """Spaces of every kind by a name: large, few rows, finer time steps, the paper's own grid, one without a world."""
     size = {"gammas": 40, "thetas": 60, "steps": 30} if small else FULL
     wanted = {

@@ -55,10 +55,15 @@ def one_update(settings: LoopSettings) -> Callable[[], object]:
 def _add(replay: Replay, time: int, random: np.random.Generator) -> None:
     n = replay.rings
     replay.add(
-        np.ones(n, bool), random.normal(size=(n, OBSERVATION)), random.integers(ACTIONS, size=n),
-        random.normal(size=n), random.normal(size=(n, OBSERVATION)), np.full(n, time % 100 == 99), np.zeros(n, bool),
-        np.full(n, time % 100 + 1),
-    )  # fmt: skip
+        np.ones(n, bool),
+        random.normal(size=(n, OBSERVATION)),
+        random.integers(ACTIONS, size=n),
+        random.normal(size=n),
+        next_observations=random.normal(size=(n, OBSERVATION)),
+        terminated=np.full(n, time % 100 == 99),
+        truncated=np.zeros(n, bool),
+        elapsed=np.full(n, time % 100 + 1),
+    )
 
 
 class Noise(gymnasium.Env):

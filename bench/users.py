@@ -256,7 +256,7 @@ def memory(process) -> float:
 
 
 async def session(
-    address: str, process, users: int, count: int, seed: int
+    address: str, process, users: int, count: int, *, seed: int
 ) -> tuple[list[User], list[tuple[str, float]]]:
     """Both rounds; the users and the server's memory on the way."""
     from playwright.async_api import async_playwright
@@ -290,7 +290,7 @@ def main() -> int:
         return 0
     began = time.perf_counter()
     with tempfile.TemporaryFile("w+") as log, served(ROOT / "app" / "main.py", log) as (address, process):
-        everyone, told = asyncio.run(session(address, process, options.users, options.changes, options.seed))
+        everyone, told = asyncio.run(session(address, process, options.users, options.changes, seed=options.seed))
         log.seek(0)
         server = log.read()
     return report(everyone, told, server, time.perf_counter() - began)

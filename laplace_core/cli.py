@@ -158,7 +158,7 @@ def _decode(options: argparse.Namespace) -> None:
         found = study(load_world(options.world, params), settings)
     if options.horizon is not None:  # at a time_step of 1 there is no T between two whole ones
         kind, least = (int, 1) if found.settings.time_step == 1.0 else (float, float(found.horizons[0]))
-        checked_number("horizon", options.horizon, kind, least, float(found.horizons[-1]))
+        checked_number("horizon", options.horizon, kind, least, high=float(found.horizons[-1]))
     if options.out is not None:
         save_study(found, options.out)
     row = found.row

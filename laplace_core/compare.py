@@ -61,7 +61,9 @@ class ValueDifference:
         return self.b - self.a
 
 
-def difference(a: Study, b: Study, action_a: str | int, action_b: str | int, what: Space = "tau_space") -> Difference:
+def difference(
+    a: Study, b: Study, action_a: str | int, action_b: str | int, *, what: Space = "tau_space"
+) -> Difference:
     """B - A for one action of each, on the grid of B.
 
     Where tau-spaces have other sensitivities or time steps, A's probability is moved to the bins of B: what lies in a

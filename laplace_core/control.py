@@ -70,7 +70,7 @@ def values_everywhere(world: World, settings: ResolvedForWorld, learned: np.ndar
     if s.normalise == "none":
         proxy = bin_masses(world.reward_values, thetas, s.slope) @ theta_midpoints(thetas)
         if learned is None:
-            values = _proxies(world, proxy.tobytes(), gammas.tobytes(), s.policy, s.acting_gamma)
+            values = _proxies(world, proxy.tobytes(), gammas.tobytes(), s.policy, acting_gamma=s.acting_gamma)
         else:
             values = learned @ proxy
         if s.fold:
@@ -85,7 +85,7 @@ def values_everywhere(world: World, settings: ResolvedForWorld, learned: np.ndar
 
 
 @lru_cache(maxsize=4)
-def _proxies(world: World, rewards: bytes, gammas: bytes, policy: str, acting_gamma: float) -> np.ndarray:
+def _proxies(world: World, rewards: bytes, gammas: bytes, policy: str, *, acting_gamma: float) -> np.ndarray:
     """Cached :func:`laplace_core.learning.proxy_gamma_space`, ``(S, A, G)``."""
     grid = np.frombuffer(gammas)
     return proxy_gamma_space(world, np.frombuffer(rewards), grid, policies_of(world, grid, policy, acting_gamma))
@@ -113,7 +113,7 @@ def rule_actions(values: np.ndarray, time_step: float = 1.0) -> np.ndarray:
 
 
 def episode_regret(
-    world: World, actions: np.ndarray, gamma: float, optimum: np.ndarray, constant_horizon: int | None = None
+    world: World, actions: np.ndarray, gamma: float, optimum: np.ndarray, *, constant_horizon: int | None = None
 ) -> np.ndarray:
     """V*_T(s) - J_T(s), what an episode of T steps under the rule loses, ``(T, S)``, >= 0.
 
@@ -162,7 +162,7 @@ def episode_regret_of(
         return best - constant
     actions = rule_actions(values_everywhere(world, settings, learned), settings.time_step)
     optimum = _optimum(world, len(actions), settings.acting_gamma)
-    return episode_regret(world, actions, settings.acting_gamma, optimum, constant_horizon)
+    return episode_regret(world, actions, settings.acting_gamma, optimum, constant_horizon=constant_horizon)
 
 
 def constant_horizon_loss(world: World, settings: ResolvedForWorld) -> tuple[np.ndarray, np.ndarray]:

@@ -62,10 +62,10 @@ def grade(study: WorldStudy, row: int, decoded: Decoded | None = None) -> Grade:
         decoded: a reading for this row, to be graded in place of the study's own.
     """
     decoded, read = study.at(row) if decoded is None else decoded, study.reading(row)[0]
-    return grade_values(study.truth, study, row, decoded.horizon_values[:, read], decoded.scale)
+    return grade_values(study.truth, study, row, decoded.horizon_values[:, read], scale=decoded.scale)
 
 
-def grade_values(truth: Truth, study: WorldStudy, row: int, values: np.ndarray, scale: float) -> Grade:
+def grade_values(truth: Truth, study: WorldStudy, row: int, values: np.ndarray, *, scale: float) -> Grade:
     """The grade of values ``(A,)`` read for the horizon of a row, of terms of size ``scale``, against a truth.
 
     The world, the acting discount and the time step are those of the study.

@@ -102,7 +102,7 @@ def choice(default: str | None, options: tuple[str, ...], sentence: str, *, unde
     return _stated(Parameter("", default, help=sentence, choices=options), undecided=undecided)
 
 
-def switch(default: bool, sentence: str, *, undecided: bool = False) -> Any:
+def switch(sentence: str, *, default: bool, undecided: bool = False) -> Any:
     """Like :func:`setting`, for what is either on or off."""
     return _stated(Parameter("", default, help=sentence), undecided=undecided)
 

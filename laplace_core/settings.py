@@ -86,10 +86,10 @@ class Settings:
     horizon: float | None = _setting(None, 1e-3, 2000, "Deadline T, in steps of the world (default: the longest).")
     used: float | None = _setting(0.0, 0, 2000, "Steps of the episode that are over: T less these are left.")
     value_gamma: float | None = _setting(None, *DISCOUNT_RANGE, "Discount of the values (default: the acting gamma).")
-    fold: bool | None = _switch(False, "Decode only as many rows as the horizon has (K = T).")
-    shift: bool | None = _switch(False, "Decode each discount by the row of the next one, an index error.")
-    clip: bool | None = _switch(False, "Begin the sensitivities at the lowest reward that occurs.")
-    paper_grid: bool | None = _switch(False, "Use the paper's 15 discounts in place of the grid.")
+    fold: bool | None = _switch("Decode only as many rows as the horizon has (K = T).", default=False)
+    shift: bool | None = _switch("Decode each discount by the row of the next one, an index error.", default=False)
+    clip: bool | None = _switch("Begin the sensitivities at the lowest reward that occurs.", default=False)
+    paper_grid: bool | None = _switch("Use the paper's 15 discounts in place of the grid.", default=False)
     slope_share: float | None = _setting(
         1.0, 0.05, 1, "Share of the trained slope, for a gamma-space that has its slope."
     )

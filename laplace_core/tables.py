@@ -30,7 +30,7 @@ def tau_space_csv(study: Study) -> str:
     columns = {"probability": study.decoded.tau_space / step}
     if study.truth is not None:
         columns["true_probability"] = study.truth.tau_space
-    return _long("action,tau,theta_low,theta_high", study, _texts(study.taus), bins, columns)
+    return _long("action,tau,theta_low,theta_high", study, _texts(study.taus), bins, columns=columns)
 
 
 def gamma_space_csv(study: Study) -> str:
@@ -43,7 +43,7 @@ def gamma_space_csv(study: Study) -> str:
     if space.open_ends:
         values = np.concatenate([space.constant[..., None], values], axis=-1)
         thetas = np.concatenate([[-np.inf], thetas])
-    return _long("action,gamma,theta", study, _texts(space.gammas), _texts(thetas), {"value": values})
+    return _long("action,gamma,theta", study, _texts(space.gammas), _texts(thetas), columns={"value": values})
 
 
 def values_csv(study: Study) -> str:
@@ -59,7 +59,7 @@ def values_csv(study: Study) -> str:
     columns["chosen"] = (everyone == decoded.actions).astype(int)
     if truth is not None:
         columns["best"] = (everyone == truth.optimal_action).astype(int)
-    return _long("action,horizon", study, _texts(study.horizons), None, columns)
+    return _long("action,horizon", study, _texts(study.horizons), None, columns=columns)
 
 
 def rewards_csv(study: Study) -> str:
@@ -71,7 +71,7 @@ def rewards_csv(study: Study) -> str:
     columns = {"expected_reward": decoded.expected_reward / step, "survival": decoded.survival / step}
     if truth is not None:
         columns |= {"true_expected_reward": truth.expected_reward, "true_survival": truth.survival}
-    return _long("action,tau", study, _texts(study.taus), None, columns)
+    return _long("action,tau", study, _texts(study.taus), None, columns=columns)
 
 
 def true_timeline_rows(study: Study, policy: np.ndarray | None = None) -> list[dict[str, object]]:
@@ -94,7 +94,7 @@ def true_timeline_rows(study: Study, policy: np.ndarray | None = None) -> list[d
 
 
 def _long(
-    header: str, study: Study, rows: Sequence[str], bins: Sequence[str] | None, columns: dict[str, np.ndarray]
+    header: str, study: Study, rows: Sequence[str], bins: Sequence[str] | None, *, columns: dict[str, np.ndarray]
 ) -> str:
     """Lines ``action,row[,bin],numbers...`` for arrays ``(A, K[, M])``.
 

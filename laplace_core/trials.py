@@ -305,7 +305,7 @@ class Trials:
         s, read = trial.study.settings, trial.study.reading(trial.row)[0]
         values = horizon_values(rewards, s.value_gamma, s.softness, s.time_step)[:, read]
         return grade_values(
-            trial.study.truth, trial.study, trial.row, values, scale_of_values(rewards, trial.study.midpoints)
+            trial.study.truth, trial.study, trial.row, values, scale=scale_of_values(rewards, trial.study.midpoints)
         )
 
     # ---- alpha

@@ -101,7 +101,7 @@ WHY = {
 
 
 def judge(
-    study: Study, row: int, action: int | None = None, explain: bool = True, trials: Trials | None = None
+    study: Study, row: int, action: int | None = None, *, explain: bool = True, trials: Trials | None = None
 ) -> Verdict:  # fmt: skip
     """The verdict at the horizon of one row, ``study.horizons[row]``.
 
@@ -137,7 +137,7 @@ def judge(
         graded.value_error,
         misplaced,
     )
-    first = _first_words(study, row, graded, found, f"{at} the decoded values choose {names[chosen]}{numbers}")
+    first = _first_words(study, row, graded, found, choice=f"{at} the decoded values choose {names[chosen]}{numbers}")
     last = ("" if graded.wrong else _wrong_elsewhere(study, row)) + _timeline_words(found, names[looked_at])
     if found.choice == "right" and study.settings.deadline == "constant":
         constant = constant_horizon(Look(study, chosen, study.horizons[row]))
@@ -158,7 +158,7 @@ def judge(
     return replace(explained, sentence=f"{first}{why}{last}")
 
 
-def _first_words(study: WorldStudy, row: int, graded: Grade, found: Verdict, choice: str) -> str:
+def _first_words(study: WorldStudy, row: int, graded: Grade, found: Verdict, *, choice: str) -> str:
     """What the values choose, and whether that and they are right."""
     read, left = study.reading(row)
     decoded, names = study.at(row), study.action_names
@@ -276,7 +276,7 @@ def _numbers(values: np.ndarray, scale: float, chosen: int, names: tuple[str, ..
     return f" ({' v '.join(in_words((values[chosen], values[rival]), scale, apart=True))}{whose})"
 
 
-def in_words(values: Sequence[float], scale: float, apart: bool = False) -> tuple[str, ...]:
+def in_words(values: Sequence[float], scale: float, *, apart: bool = False) -> tuple[str, ...]:
     """Values with two decimals each, never a negative zero; with two significant digits where all are below .01.
 
     Args:

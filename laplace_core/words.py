@@ -30,7 +30,7 @@ def add_parameters(parser: argparse.ArgumentParser, parameters: Iterable[Paramet
         parser.add_argument(flag(parameter), dest=parameter.name, metavar=metavar, help=text, **optional)
 
 
-def checked_number(name: str, text: object, kind: type[Number], low: float, high: float) -> Number:
+def checked_number(name: str, text: object, kind: type[Number], low: float, *, high: float) -> Number:
     """An option's number within its range.
 
     Raises:

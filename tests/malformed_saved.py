@@ -40,7 +40,7 @@ class Trap:
         return open, (self.path, "w")
 
 
-def npy(array: object, pickled: bool = False) -> bytes:
+def npy(array: object, *, pickled: bool = False) -> bytes:
     """The content of an .npy file."""
     file = io.BytesIO()
     np.lib.format.write_array(file, np.asarray(array), allow_pickle=pickled)

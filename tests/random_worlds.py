@@ -14,7 +14,7 @@ discounts = st.lists(st.integers(5, 95), min_size=2, max_size=5, unique=True).ma
 
 
 @st.composite
-def worlds(draw, max_states: int = 6, max_actions: int = 3, ends: bool = False) -> World:
+def worlds(draw, max_states: int = 6, max_actions: int = 3, *, ends: bool = False) -> World:
     """A world of up to three outcomes a pair, any of which may terminate; some worlds run for ever.
 
     Args:

@@ -70,28 +70,31 @@ def value_iteration(world: World, gamma: float) -> np.ndarray:
         q = following
 
 
-def best_by_recursion(world: World, state: int, action: int, horizon: int, gamma: float) -> float:
+def best_by_recursion(world: World, state: int, action: int, horizon: int, *, gamma: float) -> float:
     """Q*_T(s, a): try everything that may be done in the steps that are left."""
     total = 0.0
     for row in world.outcomes(state, action):
         later = 0.0
         if horizon > 1 and row.next_state != END:
-            later = max(best_by_recursion(world, row.next_state, b, horizon - 1, gamma) for b in range(world.n_actions))
+            later = max(
+                best_by_recursion(world, row.next_state, b, horizon - 1, gamma=gamma) for b in range(world.n_actions)
+            )
         total += row.probability * (row.reward + gamma * later)
     return total
 
 
-def rule_by_recursion(world: World, actions: np.ndarray, state: int, horizon: int, gamma: float) -> float:
+def rule_by_recursion(world: World, actions: np.ndarray, state: int, horizon: int, *, gamma: float) -> float:
     """J_T(s) of a rule ``actions[T-1, s]``, outcome by outcome."""
     if horizon == 0 or state == END:
         return 0.0
     return sum(
-        row.probability * (row.reward + gamma * rule_by_recursion(world, actions, row.next_state, horizon - 1, gamma))
+        row.probability
+        * (row.reward + gamma * rule_by_recursion(world, actions, row.next_state, horizon - 1, gamma=gamma))
         for row in world.outcomes(state, int(actions[horizon - 1, state]))
     )
 
 
-def timeline_by_paths(world: World, state: int, action: int, policy: np.ndarray, steps: int) -> np.ndarray:
+def timeline_by_paths(world: World, state: int, action: int, policy: np.ndarray, *, steps: int) -> np.ndarray:
     """P(r_tau = v, alive), ``(steps, V)``, by walking every path there is."""
     table, values = as_table(world, policy), list(world.reward_values)
     found, over = np.zeros((steps, len(values))), {END, *idle_for_ever(world)}
@@ -107,7 +110,7 @@ def timeline_by_paths(world: World, state: int, action: int, policy: np.ndarray,
     return found
 
 
-def sampled_rewards(world: World, state: int, action: int, policy: np.ndarray, count: int, seed: int) -> np.ndarray:
+def sampled_rewards(world: World, state: int, action: int, policy: np.ndarray, *, count: int, seed: int) -> np.ndarray:
     """Rewards of whole episodes played in the environment, ``(count, longest)``; NaN after the end.
 
     The first action is ``action``, the later ones those of a deterministic policy.

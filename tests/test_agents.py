@@ -31,7 +31,7 @@ def small(observation: int = 3, actions: int = 2, time_limit: int | None = 10, *
     return agent
 
 
-def batch_of(count: int = 6, columns: int = 1, n_step: int = 1, observation: int = 3, actions: int = 2) -> Batch:
+def batch_of(count: int = 6, *, columns: int = 1, n_step: int = 1, observation: int = 3, actions: int = 2) -> Batch:
     random = np.random.default_rng(0)
     shape = (count, columns)
     return Batch(
@@ -54,7 +54,7 @@ def batch_of(count: int = 6, columns: int = 1, n_step: int = 1, observation: int
 @pytest.mark.parametrize("columns", [1, 7])
 def test_partial_evaluations_equal_the_whole(network, dueling, columns):
     agent = small(network=network, dueling=dueling, gammas=7, gamma_min=0.3)
-    batch = batch_of(5, columns)
+    batch = batch_of(5, columns=columns)
     whole = agent.network(batch.observations)
     assert whole.shape == (5, 7, 2, agent.code.channels)
     actions = batch.actions.expand(-1, 7)
@@ -68,7 +68,7 @@ def test_partial_evaluations_equal_the_whole(network, dueling, columns):
 
 @pytest.mark.parametrize("network", NETWORKS)
 def test_observations_of_their_own_equal_one_discount_at_a_time(network):
-    agent, batch = small(network=network, gammas=7), batch_of(5, 7)
+    agent, batch = small(network=network, gammas=7), batch_of(5, columns=7)
     whole = agent.network(batch.observations)
     for g in range(7):
         alone = agent.network(batch.observations[:, g : g + 1])[:, g]

@@ -284,10 +284,10 @@ def test_the_quantile_loss_and_its_gradient_equal_a_double_loop(quantiles, locat
             patch.setattr(qrdqn, "MOST_PAIRS", most)
             loss = qrdqn.quantile_huber(q, torch.tensor([y, y]), levels)
         loss.sum().backward()
-        check_quantiles(quantiles, y, levels, loss, q.grad)
+        check_quantiles(quantiles, y, levels, loss, gradient=q.grad)
 
 
-def check_quantiles(quantiles, y, levels, loss, gradient):
+def check_quantiles(quantiles, y, levels, loss, *, gradient):
     for b, one in enumerate(quantiles):
         cost, pull = 0.0, np.zeros(len(one))
         for i, qi in enumerate(one):

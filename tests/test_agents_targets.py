@@ -131,7 +131,7 @@ def test_targets_equal_a_loop_over_transitions_and_discounts(columns, n_step, po
     agent = small(
         parametrisation=name, target_policy=policy, termination=termination, double=double, n_step=n_step, dueling=True
     )
-    batch = batch_of(8, columns, n_step)
+    batch = batch_of(8, columns=columns, n_step=n_step)
     np.testing.assert_allclose(agent.targets(batch), slow_targets(agent, batch), rtol=1e-4, atol=1e-6)
 
 

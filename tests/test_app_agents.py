@@ -35,13 +35,15 @@ def shipped(tmp_path, monkeypatch):
     """Two untrained agents in place of those that ship."""
     for environment in ("CartPole-v1", "two_branch"):
         agent = new_agent(LaplaceSettings(environment=environment, hidden=8, features=4, theta_max=12.0))
-        save_checkpoint(tmp_path / f"laplace_{environment}.safetensors", agent, 100, 21.5, 20)
+        save_checkpoint(tmp_path / f"laplace_{environment}.safetensors", agent, 100, 21.5, episodes=20)
     monkeypatch.setattr(checkpoints, "SHIPPED", tmp_path)
     checkpoints.shipped.cache_clear()
     checkpoints._shipped.cache_clear()
+    checkpoints._shipped_curves.cache_clear()
     yield tmp_path
     checkpoints.shipped.cache_clear()
     checkpoints._shipped.cache_clear()
+    checkpoints._shipped_curves.cache_clear()
 
 
 def opened(**query: str) -> AppTest:
@@ -246,9 +248,9 @@ def test_with_chance_the_lens_gets_what_continuations_came_to(shipped, few):
     assert "another process" not in words(page)
     assert "simulated" not in charts(page)  # the lens shows it
     loaded = load_checkpoint(shipped / "laplace_two_branch.safetensors")
-    rollout = roll_out(loaded.agent, "two_branch", 5, "random")
+    rollout = roll_out(loaded.agent, "two_branch", 5, rule="random")
     header, arrays = lens_arrays(page)
-    found = continue_from(loaded.agent, rollout, 0, 0, 2, 20)
+    found = continue_from(loaded.agent, rollout, 0, action=0, count=2, steps=20)
     assert header["simulated"] == {"action": 0, "count": 2}
     np.testing.assert_allclose(arrays["simulated_lines"][0], found.rewards.mean(axis=0), rtol=1e-6)
 

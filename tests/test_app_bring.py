@@ -60,7 +60,7 @@ def test_an_edited_reward_moves_the_picture_and_the_verdict():
     assert "choose short" in verdict(page)
     rows = world_rows(load_world("two_branch"))
     rows[4]["reward"] = rows[5]["reward"] = 3.0
-    expected = world_from_rows(rows, "two_branch", ("start", "long 1", "long 2"), ("short", "long"))
+    expected = world_from_rows(rows, name="two_branch", states=("start", "long 1", "long 2"), actions=("short", "long"))
     found = study(expected, shown(page).settings)
     assert_shows(page, found)
     assert not page.warning

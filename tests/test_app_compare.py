@@ -74,7 +74,7 @@ def test_gamma_spaces_are_compared_too():
     run(page)
     a, b = (study(load_world("two_branch", params), Settings()) for params in ({}, {"r2": 8.0}))
     assert pictures(page)["compare A"]["layout"]["yaxis"]["title"]["text"] == "discount gamma"
-    found = difference(a, b, 0, 0, "gamma_space")
+    found = difference(a, b, 0, 0, what="gamma_space")
     np.testing.assert_allclose(maps(page)[2], found.difference, rtol=1e-4, atol=1e-5)
 
 

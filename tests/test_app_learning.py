@@ -166,7 +166,7 @@ def test_the_other_codes_learn_too_and_stand_beside_the_true_return():
     press(page, "Learn them too")
     wait(page, lambda page: "returns" in pictures(page) and finished(page))
     learned = learned_here(episodes=60, peers=True)
-    expected = return_distributions(learned, "start", 0, 0, Settings(alpha=0.2))
+    expected = return_distributions(learned, "start", 0, seed_index=0, settings=Settings(alpha=0.2))
     legend = [trace["name"] for trace in pictures(page)["returns"]["data"]]
     for name, code in (("categorical", "categorical"), ("quantile", "quantile"), ("expectile, imputed", "expectile")):
         assert f"{name} ({expected.distances[code]:.2g})" in legend

@@ -26,7 +26,7 @@ def made(folder, algorithm, environment=WORLD):
     extra = {"features": 4, "theta_max": 12.0} if algorithm == "laplace" else {}
     agent = new_agent(SETTINGS[algorithm](environment=environment, hidden=8, **extra))
     path = folder / f"{algorithm}_{environment}.safetensors"
-    save_checkpoint(path, agent, 100, 21.5, 20)
+    save_checkpoint(path, agent, 100, 21.5, episodes=20)
     return path
 
 
@@ -81,7 +81,7 @@ def test_a_peer_has_its_card_its_player_and_what_it_has_learned(shipped, algorit
     assert told(page, "player")["at"] == 0
     drawn = charts(page)
     agent = load_checkpoint(shipped / f"{algorithm}_{WORLD}.safetensors").agent
-    seen = roll_out(agent, WORLD, 2, "own" if algorithm == "fixed_horizon" else "greedy").observations[0]
+    seen = roll_out(agent, WORLD, 2, rule="own" if algorithm == "fixed_horizon" else "greedy").observations[0]
     if algorithm == "fixed_horizon":
         np.testing.assert_allclose(
             numbers(drawn["state"]["data"][1]["y"]), agent.action_values(seen[None])[0][:, 1], rtol=1e-6
@@ -111,14 +111,14 @@ def test_without_a_rollout_a_state_is_edited(shipped):
 
 
 def test_what_comes_stands_beside_what_was_learned(shipped, monkeypatch):
-    monkeypatch.setattr(returned, "simulate_returns", lambda *given, told: simulate_returns(*given, 7, told=told))
+    monkeypatch.setattr(returned, "simulate_returns", lambda *given, told: simulate_returns(*given, count=7, told=told))
     page = rolled_out(checkpoint=f"c51_{WORLD}", **{"r.shown": "yes", "r.action": "long"})
     heights = charts(page)["codes"]["layout"]["height"]
     page = simulated(page)
     drawn = charts(page)["codes"]
     assert drawn["layout"]["height"] == heights
     loaded = load_checkpoint(shipped / f"c51_{WORLD}.safetensors")
-    wanted = simulate_returns(loaded.agent, roll_out(loaded.agent, WORLD, 0), 0, 1, 7)
+    wanted = simulate_returns(loaded.agent, roll_out(loaded.agent, WORLD, 0), 0, 1, count=7)
     law = return_laws(loaded.agent, roll_out(loaded.agent, WORLD, 0).observations[0], [1])[0]
     notes = [note["text"] for note in drawn["layout"]["annotations"]]
     assert notes[:2] == ["<b>C51</b>", f"W1 {wanted.distance(law):.3g}"]
@@ -129,7 +129,7 @@ def test_what_comes_stands_beside_what_was_learned(shipped, monkeypatch):
 
 def test_the_action_taken_follows_the_cursor_until_another_is_chosen(shipped):
     loaded = load_checkpoint(shipped / "qrdqn_CartPole-v1.safetensors")
-    rollout, link = roll_out(loaded.agent, "CartPole-v1", 5, "random"), {"r.shown": "yes", "r.seed": "5"}
+    rollout, link = roll_out(loaded.agent, "CartPole-v1", 5, rule="random"), {"r.shown": "yes", "r.seed": "5"}
     first, other = 0, int(np.flatnonzero(rollout.actions != rollout.actions[0])[0])
     for at in (first, other):
         page = rolled_out(checkpoint="qrdqn_CartPole-v1", **link, **{"r.rule": "random", "r.at": str(at)})
@@ -204,7 +204,7 @@ def test_what_ships_has_its_curves():
 
 
 def test_a_cancelled_simulation_is_asked_for_anew(shipped, monkeypatch):
-    def slow(agent, rollout, step, action, told):
+    def slow(agent, rollout, step, action, *, told):
         for i in range(10_000):
             told(i, 10_000)
             time.sleep(0.01)

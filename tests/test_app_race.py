@@ -28,7 +28,7 @@ from tests.quick_runs import until
 
 
 def saved(path: Path, settings) -> None:
-    save_checkpoint(path, new_agent(settings), 100, 21.5, 20)
+    save_checkpoint(path, new_agent(settings), 100, 21.5, episodes=20)
 
 
 @pytest.fixture
@@ -38,10 +38,10 @@ def shipped(tmp_path, monkeypatch):
         small = LaplaceSettings(environment=environment, hidden=8, features=4, gammas=5, thetas=9, theta_max=12.0)
         saved(tmp_path / f"laplace_{environment}.safetensors", small)
     monkeypatch.setattr(checkpoints, "SHIPPED", tmp_path)
-    for one in (checkpoints.shipped, checkpoints._shipped):
+    for one in (checkpoints.shipped, checkpoints._shipped, checkpoints._shipped_curves):
         one.cache_clear()
     yield tmp_path
-    for one in (checkpoints.shipped, checkpoints._shipped):
+    for one in (checkpoints.shipped, checkpoints._shipped, checkpoints._shipped_curves):
         one.cache_clear()
 
 
@@ -85,7 +85,7 @@ def test_without_an_agent_the_page_says_how_to_get_one(tmp_path, monkeypatch):
 def test_it_opens_on_a_race_that_is_the_library_s(shipped):
     page = opened(checkpoint="laplace_CartPole-v1", d_start="4", d_T="30")
     agent = load_checkpoint(shipped / "laplace_CartPole-v1.safetensors").agent
-    wanted = race("CartPole-v1", Entrant(agent), Entrant(agent, "fading"), 4, 30, pictures=True)
+    wanted = race("CartPole-v1", Entrant(agent), Entrant(agent, "fading"), 4, horizon=30, pictures=True)
     shown, packed = told(page)
     assert shown["names"] == ["greedy", "fading deadline"]
     assert shown["at"] == max(len(wanted.left), len(wanted.right))
@@ -108,7 +108,7 @@ def test_many_starts_are_raced_over_on_a_click_and_lead_to_one(shipped):
     press(page, "Race over 12 starts")
     settled(page)
     agent = load_checkpoint(shipped / "laplace_CartPole-v1.safetensors").agent
-    wanted = races_of("CartPole-v1", Entrant(agent), Entrant(agent, "fading"), 60, 12)
+    wanted = races_of("CartPole-v1", Entrant(agent), Entrant(agent, "fading"), 60, count=12)
     assert (wanted.differences != 0).any()
     assert "Over 12 starts" in verdicts(page)[1]
     dots = charts(page)["differences"]["data"][2]
@@ -154,7 +154,7 @@ def test_another_agent_can_be_the_left_side(shipped):
     settled(page)
     assert link(page) == {"checkpoint": "laplace_CartPole-v1", "d.T": "30", "d.against": "laplace_CartPole-v1_other"}
     left, right = (load_checkpoint(shipped / f"laplace_CartPole-v1{end}.safetensors").agent for end in ("_other", ""))
-    wanted = race("CartPole-v1", Entrant(left), Entrant(right, "fading"), 0, 30, pictures=True)
+    wanted = race("CartPole-v1", Entrant(left), Entrant(right, "fading"), 0, horizon=30, pictures=True)
     assert told(page)[1] == payload(wanted)
     assert "greedy, other agent" in told(page)[0]["names"]
 
@@ -168,7 +168,7 @@ def test_an_agent_without_a_gamma_space_races_on_either_side(shipped, algorithm)
     words = {"greedy": "greedy", "own": "learned values"}[rule]
     assert told(page)[0]["names"] == [f"{name}: {words}", "Laplace: fading deadline"]
     left, right = (load_checkpoint(shipped / f"{one}_CartPole-v1.safetensors").agent for one in (algorithm, "laplace"))
-    wanted = race("CartPole-v1", Entrant(left, rule), Entrant(right, "fading"), 0, 9, pictures=True)
+    wanted = race("CartPole-v1", Entrant(left, rule), Entrant(right, "fading"), 0, horizon=9, pictures=True)
     assert told(page)[1] == payload(wanted)
     page = opened(checkpoint=f"{algorithm}_CartPole-v1", d_T="9", d_against="laplace_CartPole-v1")
     assert told(page)[0]["names"] == ["Laplace: greedy", f"{name}: {words}"]
@@ -228,7 +228,7 @@ def test_the_words_are_those_of_who_leads(control):
 
 def test_two_sides_that_are_one_are_told_so(control):
     same = Control(control.left, "fading", None, control.right, "fading", 3)
-    one = race("two_branch", *same.entrants, 0, 3)
+    one = race("two_branch", *same.entrants, 0, horizon=3)
     assert "same rule" in raced.verdict(one, same)[1]
 
 
@@ -247,7 +247,7 @@ def test_a_link_leads_into_the_same_episode(control):
 
 def test_the_payload_holds_both_sides_and_where_their_pictures_end(tmp_path):
     one = loaded(tmp_path, "a.safetensors", LaplaceSettings(hidden=8, features=4, gammas=3, theta_max=3.0))
-    found = race("CartPole-v1", Entrant(one.agent), Entrant(one.agent, "fading"), 1, 9, pictures=True)
+    found = race("CartPole-v1", Entrant(one.agent), Entrant(one.agent, "fading"), 1, horizon=9, pictures=True)
     data = payload(found)
     (size,) = struct.unpack("<I", data[:4])
     head, pictures = json.loads(data[4 : 4 + size]), data[4 + size :]
@@ -266,7 +266,7 @@ def many(left, right) -> Races:
 @pytest.mark.parametrize("returns", [([1.0, 2.0, 3.0], [4.0, 2.0, 2.5]), ([1.0, 1.0], [1.0, 1.0])])
 def test_plotly_takes_the_picture_of_many_races(returns):
     found = many(*returns)
-    figure = figures.differences(found, 0.5, (-0.5, 1.5), 1, COLOURS, ("greedy", "fading"))
+    figure = figures.differences(found, 0.5, (-0.5, 1.5), 1, colours=COLOURS, names=("greedy", "fading"))
     go.Figure(figure)
     figures.to_json(figure)
     assert [row[0] for row in figure["data"][2]["customdata"]] == found.starts.tolist()

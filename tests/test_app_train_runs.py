@@ -37,7 +37,7 @@ def test_what_ships_is_there_before_and_behind_own_runs(runs):
         numbers(medians[3]["y"])[-1], np.median([curve.scores[-1] for curve in curves]), rtol=0.02
     )
     assert "shipped" not in charts(opened(environment="two_branch"))  # nothing ships for it
-    made(runs, "own", settings_of("qrdqn", "Acrobot-v1", {}))
+    made(runs, "own", settings=settings_of("qrdqn", "Acrobot-v1", {}))
     assert shown(charts(opened())["training"]) == ["shipped QR-DQN, 5 seeds", "QR-DQN, seed 0 (own)"]
     made(runs, "toy")
     assert shown(charts(opened(run="toy"))["training"]) == ["Laplace DQN, seed 0 (toy)"]
@@ -98,7 +98,7 @@ def test_a_crash_is_one_sentence(runs):
 def test_curves_of_runs_of_one_environment_stand_side_by_side(runs):
     other = settings_of("laplace", "CartPole-v1", {})
     for name, settings in (("one", SMALL), ("two", replace(SMALL, seed=1)), ("pole", other)):
-        made(runs, name, settings)
+        made(runs, name, settings=settings)
     page = opened(run="one")
     drawn = charts(page)["training"]["data"]
     assert len(drawn) == 6  # three traces of two runs
@@ -110,7 +110,7 @@ def test_curves_of_runs_of_one_environment_stand_side_by_side(runs):
 
 def test_runs_beside_it_are_picked_and_in_the_link(runs):
     for seed in range(3):
-        made(runs, f"run_{seed}", replace(SMALL, seed=seed))
+        made(runs, f"run_{seed}", settings=replace(SMALL, seed=seed))
     page = opened(run="run_0", beside="run_2")
     assert len(charts(page)["training"]["data"]) == 6
     page.get("button_group")[0].set_value([])
@@ -121,7 +121,7 @@ def test_runs_beside_it_are_picked_and_in_the_link(runs):
 
 
 def test_agents_that_ship_are_picked_and_in_the_link(runs):
-    made(runs, "own", settings_of("qrdqn", "Acrobot-v1", {}))
+    made(runs, "own", settings=settings_of("qrdqn", "Acrobot-v1", {}))
     page = opened()
     page.get("button_group")[0].set_value(["c51", "laplace"])
     run(page)
@@ -149,13 +149,13 @@ def test_the_values_of_a_peer_stand_against_what_came_at_its_one_discount(runs):
     told = json.loads(STORY.splitlines()[2])
     told |= {"values": [7.0], "discounted": [3.0], "discounted_errors": [0.0]}
     story = STORY.splitlines()[0] + "\n" + json.dumps(told) + "\n"
-    made(runs, "one", settings_of("dqn", "Acrobot-v1", {}), story=story)
+    made(runs, "one", settings=settings_of("dqn", "Acrobot-v1", {}), story=story)
     drawn = charts(opened())
     assert set(drawn) == {"training", "discounts"}
     (line,) = drawn["discounts"]["data"]
     np.testing.assert_allclose(numbers(line["y"]), [0.01 * (7.0 - 3.0)])
     assert "gamma 0.99" in drawn["discounts"]["layout"]["title"]["text"]
-    made(runs, "other", settings_of("fixed_horizon", "Acrobot-v1", {}))
+    made(runs, "other", settings=settings_of("fixed_horizon", "Acrobot-v1", {}))
     assert set(charts(opened(run="other"))) == {"training"}
 
 
@@ -164,7 +164,7 @@ def test_an_algorithm_without_many_discounts_has_one_picture_and_opens_as_well(r
         ALGORITHM = "plain"
 
     monkeypatch.setitem(SETTINGS, "plain", PlainSettings)
-    made(runs, "one", PlainSettings())
+    made(runs, "one", settings=PlainSettings())
     (runs.folder / "one" / "best.safetensors").write_bytes(b"")
     page = opened()
     assert set(charts(page)) == {"training"}
@@ -207,7 +207,7 @@ def test_the_copied_command_repeats_the_run(runs, tmp_path, monkeypatch, capsys)
     told = shlex.split(copied(opened("more_one"), "command one"))
     assert told[:3] == ["python", "-m", "laplace_core"]
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr("laplace_core.training.loop.train", lambda settings, path, *_: new_run(path, settings) or ())
+    monkeypatch.setattr("laplace_core.training.loop.train", lambda settings, path, **_: new_run(path, settings) or ())
     assert main(told[3:]) == 0
     assert read_config(tmp_path / "runs" / "one_again" / "config.json") == read_config(folder / "config.json")
 
@@ -235,7 +235,7 @@ def test_a_folder_of_junk_opens_and_broken_runs_may_be_removed(runs):
 
 def test_many_runs_are_shown_a_few_at_a_time(runs):
     for seed in range(15):
-        made(runs, f"run_{seed}", replace(SMALL, seed=seed))
+        made(runs, f"run_{seed}", settings=replace(SMALL, seed=seed))
     page = opened()
     assert labels(page).count("Resume") == 12
     press(page, "Show all 15 runs")

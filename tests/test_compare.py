@@ -50,7 +50,7 @@ def test_moved_mass_is_the_mass_that_each_bin_covers(data, edges, new_edges):
 @pytest.mark.parametrize("source", ["two_branch", "cliff_grid", "gym:FrozenLake-v1"])
 def test_a_study_does_not_differ_from_itself(source, what):
     found = study(load_world(source), Settings(thetas=20, steps=6))
-    same = difference(found, found, 0, 0, what)
+    same = difference(found, found, 0, 0, what=what)
     assert not same.difference.any()
     assert same.note == ""
     values = value_difference(found, found, 1, 1)
@@ -66,7 +66,7 @@ def test_a_study_does_not_differ_from_itself(source, what):
 def test_on_one_grid_arrays_are_subtracted(what, action_a, action_b):
     a, b = two(normalise="paper"), two(policy="per_gamma", noise=0.01)
     first, second = (TWO.actions.index(x) if isinstance(x, str) else x for x in (action_a, action_b))
-    one, other = difference(a, b, action_a, action_b, what), difference(b, a, action_b, action_a, what)
+    one, other = difference(a, b, action_a, action_b, what=what), difference(b, a, action_b, action_a, what=what)
     arrays = [s.decoded.tau_space if what == "tau_space" else s.gamma_space.values for s in (a, b)]
     np.testing.assert_array_equal(one.difference, arrays[1][second] - arrays[0][first])
     np.testing.assert_array_equal(one.difference, -other.difference)
@@ -119,7 +119,7 @@ def test_a_saved_gamma_space_compares_like_any_study():
     a = two()
     own = study_of_gamma_space(a.gamma_space, Settings(world="own.npz", alpha=0.2, steps=3))
     for what in SPACES:
-        np.testing.assert_allclose(difference(a, own, "long", "action 1", what).difference, 0, atol=1e-12)
+        np.testing.assert_allclose(difference(a, own, "long", "action 1", what=what).difference, 0, atol=1e-12)
 
 
 # --- on other sensitivities ---
@@ -145,13 +145,13 @@ def test_what_lies_beyond_the_sensitivities_of_b_is_told():
     apart = two(theta_min=20.0, theta_max=30.0)
     for what in SPACES:
         with pytest.raises(InputError, match="no difference map") as refused:
-            difference(a, apart, 0, 0, what)
+            difference(a, apart, 0, 0, what=what)
         assert_one_sentence(str(refused.value), "sensitivities", "20", "30")
 
 
 def test_gamma_space_on_other_sensitivities_is_linear_between_those_of_a():
     a, b = two(), two(thetas=40, theta_min=0.0, theta_max=20.0)
-    found = difference(a, b, 0, 1, "gamma_space")
+    found = difference(a, b, 0, 1, what="gamma_space")
     np.testing.assert_array_equal(found.columns, b.gamma_space.thetas[b.gamma_space.thetas <= 12.0])
     for g, row in enumerate(a.gamma_space.values[0]):
         np.testing.assert_allclose(found.a[g], np.interp(found.columns, a.gamma_space.thetas, row), atol=1e-12)
@@ -164,7 +164,7 @@ def test_gamma_space_on_other_sensitivities_is_linear_between_those_of_a():
 
 def test_gamma_space_on_other_discounts_stays_within_those_of_a():
     a, b = two(spacing="log", gammas=60, gamma_min=0.3), two(spacing="log", gammas=23, gamma_min=0.1, gamma_max=0.98)
-    found = difference(a, b, 0, 0, "gamma_space")
+    found = difference(a, b, 0, 0, what="gamma_space")
     assert found.rows.min() >= 0.3
     assert len(found.rows) < 23
     np.testing.assert_allclose(found.difference, 0.0, atol=0.01)  # the same world: only the interpolation differs
@@ -175,10 +175,10 @@ def test_gamma_space_on_other_discounts_stays_within_those_of_a():
             a.gamma_space, values=a.gamma_space.values[:, ::-1], gammas=np.ascontiguousarray(a.gamma_space.gammas[::-1])
         ),
     )
-    np.testing.assert_allclose(difference(reversed_a, b, 0, 0, "gamma_space").a, found.a, atol=1e-12)
+    np.testing.assert_allclose(difference(reversed_a, b, 0, 0, what="gamma_space").a, found.a, atol=1e-12)
     low, high = two(gamma_min=0.01, gamma_max=0.2, gammas=5), two(gamma_min=0.5, gamma_max=0.9, gammas=5)
     with pytest.raises(InputError, match="no difference map") as refused:
-        difference(low, high, 0, 0, "gamma_space")
+        difference(low, high, 0, 0, what="gamma_space")
     assert_one_sentence(str(refused.value), "discounts")
     difference(low, high, 0, 0)  # tau-spaces do not know their discounts
 

@@ -49,7 +49,7 @@ def test_the_lander_has_chance_and_the_same_past():
     assert environments.chance("LunarLander-v3")
     found = continue_from(agent, rollout, 5, action=2, count=6, steps=60)
     assert len(np.unique(found.rewards.sum(axis=1))) == 6  # each its own future
-    np.testing.assert_array_equal(found.rewards, continue_from(agent, rollout, 5, 2, 6, 60).rewards)
+    np.testing.assert_array_equal(found.rewards, continue_from(agent, rollout, 5, action=2, count=6, steps=60).rewards)
     found = continue_from(agent, rollout, 5, action=0, count=6, steps=60)
     # The same past: without an engine nothing is left to chance in the first step.
     np.testing.assert_allclose(found.rewards[:, 0], found.rewards[0, 0], atol=1e-9)
@@ -59,7 +59,7 @@ def test_chances_of_a_world_are_met():
     """P(alive at tau) on the ice by counting, against products of the world's own transition matrix."""
     name = "gym:FrozenLake-v1"
     world, agent = load_world(name), made(name)
-    rollout = roll_out(agent, name, 0, "random")
+    rollout = roll_out(agent, name, 0, rule="random")
     start, first = int(rollout.observations[0].argmax()), int(rollout.actions[0])
     policy = agent.greedy(np.eye(world.n_states))
     moves = world.transition_matrix.toarray().reshape(world.n_states, world.n_actions, world.n_states)
@@ -77,7 +77,7 @@ def test_under_its_own_rule_an_episode_without_chance_goes_on_as_it_did(rule):
     """The rule has 9 steps to go at the step, as it had in the episode, and says nothing after them."""
     agent = made("CartPole-v1")
     gamma = 0.5 if rule == "greedy" else None
-    rollout = roll_out(agent, "CartPole-v1", 7, rule, horizon=12, gamma=gamma)
+    rollout = roll_out(agent, "CartPole-v1", 7, rule=rule, horizon=12, gamma=gamma)
     found = continue_from(agent, rollout, 3, count=2, steps=20, own=True)
     known = 20 if rule == "greedy" else 9  # a rule for a deadline says nothing after it
     assert found.rewards.shape == (2, known)
@@ -100,9 +100,9 @@ def chooses_by_the_clock(agent, horizon):
 
 def test_the_time_to_go_runs_on_from_that_of_the_step(monkeypatch):
     agent = made("CartPole-v1")
-    rollout = roll_out(agent, "CartPole-v1", 7, "fading", horizon=9)
+    rollout = roll_out(agent, "CartPole-v1", 7, rule="fading", horizon=9)
     judge, taken = chooses_by_the_clock(agent, 9)
-    monkeypatch.setattr(continuations, "judge_of", lambda *_: (judge, None))
+    monkeypatch.setattr(continuations, "judge_of", lambda *_, **__: (judge, None))
     continue_from(agent, rollout, 3, count=3, own=True)
     assert taken == [(left, 3) for left in (5, 4, 3, 2, 1)]  # with 6 to go the first action is given
 
@@ -110,7 +110,7 @@ def test_the_time_to_go_runs_on_from_that_of_the_step(monkeypatch):
 def test_random_continuations_are_random_and_the_same_again():
     name = "gym:FrozenLake-v1"
     agent = made(name)
-    rollout = roll_out(agent, name, 0, "random")
+    rollout = roll_out(agent, name, 0, rule="random")
     found = [continue_from(agent, rollout, 0, count=40, steps=12, seed=seed, own=True) for seed in (0, 0, 1)]
     np.testing.assert_array_equal(found[0].alive, found[1].alive)
     assert (found[0].alive != found[2].alive).any()
@@ -122,17 +122,17 @@ def test_the_values_are_of_greedy_at_the_acting_discount():
     acting = float(agent.gammas[agent.acting_head])
     for rule, gamma, wanted in (("greedy", None, True), ("greedy", acting, True), ("greedy", 0.5, False),
                                 ("random", None, False), ("fading", None, False)):  # fmt: skip
-        assert roll_out(agent, "CartPole-v1", 1, rule, 5, gamma).of_the_values is wanted
+        assert roll_out(agent, "CartPole-v1", 1, rule=rule, horizon=5, gamma=gamma).of_the_values is wanted
 
 
 @pytest.mark.parametrize(("rule", "horizon", "known"), [("random", None, 30), ("fading", 9, 5), ("decoded", 1, 1)])
 def test_outcomes_under_another_rule(rule, horizon, known):
     """Of a deadline of 9 the states are among the first 4 or 5 steps: 5 steps are known after each."""
     agent = made("CartPole-v1")
-    like = roll_out(agent, "CartPole-v1", 7, rule, horizon)
+    like = roll_out(agent, "CartPole-v1", 7, rule=rule, horizon=horizon)
     found = outcomes_of_states(agent, "CartPole-v1", episodes=2, each=3, steps=30, like=like)
     assert found.rewards.shape[1] == known
-    first = roll_out(agent, "CartPole-v1", 0, rule, horizon, limited=False)
+    first = roll_out(agent, "CartPole-v1", 0, rule=rule, horizon=horizon, limited=False)
     np.testing.assert_array_equal(found.observations[0], first.observations[0])
     np.testing.assert_array_equal(found.rewards[0][: len(first)], first.rewards[:known])
 

@@ -116,7 +116,7 @@ def test_no_rule_beats_the_optimum_and_regret_is_what_it_lacks(data):
     regrets = episode_regret(world, rule, GAMMA, optimum)
     assert np.all(regrets >= -1e-12)
     for t, s in np.ndindex(4, world.n_states):
-        collected = rule_by_recursion(world, rule, s, t + 1, GAMMA)
+        collected = rule_by_recursion(world, rule, s, t + 1, gamma=GAMMA)
         assert regrets[t, s] == pytest.approx(optimum[t, s].max() - collected, abs=1e-12)
 
 
@@ -137,8 +137,12 @@ def test_acting_for_a_constant_horizon_costs_the_reward_that_no_longer_comes():
     world = load_world("two_branch")
     optimum = finite_horizon_optimum(world, 3, GAMMA)
     rule = optimal_rule(optimum)
-    np.testing.assert_allclose(episode_regret(world, rule, GAMMA, optimum, 1)[:, 0], [0, 0, 3.1], atol=1e-12)
-    np.testing.assert_allclose(episode_regret(world, rule, GAMMA, optimum, 3)[:, 0], [5.0, 5.0, 0.0], atol=1e-12)
+    np.testing.assert_allclose(
+        episode_regret(world, rule, GAMMA, optimum, constant_horizon=1)[:, 0], [0, 0, 3.1], atol=1e-12
+    )
+    np.testing.assert_allclose(
+        episode_regret(world, rule, GAMMA, optimum, constant_horizon=3)[:, 0], [5.0, 5.0, 0.0], atol=1e-12
+    )
 
 
 def test_rescaled_rows_cost_what_the_repeated_reward_promises():

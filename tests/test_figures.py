@@ -125,7 +125,7 @@ def test_the_strip_of_several_learners_shows_their_shares():
 
 def test_the_laws_of_the_return_rise_to_one_and_the_true_one_is_exact():
     view = learned_view(episodes=20)
-    found = return_distributions(view.learned, view.settings.state, 0, 0, view.settings)
+    found = return_distributions(view.learned, view.settings.state, 0, seed_index=0, settings=view.settings)
     traces = [t for t in json.loads(compute.learning_figure("returns", view))["data"] if t["mode"] == "lines"]
     for trace in traces:
         heights = unpacked(trace["y"])

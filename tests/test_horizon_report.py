@@ -39,7 +39,7 @@ def test_means_and_differences_are_those_of_the_evaluations(agents, capsys):
 
     def scores(name, horizon, rule, **options):
         agent = load_checkpoint(agents[name]).agent
-        return evaluate(agent, "CartPole-v1", 6, 3, horizon=horizon, rule=rule, **options).returns
+        return evaluate(agent, "CartPole-v1", episodes=6, seed=3, horizon=horizon, rule=rule, **options).returns
 
     for row in rows:
         horizon = row["horizon"]

@@ -131,7 +131,7 @@ def test_a_learner_is_that_of_the_learning_package(policy):
     world = load_world("two_decisions", {"slip": 0.2})
     learned = learned_to_the_end(world, LearnSettings(episodes=100, policy=policy, seed=3))
     s = learned.settings
-    plain = LaplaceTD(world, s.discounts, None, policy, s.acting_gamma, s.rate)
+    plain = LaplaceTD(world, s.discounts, channels=None, policy=policy, acting_gamma=s.acting_gamma, rate=s.rate)
     list(learn(world, [plain], Schedule(100, 3, s.epsilon, s.max_steps, s.starts)))
     np.testing.assert_array_equal(learned.basis[0], plain.table.astype(np.float32))
     np.testing.assert_array_equal(learned.acting_values[0], plain.acting_values)

@@ -118,7 +118,7 @@ def test_bounds_are_the_ends_of_the_true_distributions(name, params, gamma):
     ends = [
         (law.locations[0], law.locations[-1])
         for s, a in itertools.product(range(world.n_states), range(world.n_actions))
-        for law in [return_distribution(world, s, a, policy, gamma)]
+        for law in [return_distribution(world, s, a, policy, gamma=gamma)]
     ]
     assert low == pytest.approx(min(least for least, _ in ends), abs=1e-5)
     assert high == pytest.approx(max(most for _, most in ends), abs=1e-5)
@@ -182,6 +182,6 @@ def test_what_is_not_there_is_refused(learned):
     with pytest.raises(InputError, match="state 'nowhere'"):
         return_distributions(learned, "nowhere", 0)
     with pytest.raises(InputError, match="seed_index 1"):
-        return_distributions(learned, 0, 0, 1)
+        return_distributions(learned, 0, 0, seed_index=1)
     with pytest.raises(InputError, match="learn again with peers"):
         return_distributions(Learning(load_world("two_branch"), LearnSettings()).snapshot(), 0, 0)

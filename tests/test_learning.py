@@ -254,7 +254,7 @@ def test_timeline_equals_a_walk_over_every_path(world_and_policy, state):
     state = min(state, world.n_states - 1)
     timeline = reward_timeline(world, state, policy, 4)
     for action in range(world.n_actions):
-        slow = timeline_by_paths(world, state, action, policy, 4)
+        slow = timeline_by_paths(world, state, action, policy, steps=4)
         np.testing.assert_allclose(timeline[action], slow, atol=1e-12)
 
 
@@ -270,7 +270,9 @@ def test_true_survival_starts_at_one_and_never_rises(world_and_policy):
 def test_finite_horizon_optimum_equals_trying_everything(world):
     optimum = finite_horizon_optimum(world, 4, 0.9)
     for horizon, s, a in np.ndindex(4, world.n_states, world.n_actions):
-        assert optimum[horizon, s, a] == pytest.approx(best_by_recursion(world, s, a, horizon + 1, 0.9), abs=1e-12)
+        assert optimum[horizon, s, a] == pytest.approx(
+            best_by_recursion(world, s, a, horizon + 1, gamma=0.9), abs=1e-12
+        )
     for s in range(world.n_states):
         np.testing.assert_array_equal(finite_horizon_optimum(world, 4, 0.9, s), optimum[:, s])
 
@@ -283,4 +285,4 @@ def test_value_of_a_rule_equals_following_it(data):
     rule = np.array(chosen).reshape(4, world.n_states)
     values = value_of_rule(world, rule, 0.9)
     for horizon, s in np.ndindex(4, world.n_states):
-        assert values[horizon, s] == pytest.approx(rule_by_recursion(world, rule, s, horizon + 1, 0.9), abs=1e-12)
+        assert values[horizon, s] == pytest.approx(rule_by_recursion(world, rule, s, horizon + 1, gamma=0.9), abs=1e-12)

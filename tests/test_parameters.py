@@ -33,7 +33,7 @@ class Colours:
     name: str | None = text("What it is called.")
     hue: str = choice("red", ("red", "blue"), "Which one.")
     layers: int = setting(3, 1, 9, "How many.")
-    matt: bool = switch(False, "No shine.")
+    matt: bool = switch("No shine.", default=False)
     made_of: tuple[str, ...] = field(default=())
 
     SCHEMA = Schema()

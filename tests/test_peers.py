@@ -105,7 +105,10 @@ def test_one_step_of_each_peer_by_hand():
     # 1/2 * 4 * level. Expectiles (levels 1/4, 1/2, 3/4): up by 1/2 * 2 * level * 2.
     world, rate = load_world("two_branch"), Decay(0.5, np.inf)
     plain, categorical = PlainQ(world, 0.5, rate=rate), Categorical(world, 0.5, np.arange(4.0), rate=rate)
-    quantile, expectile = Quantile(world, 0.5, 2, 4.0, rate=rate), Expectile(world, 0.5, 0.0, 3.0, 3, rate=rate)
+    quantile, expectile = (
+        Quantile(world, 0.5, count=2, scale=4.0, rate=rate),
+        Expectile(world, 0.5, 0.0, 3.0, count=3, rate=rate),
+    )
     for table in (plain.values, quantile.locations, expectile.expectiles):
         table[2] = 2.0
     categorical.probabilities[2] = [0, 0, 1, 0]
@@ -173,7 +176,7 @@ def test_the_returns_of_fig6_are_its_sixteen_sums():
     g = 0.9
     signs = itertools.product([-1, 1], repeat=4)
     sums = sorted(2 * a + g * 2 * b + g**2 * c + g**3 * d for a, b, c, d in signs)
-    found = return_distribution(load_world("fig6_chain"), 0, 0, np.zeros(4, dtype=int), g)
+    found = return_distribution(load_world("fig6_chain"), 0, 0, np.zeros(4, dtype=int), gamma=g)
     np.testing.assert_allclose(found.locations, sums, atol=1e-12)
     np.testing.assert_allclose(found.masses, np.full(16, 1 / 16))
     assert found.error < 1e-9
@@ -182,7 +185,7 @@ def test_the_returns_of_fig6_are_its_sixteen_sums():
 @given(worlds_with_policy(max_states=4), st.sampled_from([0.3, 0.8]))
 def test_the_mean_of_the_returns_is_their_expectation(world_and_policy, gamma):
     world, policy = world_and_policy
-    found = return_distribution(world, 0, 0, policy, gamma, most=300)
+    found = return_distribution(world, 0, 0, policy, gamma=gamma, most=300)
     basis = reward_indicator_basis(world, 0, np.array([gamma]), [policy])
     assert found.masses.sum() == pytest.approx(1.0)
     assert found.locations @ found.masses == pytest.approx(basis[0, 0] @ world.reward_values, abs=2e-6)
@@ -191,8 +194,8 @@ def test_the_mean_of_the_returns_is_their_expectation(world_and_policy, gamma):
 def test_the_returns_agree_with_sampled_episodes():
     world, gamma = load_world("cliff_grid", {"width": 4, "height": 3, "slip": 0.3}), 0.95
     policy = greedy_policy(world, gamma)
-    found = return_distribution(world, 0, 0, policy, gamma)
-    rewards = np.nan_to_num(sampled_rewards(world, 0, 0, policy, 5_000, seed=0))
+    found = return_distribution(world, 0, 0, policy, gamma=gamma)
+    rewards = np.nan_to_num(sampled_rewards(world, 0, 0, policy, count=5_000, seed=0))
     returns = rewards @ gamma ** np.arange(rewards.shape[1])
     levels = (found.locations[1:] + found.locations[:-1]) / 2
     assert_mean_agrees(returns[:, None] < levels, np.cumsum(found.masses)[:-1])
@@ -201,7 +204,7 @@ def test_the_returns_agree_with_sampled_episodes():
 def test_the_error_of_a_coarse_propagation_is_a_bound():
     world = load_world("cliff_grid", {"slip": 0.6})
     walk = np.full((world.n_states, 4), 0.25)
-    fine, coarse = (return_distribution(world, 0, 0, walk, 0.97, most=most) for most in (20_000, 60))
+    fine, coarse = (return_distribution(world, 0, 0, walk, gamma=0.97, most=most) for most in (20_000, 60))
     apart = wasserstein_distance(fine.locations, coarse.locations, fine.masses, coarse.masses)
     assert 1e-3 < apart <= coarse.error + fine.error
     assert coarse.locations @ coarse.masses == pytest.approx(fine.locations @ fine.masses, abs=1e-5)
@@ -220,8 +223,8 @@ def learned():
         "laplace": LaplaceTD(world, [0.5, GAMMA], acting_gamma=GAMMA, rate=rate),
         "plain": PlainQ(world, GAMMA, rate=rate),
         "categorical": Categorical(world, GAMMA, np.linspace(0, 1, 51), rate=rate),
-        "quantile": Quantile(world, GAMMA, 50, rate=rate),
-        "expectile": Expectile(world, GAMMA, 0.0, 1.0, 11, rate=rate),
+        "quantile": Quantile(world, GAMMA, count=50, rate=rate),
+        "expectile": Expectile(world, GAMMA, 0.0, 1.0, count=11, rate=rate),
     }
     list(learn(world, list(peers.values()), Schedule(2_500, 1, **EVERYWHERE)))
     return peers
@@ -238,7 +241,7 @@ A, B = 0.6 * GAMMA**2, GAMMA**6  # .6 at step 2 or 1 at step 6, by a coin
     [("plain", 0.17, 0.19), ("categorical", 0, 0.05), ("quantile", 0, 0.05), ("expectile", 0, 0.09)],
 )
 def test_learned_distributions_approach_the_true_one(learned, name, least, most):
-    truth = return_distribution(load_world("double_chain"), 0, 0, np.zeros(9, dtype=int), GAMMA)
+    truth = return_distribution(load_world("double_chain"), 0, 0, np.zeros(9, dtype=int), gamma=GAMMA)
     np.testing.assert_allclose(truth.locations, [A, B])
     np.testing.assert_allclose(truth.masses, [0.5, 0.5])
     assert truth.error < 1e-6
@@ -271,7 +274,10 @@ def test_means_are_those_of_plain_q(learned, name):
 def test_the_peers_find_the_better_branch():
     world, rate = load_world("two_branch"), Decay(1.0, 100.0)
     peers = [PlainQ(world, GAMMA, rate=rate), Categorical(world, GAMMA, np.linspace(0, 10, 51), rate=rate)]
-    peers += [Quantile(world, GAMMA, 21, 10.0, rate=rate), Expectile(world, GAMMA, 0.0, 10.0, 5, rate=rate)]
+    peers += [
+        Quantile(world, GAMMA, count=21, scale=10.0, rate=rate),
+        Expectile(world, GAMMA, 0.0, 10.0, count=5, rate=rate),
+    ]
     list(learn(world, peers, Schedule(400, **EVERYWHERE)))
     for peer in peers:
         assert peer.act(0) == 1
@@ -292,7 +298,7 @@ def test_what_does_not_fit_is_refused():
         "gamma must lie": lambda: PlainQ(world, 1.0),
         "deterministic": lambda: PlainQ(world, 0.9, policy=np.full((3, 2), 0.5)),
         "increasing": lambda: Categorical(world, 0.9, np.array([1.0, 0.0])),
-        "positive scale": lambda: Quantile(world, 0.9, 5, scale=0.0),
+        "positive scale": lambda: Quantile(world, 0.9, count=5, scale=0.0),
         "odd count": lambda: Expectile(world, 0.9, 0.0, 1.0, count=4),
     }
     for words, build in refused.items():

@@ -44,16 +44,16 @@ def agent():
 # it takes the 5. With 3 to go it is .72, and .72^2 * 10 = 5.1 > 5: it waits as well, and both have 10.
 @pytest.mark.parametrize(("horizon", "left", "right", "parting"), [(2, 0.0, 5.0, 0), (3, 10.0, 10.0, None)])
 def test_who_knows_the_deadline_takes_what_can_be_had(knowing, horizon, left, right, parting):
-    found = race("two_branch", Entrant(knowing), Entrant(knowing, "matched"), 4, horizon)
+    found = race("two_branch", Entrant(knowing), Entrant(knowing, "matched"), 4, horizon=horizon)
     assert (found.left.rewards.sum(), found.right.rewards.sum()) == (left, right)
     assert (found.difference, found.parting) == (right - left, parting)
-    many = races("two_branch", Entrant(knowing), Entrant(knowing, "matched"), horizon, 3)
+    many = races("two_branch", Entrant(knowing), Entrant(knowing, "matched"), horizon, count=3)
     assert many.differences.tolist() == [right - left] * 3
 
 
 def test_sides_part_where_their_actions_differ_first(agent):
     """What follows after the shorter of two episodes is no difference of actions."""
-    found = race("CartPole-v1", Entrant(agent), Entrant(agent), 0, 5)
+    found = race("CartPole-v1", Entrant(agent), Entrant(agent), 0, horizon=5)
     for left, right, parting in (([0, 1, 1, 0], [0, 1, 0, 1], 2), ([1, 1], [1, 1, 0], None), ([1], [0, 1], 0)):
         sides = (replace(found.left, actions=np.array(actions)) for actions in (left, right))
         assert Race(0, 5, *sides).parting == parting
@@ -62,14 +62,14 @@ def test_sides_part_where_their_actions_differ_first(agent):
 def test_another_discount_of_the_left_side_counts(knowing):
     """At a discount of .5 the 10 is worth 2.5: also the greedy side takes the 5 then."""
     short = Entrant(knowing, gamma=0.5)
-    assert race("two_branch", short, Entrant(knowing), 0, 3).difference == 5.0
-    assert races("two_branch", short, Entrant(knowing), 3, 2).differences.tolist() == [5.0] * 2
+    assert race("two_branch", short, Entrant(knowing), 0, horizon=3).difference == 5.0
+    assert races("two_branch", short, Entrant(knowing), 3, count=2).differences.tolist() == [5.0] * 2
 
 
 def test_many_races_are_one_race_from_each_start(agent):
     left, right = Entrant(agent), Entrant(agent, "fading")
-    many = races("CartPole-v1", left, right, 40, 6, first=3)
-    one_by_one = [race("CartPole-v1", left, right, start, 40) for start in many.starts]
+    many = races("CartPole-v1", left, right, 40, count=6, first=3)
+    one_by_one = [race("CartPole-v1", left, right, start, horizon=40) for start in many.starts]
     assert many.starts.tolist() == [3, 4, 5, 6, 7, 8]
     np.testing.assert_allclose(many.left, [one.left.rewards.sum() for one in one_by_one])
     np.testing.assert_allclose(many.right, [one.right.rewards.sum() for one in one_by_one])
@@ -128,9 +128,9 @@ def test_progress_is_told_to_the_end_and_can_be_stopped(agent, run):
 
     def work(told):
         if run == "one":
-            race("CartPole-v1", *sides, 0, 30, told=told)
+            race("CartPole-v1", *sides, 0, horizon=30, told=told)
         else:
-            races("CartPole-v1", *sides, 30, 120, told=told)  # in two parts
+            races("CartPole-v1", *sides, 30, count=120, told=told)  # in two parts
 
     heard: list[tuple[int, int]] = []
     work(lambda done, of: heard.append((done, of)))
@@ -157,10 +157,12 @@ def test_what_makes_no_race_is_refused(agent, given_, said):
     rule, gamma = given_.get("left", ("greedy", None))
     sides = Entrant(agent, rule, gamma), Entrant(agent, "fading")
     with pytest.raises(InputError, match=said):
-        races("CartPole-v1", *sides, given_.get("horizon", 5), given_.get("count", 2), given_.get("first", 0))
+        races(
+            "CartPole-v1", *sides, given_.get("horizon", 5), count=given_.get("count", 2), first=given_.get("first", 0)
+        )
     if "count" not in given_:
         with pytest.raises(InputError, match=said):
-            race("CartPole-v1", *sides, given_.get("first", 0), given_.get("horizon", 5))
+            race("CartPole-v1", *sides, given_.get("first", 0), horizon=given_.get("horizon", 5))
 
 
 def test_files_hold_every_return(agent):
@@ -172,7 +174,7 @@ def test_files_hold_every_return(agent):
     file = np.load(io.BytesIO(races_npz(found, {"left": "greedy"})))
     np.testing.assert_array_equal(file["right"], found.right)
     assert json.loads(str(file["settings"]))["left"] == "greedy"
-    one = race("CartPole-v1", Entrant(agent), Entrant(agent, "fading"), 1, 12)
+    one = race("CartPole-v1", Entrant(agent), Entrant(agent, "fading"), 1, horizon=12)
     file = np.load(io.BytesIO(race_npz(one)))
     np.testing.assert_array_equal(file["right_rewards"], one.right.rewards)
     assert json.loads(str(file["left_settings"]))["seed"] == FIRST_START + 1

@@ -31,7 +31,7 @@ def printed(capsys, *words: str) -> str:
 def test_many_races_are_the_library_s(files, capsys):
     found = json.loads(printed(capsys, files["a"], "--horizon", "20", "--seeds", "4", "--json"))
     agent = load_checkpoint(files["a"]).agent
-    wanted = races("CartPole-v1", Entrant(agent), Entrant(agent, "fading"), 20, 4)
+    wanted = races("CartPole-v1", Entrant(agent), Entrant(agent, "fading"), 20, count=4)
     assert found["returns"]["right"] == wanted.right.tolist()
     assert found["difference"] == wanted.summary()["difference"]
     assert (found["rule"], found["against"]) == ("fading", "greedy")
@@ -41,7 +41,7 @@ def test_one_race_step_by_step_between_two_agents(files, capsys):
     words = [files["a"], "--against-agent", files["b"], "--horizon", "20", "--start", "5", "--rule", "greedy"]
     found = json.loads(printed(capsys, *words, "--json"))
     left, right = (load_checkpoint(files[name]).agent for name in "ba")
-    wanted = race("CartPole-v1", Entrant(left), Entrant(right), 5, 20)
+    wanted = race("CartPole-v1", Entrant(left), Entrant(right), 5, horizon=20)
     assert found["left_actions"] == wanted.left.actions.tolist()
     assert found["right_rewards"] == wanted.right.rewards.tolist()
     assert "start 5" in printed(capsys, *words)

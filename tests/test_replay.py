@@ -54,8 +54,8 @@ def gathered(steps: int, envs: int = 1, **options) -> Replay:
         observations = environments.observations
         s = environments.step(np.zeros(envs, np.int64))
         replay.add(
-            s.real, observations, np.zeros(envs, np.int64), s.rewards, s.observations, s.terminated, s.truncated,
-            s.elapsed,
+            s.real, observations, np.zeros(envs, np.int64), s.rewards, next_observations=s.observations,
+            terminated=s.terminated, truncated=s.truncated, elapsed=s.elapsed,
         )  # fmt: skip
     return replay
 
@@ -104,8 +104,8 @@ def test_n_step_rewards_do_not_reach_over_a_cut():
     replay = gathered(5, n_step=3)
     replay.cut()
     replay.add(
-        np.array([True]), np.array([[100.0]]), np.array([0]), np.array([7.0]), np.array([[101.0]]), np.array([False]),
-        np.array([False]), np.array([1]),
+        np.array([True]), np.array([[100.0]]), np.array([0]), np.array([7.0]), next_observations=np.array([[101.0]]),
+        terminated=np.array([False]), truncated=np.array([False]), elapsed=np.array([1]),
     )  # fmt: skip
     assert rows(replay) == {
         (0, (10, 20, 30), 3, True, 3, 3), (1, (20, 30, 0), 3, True, 2, 3), (2, (30, 0, 0), 3, True, 1, 3),
@@ -184,8 +184,8 @@ def test_large_losses_are_replayed_more_often_and_count_less():
     replay = Replay(2, 1, 1, exponent=1 / 3)
     for first in (0.0, 1.0):
         replay.add(
-            np.array([True]), np.array([[first]]), np.array([0]), np.array([0.0]), np.array([[0.0]]),
-            np.array([False]), np.array([False]), np.array([1]),
+            np.array([True]), np.array([[first]]), np.array([0]), np.array([0.0]), next_observations=np.array([[0.0]]),
+            terminated=np.array([False]), truncated=np.array([False]), elapsed=np.array([1]),
         )  # fmt: skip
     replay.prioritise(np.array([[0], [1]]), np.array([8.0, 1.0]) - 1e-3)
     batch, _ = replay.sample(3_000, np.random.default_rng(0))
@@ -208,8 +208,8 @@ def test_new_transitions_have_the_largest_priority_so_far():
     replay = gathered(3, exponent=1.0)
     replay.prioritise(np.array([[0]]), np.array([9.0 - 1e-3]))
     replay.add(
-        np.array([True]), np.zeros((1, 1)), np.array([0]), np.array([0.0]), np.zeros((1, 1)), np.array([False]),
-        np.array([False]), np.array([1]),
+        np.array([True]), np.zeros((1, 1)), np.array([0]), np.array([0.0]), next_observations=np.zeros((1, 1)),
+        terminated=np.array([False]), truncated=np.array([False]), elapsed=np.array([1]),
     )  # fmt: skip
     assert replay.tree.leaves()[:4].tolist() == pytest.approx([9.0, 1.0, 1.0, 9.0])
 

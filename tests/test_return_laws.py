@@ -91,14 +91,14 @@ def test_on_the_ice_what_comes_is_the_exact_law():
     agent, name = OnIce(), "gym:FrozenLake-v1"
     rollout = roll_out(agent, name, 0)
     found = simulate_returns(agent, rollout, 0, action=3, count=600)
-    exact = return_distribution(load_world(name), 0, 3, agent.policy, 0.95)
+    exact = return_distribution(load_world(name), 0, 3, agent.policy, gamma=0.95)
     law = ReturnLaw(LEARNED, 0.95, exact.locations, exact.masses)
     mean, error = found.mean
     assert abs(mean - law.mean) < 4 * error + found.missing
     assert found.distance(law) < 3 * found.by_chance + found.missing
     # The other action leads elsewhere.
     assert found.distance(law) < found.distance(
-        ReturnLaw(LEARNED, 0.95, *return_distribution(load_world(name), 14, 1, agent.policy, 0.95)[:2])
+        ReturnLaw(LEARNED, 0.95, *return_distribution(load_world(name), 14, 1, agent.policy, gamma=0.95)[:2])
     )
 
 
@@ -149,7 +149,7 @@ def test_a_laplace_agent_says_it_as_if_steps_were_independent():
 @pytest.mark.parametrize("settings", PEERS)
 def test_quantiles_along_an_episode_are_those_of_each_step(settings):
     agent = made(settings)
-    rollout = roll_out(agent, "CartPole-v1", 5, "random")
+    rollout = roll_out(agent, "CartPole-v1", 5, rule="random")
     said = said_along(agent, rollout)
     found = return_quantiles(said, rollout.actions)
     if settings is DqnSettings:
@@ -170,13 +170,13 @@ def test_who_says_nothing_of_the_whole_return():
 
 def test_what_is_said_along_an_episode(monkeypatch):
     agent = made(FixedHorizonSettings, horizon=7)
-    rollout = roll_out(agent, "CartPole-v1", 5, "random")
+    rollout = roll_out(agent, "CartPole-v1", 5, rule="random")
     said = said_along(agent, rollout)
     assert return_quantiles(said, rollout.actions) is None
     assert said["horizon_values"].shape == (len(rollout), 7, 2)
     np.testing.assert_allclose(said["horizon_values"][4], agent.action_values(rollout.observations[4:5])[0], rtol=1e-5)
     laplace = made(LaplaceSettings, features=4)
-    assert said_along(laplace, roll_out(laplace, "CartPole-v1", 5, "random")) == {}
+    assert said_along(laplace, roll_out(laplace, "CartPole-v1", 5, rule="random")) == {}
     monkeypatch.setattr(module, "MOST_SAID", 14 * len(rollout) - 1)
     assert said_along(agent, rollout) == {}
 
@@ -193,7 +193,7 @@ def test_a_file_holds_every_law_and_what_came():
 def test_whoever_watches_a_simulation_does_not_change_it():
     # The episode's own rule, random actions, is another process than the agent's policy.
     agent = made(DqnSettings)
-    rollout = roll_out(agent, "CartPole-v1", 5, "random")
+    rollout = roll_out(agent, "CartPole-v1", 5, rule="random")
     heard = []
     watched = simulate_returns(agent, rollout, 0, 1, told=lambda done, of: heard.append((done, of)))
     np.testing.assert_array_equal(watched.returns, simulate_returns(agent, rollout, 0, 1).returns)

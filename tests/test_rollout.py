@@ -36,7 +36,7 @@ def agent():
 
 @pytest.fixture(scope="module")
 def found(agent):
-    return roll_out(agent, "CartPole-v1", 7, "readout", horizon=200)
+    return roll_out(agent, "CartPole-v1", 7, rule="readout", horizon=200)
 
 
 def test_the_environment_repeats_it_from_its_seed_and_actions(found):
@@ -55,8 +55,8 @@ def test_the_environment_repeats_it_from_its_seed_and_actions(found):
 @pytest.mark.parametrize("rule", ["greedy", "readout", "fading"])
 def test_it_is_the_episode_that_an_evaluation_plays(agent, rule):
     first = 7
-    scores = evaluate(agent, "CartPole-v1", 1, horizon=50, rule=rule, first_seed=first)
-    one = roll_out(agent, "CartPole-v1", first, rule, horizon=50)
+    scores = evaluate(agent, "CartPole-v1", episodes=1, horizon=50, rule=rule, first_seed=first)
+    one = roll_out(agent, "CartPole-v1", first, rule=rule, horizon=50)
     assert (one.rewards.sum(), len(one)) == (scores.returns[0], scores.lengths[0])
 
 
@@ -100,14 +100,14 @@ def test_an_episode_that_is_cut_off_is_worth_what_would_have_followed(agent):
 
 
 def test_another_discount_is_greedy_at_its_own_head(agent):
-    other = roll_out(agent, "CartPole-v1", 7, "greedy", gamma=0.4)
+    other = roll_out(agent, "CartPole-v1", 7, rule="greedy", gamma=0.4)
     assert other.gamma == pytest.approx(agent.gammas[0], abs=0.1)
     head = int(np.abs(agent.gammas - other.gamma).argmin())
     np.testing.assert_allclose(other.values, agent.action_values(other.observations[:-1], head), rtol=1e-5, atol=1e-6)
 
 
 def test_random_actions_are_those_of_the_seed(agent):
-    one, two, three = (roll_out(agent, "CartPole-v1", seed, "random") for seed in (1, 1, 2))
+    one, two, three = (roll_out(agent, "CartPole-v1", seed, rule="random") for seed in (1, 1, 2))
     np.testing.assert_array_equal(one.actions, two.actions)
     assert len(one) != len(three) or not np.array_equal(one.actions, three.actions)
     assert set(one.actions) == {0, 1}

@@ -26,8 +26,8 @@ def run(folder, *more: str) -> int:
 
 def test_combinations_and_one_at_a_time():
     varied = {"a": ["1", "2"], "b": ["3"]}
-    assert search.trials(varied, False) == [{"a": "1", "b": "3"}, {"a": "2", "b": "3"}]
-    assert search.trials(varied, True) == [{}, {"a": "1"}, {"a": "2"}, {"b": "3"}]
+    assert search.trials(varied, one_at_a_time=False) == [{"a": "1", "b": "3"}, {"a": "2", "b": "3"}]
+    assert search.trials(varied, one_at_a_time=True) == [{}, {"a": "1"}, {"a": "2"}, {"b": "3"}]
 
 
 def test_a_search_ranks_and_is_not_repeated(tmp_path, capsys, monkeypatch):
@@ -160,7 +160,9 @@ def test_a_kept_search_is_of_the_settings_that_there_are(path):
     assert main([verb, algorithm, environment, *options, "--budget"]) == 0
     common = dict(word.split("=") for flag, word in itertools.pairwise(options) if flag == "--set")
     # A setting that came later than the search is at its default, as it was without it.
-    assert SETTINGS[algorithm].parse(kept["settings"]) == search.settings_for(algorithm, environment, common, {}, 0)
+    assert SETTINGS[algorithm].parse(kept["settings"]) == search.settings_for(
+        algorithm, environment, common, {}, seed=0
+    )
     for row in kept["trials"]:
         assert len(row["scores"]) == kept["seeds"]
         assert row["median"] == pytest.approx(statistics.median(row["scores"]))

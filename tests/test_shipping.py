@@ -67,7 +67,7 @@ def test_the_median_of_three_runs_ships(tmp_path, monkeypatch):
             pass
     folder = tmp_path / "out"
     folder.mkdir()
-    entry = ship("laplace", "two_branch", 3, tmp_path, folder)
+    entry = ship("laplace", "two_branch", 3, tmp_path, folder=folder)
     assert manifest(folder) == [entry]
     # A run of 200 steps that is evaluated every 200 has one evaluation, at the end of the episode under way.
     curves = curves_of(folder, entry)
@@ -91,4 +91,4 @@ def test_the_median_of_three_runs_ships(tmp_path, monkeypatch):
     assert entry["score"] == sorted(entry["scores"])[1]
     assert load_checkpoint(folder / entry["file"]).seed == entry["seed"]
     with pytest.raises(InputError, match="not finished"):
-        ship("laplace", "two_branch", 4, tmp_path, folder)
+        ship("laplace", "two_branch", 4, tmp_path, folder=folder)

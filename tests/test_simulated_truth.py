@@ -51,7 +51,7 @@ def simulated():
 
 
 def test_a_gamma_space_that_is_true_is_not_far_off(simulated):
-    found = confront(HARD, exact_space(simulated.rewards, simulated.alive), 1, simulated, 1e-9)
+    found = confront(HARD, exact_space(simulated.rewards, simulated.alive), 1, simulated, alpha=1e-9)
     np.testing.assert_allclose(found.simulated.survival, [1, 1, 0.5, 0.5, 0.5, 0])
     np.testing.assert_allclose(found.simulated.reward, [1, 1, 0.5, 0.5, 1, 0])
     np.testing.assert_allclose(found.survival, found.simulated.survival, atol=1e-4)
@@ -65,7 +65,7 @@ def test_a_gamma_space_that_is_true_is_not_far_off(simulated):
 def test_one_that_is_a_step_late_is_off_by_what_it_misses(simulated):
     """Tau 0 decoded from nothing: it misses a reward of 1. At tau 4 half of all have 1 in place of 2."""
     late = Continuations(np.roll(simulated.rewards, 1, axis=1), np.roll(simulated.alive, 1, axis=1))
-    found = confront(HARD, exact_space(late.rewards, late.alive), 1, simulated, 1e-9)
+    found = confront(HARD, exact_space(late.rewards, late.alive), 1, simulated, alpha=1e-9)
     assert found.distance[0] == pytest.approx(1.0, abs=1e-3)
     assert found.distance[4] == pytest.approx(0.5, abs=1e-3)
     assert found.survival[0] == pytest.approx(0.0, abs=1e-3)

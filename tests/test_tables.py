@@ -30,7 +30,7 @@ STUDIES = {
 }
 
 
-def naive(header: list[str], study: Study, rows, bins, columns) -> str:
+def naive(header: list[str], study: Study, rows, bins, *, columns) -> str:
     """The csv module, one number at a time."""
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
@@ -64,12 +64,12 @@ def test_tables_equal_those_of_the_csv_module(found):
         best = np.array([truth.optimal_action == a for a in range(len(found.action_names))]).astype(int)
         values |= {"true_value": truth.horizon_values, "optimal_value": truth.optimum, "chosen": chosen, "best": best}
     header = ["action", "tau", "theta_low", "theta_high"]
-    assert tau_space_csv(found) == naive(header, found, found.taus, edges, columns)
+    assert tau_space_csv(found) == naive(header, found, found.taus, edges, columns=columns)
     sensitivities = [(float(theta),) for theta in space.thetas]
     header = ["action", "gamma", "theta"]
-    assert gamma_space_csv(found) == naive(header, found, space.gammas, sensitivities, {"value": space.values})
-    assert rewards_csv(found) == naive(["action", "tau"], found, found.taus, None, rewards)
-    assert values_csv(found) == naive(["action", "horizon"], found, found.horizons, None, values)
+    assert gamma_space_csv(found) == naive(header, found, space.gammas, sensitivities, columns={"value": space.values})
+    assert rewards_csv(found) == naive(["action", "tau"], found, found.taus, None, columns=rewards)
+    assert values_csv(found) == naive(["action", "horizon"], found, found.horizons, None, columns=values)
 
 
 def test_pandas_reads_the_arrays_back_exactly(found):

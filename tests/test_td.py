@@ -35,7 +35,7 @@ EXPLORE = Decay(1.0, np.inf)  # every action at random: what is learned is learn
 class NaiveTD:
     """One discount, one channel, one action at a time; the acting discount and the reward are kept as one more."""
 
-    def __init__(self, world, gammas, channels, policy, acting_gamma, rate):
+    def __init__(self, world, gammas, channels, policy, *, acting_gamma, rate):
         self.gammas, self.policy, self.rate = [*gammas, acting_gamma], policy, rate
         self.channels = [[*row, reward] for row, reward in zip(channels, world.reward_values, strict=True)]
         self.rewards = list(world.reward_values)
@@ -76,15 +76,15 @@ def a_policy(world, mode):
     return mode
 
 
-def against_loops(world, policy, schedule, gammas=GAMMAS, acting_gamma=0.8):
+def against_loops(world, policy, schedule, *, gammas=GAMMAS, acting_gamma=0.8):
     """Both learners on the same samples, for W and for gamma-space; the leader is the vectorised one."""
     rate = Decay(0.9, 4.0, 0.05)
     thetas = np.linspace(world.reward_values[0] - 1, world.reward_values[-1] + 1, 4)
     sensitivities = sensitivity_channels(world.reward_values, thetas, 3.0)
     for channels in (None, sensitivities):
-        fast = LaplaceTD(world, gammas, channels, policy, acting_gamma, rate)
+        fast = LaplaceTD(world, gammas, channels=channels, policy=policy, acting_gamma=acting_gamma, rate=rate)
         used = np.eye(world.reward_values.size) if channels is None else channels
-        naive = NaiveTD(world, gammas, used, policy, acting_gamma, rate)
+        naive = NaiveTD(world, gammas, used, policy, acting_gamma=acting_gamma, rate=rate)
         naive.values = fast.values
         list(learn(world, [fast, naive], schedule))
         np.testing.assert_allclose(fast.table, naive.q[:, :, :-1, :-1], rtol=0, atol=1e-12)
@@ -107,7 +107,7 @@ def test_random_worlds_equal_the_loop(data):
     world = data.draw(worlds(max_states=4))
     policy = data.draw(st.one_of(st.sampled_from(["shared", "per_gamma"]), policies(world)))
     schedule = Schedule(6, seed=data.draw(st.integers(0, 99)), epsilon=Decay(0.5, np.inf), max_steps=6)
-    against_loops(world, policy, schedule, GAMMAS[1:3])
+    against_loops(world, policy, schedule, gammas=GAMMAS[1:3])
 
 
 @pytest.mark.parametrize("mode", MODES)
@@ -115,7 +115,7 @@ def test_the_basis_and_gamma_space_learn_the_same(mode):
     # The update is linear in f: learning W and then choosing f is choosing f and learning.
     world = load_world("two_decisions", {"slip": 0.2})
     channels = sensitivity_channels(world.reward_values, np.linspace(-2, 12, 30), 2.0)
-    basis, direct = (LaplaceTD(world, GAMMAS, c, a_policy(world, mode)) for c in (None, channels))
+    basis, direct = (LaplaceTD(world, GAMMAS, channels=c, policy=a_policy(world, mode)) for c in (None, channels))
     list(learn(world, [basis, direct], Schedule(200, epsilon=EXPLORE)))
     np.testing.assert_allclose(basis.table @ channels, direct.table, rtol=0, atol=1e-12)
     np.testing.assert_allclose(basis.table @ world.reward_values, basis.values, rtol=0, atol=1e-12)
@@ -146,7 +146,7 @@ def error_of(name, mode, episodes, starts, half, params=None):
     channels = sensitivity_channels(world.reward_values, thetas, s.slope)
     followed = target_policies(world, gammas, "shared" if mode == "given" else mode, s.acting_gamma)
     mode = followed[0] if mode == "given" else mode
-    learner = LaplaceTD(world, gammas, None, mode, s.acting_gamma, Decay(1.0, half))
+    learner = LaplaceTD(world, gammas, channels=None, policy=mode, acting_gamma=s.acting_gamma, rate=Decay(1.0, half))
     list(learn(world, [learner], Schedule(episodes, 0, EXPLORE, starts=starts, every=500)))
     errors, low, high = [], np.inf, -np.inf
     for state in range(world.n_states):
@@ -199,7 +199,7 @@ def test_termination_bootstraps_from_nothing_and_truncation_goes_on():
 def test_transitions_come_with_the_chances_of_the_outcomes():
     rows = [Outcome(0, 0, 0.3, END, 1.0), Outcome(0, 0, 0.7, 1, -1.0), Outcome(0, 0, 0.0, 1, 5.0)]
     rows += [Outcome(1, 0, 0.1, END, 0.0), Outcome(1, 0, 0.9, 0, 1.0)]
-    world = World.from_outcomes("chance", ["s", "t"], ["a"], rows, np.array([0.25, 0.75]))
+    world = World.from_outcomes("chance", ["s", "t"], ["a"], rows, start=np.array([0.25, 0.75]))
     sampler, count = Sampler(world, 0), 20_000
     for state, chances in ((0, {(1.0, END): 0.3, (-1.0, 1): 0.7}), (1, {(0.0, END): 0.1, (1.0, 0): 0.9})):
         drawn = [sampler.step(state, 0) for _ in range(count)]
@@ -284,9 +284,9 @@ def test_what_does_not_fit_is_refused():
     world = load_world("two_branch")
     refused = {
         "not one of": lambda: LaplaceTD(world, GAMMAS, policy="greedy"),
-        "channels must be": lambda: LaplaceTD(world, GAMMAS, np.ones((2, 3))),
+        "channels must be": lambda: LaplaceTD(world, GAMMAS, channels=np.ones((2, 3))),
         "between 0 and 1": lambda: LaplaceTD(world, [0.5, 1.0]),
-        "exceeds": lambda: LaplaceTD(world, discount_grid(3_000), np.ones((3, 3_000))),
+        "exceeds": lambda: LaplaceTD(world, discount_grid(3_000), channels=np.ones((3, 3_000))),
         "outside 0 to 1": lambda: LaplaceTD(world, GAMMAS, policy=np.array([0, 2, 0])),
         "at least 1": lambda: Schedule(episodes=0),
         "everywhere": lambda: Schedule(starts="middle"),

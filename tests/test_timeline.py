@@ -58,7 +58,7 @@ def assert_as_drawn(rows: list[dict], rest: str) -> None:
 
 
 @st.composite
-def drawings(draw, ends: bool) -> list[dict]:
+def drawings(draw, *, ends: bool) -> list[dict]:
     """Rows of up to three actions in any order; with ``ends`` their step sums start at 1 and fall."""
     rows = []
     for action in draw(st.lists(st.sampled_from(ACTIONS), min_size=1, unique=True)):

@@ -98,7 +98,7 @@ def test_evaluate_prints_what_the_library_finds(run, capsys):
     checkpoint = str(run / "best.safetensors")
     assert main(["evaluate", checkpoint, "--episodes", "7", "--seed", "3", "--json"]) == 0
     told = json.loads(capsys.readouterr().out)
-    found = evaluate(load_checkpoint(checkpoint).agent, "two_branch", 7, 3)
+    found = evaluate(load_checkpoint(checkpoint).agent, "two_branch", episodes=7, seed=3)
     np.testing.assert_array_equal(told["returns"], found.returns)
     assert told["mean"] == found.mean
     assert main(["evaluate", checkpoint, "--episodes", "5", "--horizon", "2"]) == 0
@@ -163,6 +163,6 @@ def test_the_command_of_settings_makes_those_settings(tmp_path, monkeypatch):
     words = command_of(settings, str(tmp_path / "run"))
     assert words[:3] == ["train", "laplace", "CartPole-v1"]
     assert "--hidden" not in words  # the settings file says it
-    monkeypatch.setattr("laplace_core.training.loop.train", lambda settings, path, *_: new_run(path, settings) or ())
+    monkeypatch.setattr("laplace_core.training.loop.train", lambda settings, path, **_: new_run(path, settings) or ())
     assert main(words) == 0
     assert read_config(tmp_path / "run" / "config.json") == settings

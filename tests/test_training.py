@@ -311,7 +311,7 @@ def test_an_evaluation_tells_what_was_expected_at_every_discount(whole):
     values, actions = agent.action_values(first), agent.greedy(first)
     wanted = [values[i, :, action] for i, action in enumerate(actions)]
     np.testing.assert_allclose(told_last["values"], np.mean(wanted, axis=0), rtol=1e-5)
-    lengths = evaluate(agent, "CartPole-v1", TINY.evaluate_episodes, TINY.seed, first_seed=10**12).lengths
+    lengths = evaluate(agent, "CartPole-v1", episodes=TINY.evaluate_episodes, seed=TINY.seed, first_seed=10**12).lengths
     wanted = [(1 - agent.gammas**length) / (1 - agent.gammas) for length in lengths]  # reward 1 a step
     np.testing.assert_allclose(told_last["discounted"], np.mean(wanted, axis=0), rtol=1e-9)
     wanted = np.std(wanted, axis=0, ddof=1) / np.sqrt(len(wanted))

@@ -27,7 +27,7 @@ TINY = LaplaceSettings(hidden=4, features=2, gammas=2, thetas=3, seed=7)
 @pytest.fixture(scope="module")
 def good(tmp_path_factory) -> bytes:
     path = tmp_path_factory.mktemp("good") / "good.safetensors"
-    save_checkpoint(path, new_agent(TINY), 123, 45.5, 20)
+    save_checkpoint(path, new_agent(TINY), 123, 45.5, episodes=20)
     return path.read_bytes()
 
 
@@ -36,7 +36,7 @@ def test_a_checkpoint_comes_back_as_it_was(tmp_path):
     with torch.no_grad():
         for parameter in agent.target.parameters():
             parameter += 0.1
-    save_checkpoint(tmp_path / "agent.safetensors", agent, 123, 45.5, 20)
+    save_checkpoint(tmp_path / "agent.safetensors", agent, 123, 45.5, episodes=20)
     loaded = load_checkpoint(tmp_path / "agent.safetensors")
     assert (loaded.algorithm, loaded.environment, loaded.seed) == ("laplace", "CartPole-v1", 7)
     assert (loaded.step, loaded.score, loaded.episodes, loaded.version) == (123, 45.5, 20, __version__)

@@ -64,7 +64,7 @@ class Optimal:
 
 def test_frozen_lake_lasts_as_long_as_gymnasium_lets_it():
     """gymnasium stops it after 100 steps and calls the optimum .74 (its registry); without a limit it is .82."""
-    scores = evaluate(Optimal(load_world("gym:FrozenLake-v1")), "gym:FrozenLake-v1", 2000)
+    scores = evaluate(Optimal(load_world("gym:FrozenLake-v1")), "gym:FrozenLake-v1", episodes=2000)
     assert scores.lengths.max() == 100
     assert scores.mean == pytest.approx(0.740, abs=4 * np.sqrt(0.74 * 0.26 / 2000))
 
@@ -105,12 +105,12 @@ def test_atoms_that_do_not_reach_the_returns_are_told(tmp_path, capsys):
 def test_returns_are_sums_of_rewards_and_lengths_are_steps():
     """The knowing agent waits for the 10 at the third step of two_branch, unless it is stopped before."""
     agent = Knowing(load_world("two_branch"))
-    scores = evaluate(agent, "two_branch", 3)
+    scores = evaluate(agent, "two_branch", episodes=3)
     assert scores.returns.tolist() == [10.0] * 3
     assert scores.lengths.tolist() == [3] * 3
     assert not scores.running.any()
     assert (scores.mean, scores.standard_error) == (10.0, 0.0)
-    stopped = evaluate(agent, "two_branch", 2, horizon=2)
+    stopped = evaluate(agent, "two_branch", episodes=2, horizon=2)
     assert stopped.returns.tolist() == [0.0] * 2
     assert stopped.running.all()
 
@@ -119,7 +119,9 @@ def test_returns_are_sums_of_rewards_and_lengths_are_steps():
 def test_the_readout_acts_for_the_time_to_go(horizon, paid):
     """r1 = 5 at once or r2 = 10 at the third step: what cannot be reached in time is not waited for."""
     agent = Knowing(load_world("two_branch"))
-    scores = evaluate(agent, "two_branch", 1, horizon=horizon, softness=0.0, rule="readout", alpha=1e-6, steps=30)
+    scores = evaluate(
+        agent, "two_branch", episodes=1, horizon=horizon, softness=0.0, rule="readout", alpha=1e-6, steps=30
+    )
     assert scores.returns.tolist() == [paid]
 
 
@@ -136,7 +138,7 @@ def test_reading_out_and_decoding_take_the_same_actions(softness):
         agent.target.head.weight.data[..., [0, -2]] = 0.0  # the two outermost bins; the last atom is death
         agent.target.head.bias.data[..., [0, -2]] = -60.0
         rules = [
-            evaluate(agent, "cliff_grid", 4, horizon=12, softness=softness, rule=rule, alpha=0.3, steps=50)
+            evaluate(agent, "cliff_grid", episodes=4, horizon=12, softness=softness, rule=rule, alpha=0.3, steps=50)
             for rule in ("readout", "decoded")
         ]
         np.testing.assert_array_equal(rules[0].returns, rules[1].returns)
@@ -145,11 +147,11 @@ def test_reading_out_and_decoding_take_the_same_actions(softness):
 
 def test_the_same_seed_evaluates_on_the_same_starts():
     agent = new_agent(LaplaceSettings(hidden=8, features=4))
-    one, same, other = (evaluate(agent, "CartPole-v1", 20, seed=seed).returns for seed in (3, 3, 4))
+    one, same, other = (evaluate(agent, "CartPole-v1", episodes=20, seed=seed).returns for seed in (3, 3, 4))
     np.testing.assert_array_equal(one, same)
     assert not np.array_equal(one, other)
     # More episodes begin with the same ones.
-    np.testing.assert_array_equal(evaluate(agent, "CartPole-v1", 120, seed=3).returns[:20], one)
+    np.testing.assert_array_equal(evaluate(agent, "CartPole-v1", episodes=120, seed=3).returns[:20], one)
 
 
 @pytest.mark.parametrize(
@@ -210,8 +212,8 @@ def test_lunar_lander_says_what_it_needs_where_its_physics_is_missing(monkeypatc
 def test_discounted_returns_are_what_a_knowing_agent_expects():
     """The 10 comes at the third step of two_branch, tau = 2."""
     agent = Knowing(load_world("two_branch"))
-    scores = evaluate(agent, "two_branch", 3, discounts=agent.gammas)
+    scores = evaluate(agent, "two_branch", episodes=3, discounts=agent.gammas)
     np.testing.assert_allclose(scores.discounted, np.tile(10.0 * agent.gammas**2, (3, 1)))
     values = agent.action_values(scores.starts)[range(3), :, agent.greedy(scores.starts)]
     np.testing.assert_allclose(values, scores.discounted)
-    assert evaluate(agent, "two_branch", 3).discounted.shape == (3, 0)
+    assert evaluate(agent, "two_branch", episodes=3).discounted.shape == (3, 0)

@@ -22,7 +22,7 @@ TINY = LaplaceSettings(hidden=4, features=2, gammas=2, thetas=3, seed=7)
 @pytest.fixture(scope="module")
 def good(tmp_path_factory) -> bytes:
     path = tmp_path_factory.mktemp("good") / "good.safetensors"
-    save_checkpoint(path, new_agent(TINY), 123, 45.5, 20)
+    save_checkpoint(path, new_agent(TINY), 123, 45.5, episodes=20)
     return path.read_bytes()
 
 

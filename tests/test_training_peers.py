@@ -48,7 +48,7 @@ def test_a_peer_learns_the_values_and_the_return_of_its_world(algorithm, tmp_pat
     agent, world = trained(algorithm, "double_chain", tmp_path / "run", epsilon_final=1.0), load_world("double_chain")
     policy = greedy_policy(world, 0.99)
     for state, observation in enumerate(np.eye(world.n_states)):
-        law = return_distribution(world, state, 0, policy, 0.99)
+        law = return_distribution(world, state, 0, policy, gamma=0.99)
         value = agent.action_values(observation[None], agent.acting_head)[0, 0]
         assert value == pytest.approx(law.locations @ law.masses, abs=0.03)
         locations, masses = agent.return_distribution(observation)
@@ -64,8 +64,8 @@ def test_a_fixed_horizon_agent_learns_every_horizon(tmp_path):
     exact = finite_horizon_optimum(world, 4, 0.99, 0)  # (T, A)
     np.testing.assert_allclose(agent.action_values(np.eye(world.n_states)[:1])[0], exact, atol=0.25)
     for horizon, paid in ((1, 5.0), (2, 5.0), (3, 10.0), (4, 10.0), (50, 10.0)):
-        assert evaluate(agent, "two_branch", 1, horizon=horizon, rule="own").returns.tolist() == [paid]
-    assert evaluate(agent, "two_branch", 1, horizon=2, rule="greedy").returns.tolist() == [0.0]
+        assert evaluate(agent, "two_branch", episodes=1, horizon=horizon, rule="own").returns.tolist() == [paid]
+    assert evaluate(agent, "two_branch", episodes=1, horizon=2, rule="greedy").returns.tolist() == [0.0]
 
 
 @pytest.mark.parametrize(
@@ -95,7 +95,7 @@ def test_a_checkpoint_comes_back_as_it_was(algorithm, tmp_path):
     with torch.no_grad():
         for parameter in agent.target.parameters():
             parameter += 0.1 * torch.randn(parameter.shape, generator=torch.Generator().manual_seed(0))
-    save_checkpoint(tmp_path / "agent.safetensors", agent, 123, 45.5, 20)
+    save_checkpoint(tmp_path / "agent.safetensors", agent, 123, 45.5, episodes=20)
     loaded = load_checkpoint(tmp_path / "agent.safetensors")
     assert (loaded.algorithm, loaded.seed, loaded.settings) == (algorithm, 7, agent.settings)
     observations = np.random.default_rng(0).normal(size=(5, 4))

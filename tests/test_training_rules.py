@@ -63,21 +63,21 @@ def test_an_agents_own_time_to_go_is_cut_at_its_longest():
 def test_the_matched_discount_acts_for_the_time_to_go(horizon, paid):
     """With T steps to go gamma is about exp(-1/T): 10 gamma^2 is 1.4, 3.7, 5.1 and 9.0, against 5 at once."""
     agent = Knowing(load_world("two_branch"))
-    assert evaluate(agent, "two_branch", 1, horizon=horizon, rule="matched").returns.tolist() == [paid]
+    assert evaluate(agent, "two_branch", episodes=1, horizon=horizon, rule="matched").returns.tolist() == [paid]
 
 
 @pytest.mark.parametrize("rule", ["matched", "readout", "decoded"])
 def test_rules_of_many_discounts_need_them(rule):
     agent = new_agent(SETTINGS["dqn"](**TINY))
     with pytest.raises(InputError, match=f"{rule}.*many discounts"):
-        evaluate(agent, "two_branch", 1, horizon=2, rule=rule)
+        evaluate(agent, "two_branch", episodes=1, horizon=2, rule=rule)
     with pytest.raises(InputError, match=f"{rule}.*horizon"):
         RULES[rule](Telling(np.array([0.5, 0.9])), None, Options())
 
 
 def test_only_an_agent_that_has_one_acts_by_its_own_time_to_go():
     with pytest.raises(InputError, match="fixed_horizon"):
-        evaluate(new_agent(SETTINGS["dqn"](**TINY)), "two_branch", 1, horizon=2, rule="own")
+        evaluate(new_agent(SETTINGS["dqn"](**TINY)), "two_branch", episodes=1, horizon=2, rule="own")
 
 
 @pytest.mark.parametrize(("algorithm", "rule"), [("laplace", "fading"), ("fixed_horizon", "own"), ("c51", "greedy")])

@@ -274,7 +274,7 @@ def ended(world: World, judge: Judge) -> World:
             for row in world.outcomes(state, action):
                 over = row.next_state == END or dense.moves[action, state, row.next_state] == 0.0
                 rows.append(row._replace(next_state=END) if over else row)
-    return World.from_outcomes(world.name, world.states, world.actions, rows, world.start)
+    return World.from_outcomes(world.name, world.states, world.actions, rows, start=world.start)
 
 
 @pytest.mark.parametrize("first", range(0, 200, 50))

@@ -40,7 +40,15 @@ def changed(number: int, **cells: object) -> list[dict]:
 
 
 def back(world: World, rows: list[dict]) -> World:
-    return world_from_rows(rows, world.name, world.states, world.actions, world.start, world.suggested, world.positions)
+    return world_from_rows(
+        rows,
+        name=world.name,
+        states=world.states,
+        actions=world.actions,
+        start=world.start,
+        suggested=world.suggested,
+        positions=world.positions,
+    )
 
 
 def assert_identical(one: World, other: World) -> None:

@@ -28,11 +28,13 @@ def words(page: AppTest) -> str:
     return " ".join([*told, *(bar.proto.text for bar in page.get("progress"))])
 
 
-def made(runs: Queue, name: str, settings: LoopSettings = SMALL, story: str = STORY, checkpoint: bool = False) -> Path:
+def made(
+    runs: Queue, name: str, *, settings: LoopSettings = SMALL, story: str = STORY, checkpoint: bool = False
+) -> Path:
     """A run from elsewhere, that was stopped."""
     folder = runs.folder / name
     new_run(folder, settings)
     (folder / "metrics.jsonl").write_text(story)
     if checkpoint:
-        save_checkpoint(folder / "best.safetensors", new_agent(settings), 50, 9.0, 20)
+        save_checkpoint(folder / "best.safetensors", new_agent(settings), 50, 9.0, episodes=20)
     return folder

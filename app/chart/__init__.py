@@ -23,6 +23,7 @@ def chart(
     key: str,
     alt: str,
     height: int,
+    *,
     revision: str = "",
     on_click: Callable[[], None] | None = None,
 ) -> object | None:

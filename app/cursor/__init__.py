@@ -19,7 +19,7 @@ HELD = 4
 
 
 def under_cursor(
-    component: Callable, kind: str, key: str, data: bytes, at: int, told: Mapping[str, Any],
+    component: Callable, kind: str, key: str, data: bytes, *, at: int, told: Mapping[str, Any],
     on_step: Callable[[int], None] | None,
 ) -> None:  # fmt: skip
     """Draw a component whose script is built on cursor.js.

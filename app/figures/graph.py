@@ -38,18 +38,18 @@ def world_graph(world: World, state: int, action: int, policy: np.ndarray) -> Fi
                     arrows,
                     world,
                     places,
-                    s,
-                    a,
-                    colour,
-                    lit,
-                    labelled=_room_for_labels(world, s, a, lit, len(drawn), gridded),
+                    s=s,
+                    a=a,
+                    colour=colour,
+                    lit=lit,
+                    labelled=_room_for_labels(world, s, a, lit=lit, drawn=len(drawn), gridded=gridded),
                 )
     hidden = world.n_states - len(drawn)
     corners = [*places.values(), *_ends_of(edges)]
     (x_low, y_low), (x_high, y_high) = np.min(corners, axis=0), np.max(corners, axis=0)
     return build(
         "world" if not hidden else f"world ({hidden:,} states further off not drawn)",
-        [*edges, *_nodes(world, drawn, places, state, action, gridded)],
+        [*edges, *_nodes(world, drawn, places, state, action=action, gridded=gridded)],
         margin={"l": 6, "r": 6, "t": 30, "b": 6},
         showlegend=False,
         annotations=arrows,
@@ -64,7 +64,7 @@ def _ends_of(edges: list[dict]) -> list[tuple[float, float]]:
     return [(float(pick(edge["x"])), float(pick(edge["y"]))) for edge in curves for pick in (np.min, np.max)]
 
 
-def _room_for_labels(world: World, s: int, a: int, lit: bool, drawn: int, gridded: bool) -> bool:
+def _room_for_labels(world: World, s: int, a: int, *, lit: bool, drawn: int, gridded: bool) -> bool:
     if gridded:  # neighbours are so close that two labels would cover each other
         return len({row.next_state for row in world.outcomes(s, a)}) == 1
     return lit or drawn <= 16
@@ -151,7 +151,10 @@ def _grid_edges(world: World, places: Places, drawn: list[int], policy: np.ndarr
     return [{**strokes, "hoverinfo": "skip"}, {**points, "hoverinfo": "skip"}]
 
 
-def _add_edges(edges, arrows, world, places, s, a, colour, lit, labelled) -> None:
+def _add_edges(
+    edges: list[dict], arrows: list[dict], world: World, places: Places, *, s: int, a: int, colour: str, lit: bool,
+    labelled: bool,
+) -> None:  # fmt: skip
     """The outcomes of one state and action: a curve, an arrowhead, and what they pay and how often."""
     merged: dict[int, list[Outcome]] = {}
     for row in world.outcomes(s, a):
@@ -189,7 +192,9 @@ def _bend(world: World, action: int) -> float:
     return 0.0 if world.n_actions == 1 else 0.28 * (1.0 - 2.0 * action / (world.n_actions - 1))
 
 
-def _curve(start, end, bend: float, points: int = 25) -> tuple[np.ndarray, np.ndarray]:
+def _curve(
+    start: tuple[float, float], end: tuple[float, float], bend: float, points: int = 25
+) -> tuple[np.ndarray, np.ndarray]:
     """A quadratic curve from start to end; a loop where they are the same place."""
     t = np.linspace(0.0, 1.0, points)
     (x0, y0), (x1, y1) = start, end
@@ -202,7 +207,7 @@ def _curve(start, end, bend: float, points: int = 25) -> tuple[np.ndarray, np.nd
     return first * x0 + second * middle_x + third * x1, first * y0 + second * middle_y + third * y1
 
 
-def _nodes(world: World, drawn: list[int], places: Places, state: int, action: int, gridded: bool) -> list[dict]:
+def _nodes(world: World, drawn: list[int], places: Places, state: int, *, action: int, gridded: bool) -> list[dict]:
     names = [world.states[s] for s in drawn]
     columns = {x for x, _ in places.values()}
     crowded = gridded or len(drawn) > 10 or len(columns) > _NAMED_COLUMNS + 1

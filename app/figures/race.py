@@ -17,7 +17,7 @@ _CURSOR = "#ff9f1c"
 
 def differences(
     found: Races, mean: float, interval: tuple[float, float], start: int,
-    colours: tuple[str, str], names: tuple[str, str],
+    *, colours: tuple[str, str], names: tuple[str, str],
 ) -> Figure:  # fmt: skip
     """A dot a start over its difference, right less left, piled up as a histogram; mean, interval, and zero.
 

@@ -56,7 +56,7 @@ def returns_side_by_side(rows: Sequence[ReturnRow]) -> Figure:
             words.append({"text": f"W1 {row.came.distance(row.law):.3g}", "x": 1.0, "xref": "paper", "xanchor": "right",
                           "y": top, "yref": "paper", "yanchor": "bottom", "showarrow": False,
                           "font": {"size": 12}})  # fmt: skip
-            traces += _came(row.came, low, high, place, first)
+            traces += _came(row.came, low, high, place, first=first)
         x, y = staircase(row.law.locations, row.law.masses, low, high)
         fill = {"fill": "tonexty", "fillcolor": translucent(_LEARNED, 0.16)} if row.came is not None else {}
         traces.append({
@@ -81,7 +81,7 @@ def returns_side_by_side(rows: Sequence[ReturnRow]) -> Figure:
     )  # fmt: skip
 
 
-def _came(came: SimulatedReturns, low: float, high: float, place: dict, first: bool) -> list[dict]:
+def _came(came: SimulatedReturns, low: float, high: float, place: dict, *, first: bool) -> list[dict]:
     """The band, and the law of what came; the next trace may fill up to it."""
     x, y = staircase(*came.law, low, high)
     count = len(came.returns)
@@ -180,7 +180,7 @@ def values_over_time_to_go(values: np.ndarray, names: Sequence[str], gamma: floa
 
 
 def returns_over_episode(
-    received: np.ndarray, predicted: np.ndarray, quantiles: np.ndarray | None, step: int, gamma: float, cut: bool
+    received: np.ndarray, predicted: np.ndarray, quantiles: np.ndarray | None, step: int, *, gamma: float, cut: bool
 ) -> Figure:
     """What was expected of the action taken at each step, and the discounted return that came.
 

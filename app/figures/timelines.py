@@ -31,9 +31,9 @@ def rewards_and_survival(study: Study, action: int, bands: Bands) -> Figure:
         traces.append({**bars, "type": "bar", "width": 0.8 * step, "marker": marker})
         shape = {"color": NEUTRAL, "width": 1, "shape": "hvh" if few else "linear"}
         traces.append(line("true survival", truth.survival, line=shape, yaxis="y2"))
-    band = _band(taus, bands.expected_reward, action, step, action_colour(action), "y")
+    band = _band(taus, bands.expected_reward, action, step, colour=action_colour(action), yaxis="y")
     traces.append({**band, "showlegend": True, "name": "range over seeds"})
-    traces.append(_band(taus, bands.survival, action, step, NEUTRAL, "y2"))
+    traces.append(_band(taus, bands.survival, action, step, colour=NEUTRAL, yaxis="y2"))
     colour = {"color": action_colour(action), "width": 2}
     traces.append(line("decoded reward", decoded.expected_reward, "lines+markers" if few else "lines", line=colour))
     dots = {"color": NEUTRAL, "width": 2, "dash": "dot"}
@@ -52,7 +52,7 @@ def rewards_and_survival(study: Study, action: int, bands: Bands) -> Figure:
     )
 
 
-def _band(taus: np.ndarray, band: Band, action: int, step: float, colour: str, yaxis: str) -> dict:
+def _band(taus: np.ndarray, band: Band, action: int, step: float, *, colour: str, yaxis: str) -> dict:
     """The range over all learners, as an area."""
     edge = np.concatenate([band.high[action], band.low[action][::-1]]) / step
     return {"type": "scatter", "x": np.concatenate([taus, taus[::-1]]), "y": edge, "yaxis": yaxis, "fill": "toself",
@@ -98,7 +98,8 @@ def values_over_horizon(study: Study, row: int, bands: Bands) -> Figure:
 def _value_bands(horizons: np.ndarray, bands: Bands) -> list[dict]:
     """The range of every action's values over all learners."""
     return [
-        _band(horizons, bands.horizon_values, a, 1.0, action_colour(a), "y") for a in range(len(bands.action_share))
+        _band(horizons, bands.horizon_values, a, 1.0, colour=action_colour(a), yaxis="y")
+        for a in range(len(bands.action_share))
     ]
 
 

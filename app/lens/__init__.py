@@ -75,6 +75,7 @@ def lens(
     data: bytes,
     state: Mapping[str, Any],
     key: str,
+    *,
     base: Mapping[str, Any] | None = None,
     presets: Sequence[Preset] = (),
     on_release: Callable[[Released], None] | None = None,

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import streamlit as st
+from streamlit.delta_generator import DeltaGenerator
 
 from app import sources, state
 from app.link import pack
@@ -128,7 +129,15 @@ def _world_table(world: World) -> None:
     with left:
         _download(world)
     try:
-        made = world_from_rows(rows, base.name, base.states, base.actions, base.start, base.suggested, base.positions)
+        made = world_from_rows(
+            rows,
+            name=base.name,
+            states=base.states,
+            actions=base.actions,
+            start=base.start,
+            suggested=base.suggested,
+            positions=base.positions,
+        )
     except InputError as error:
         st.warning(f"Not taken over yet: {error}")
         _offer_rescale(right, rows, base)
@@ -138,11 +147,19 @@ def _world_table(world: World) -> None:
         _edited(sources.OWN, new)
 
 
-def _offer_rescale(place, rows: list[dict], base: World) -> None:
+def _offer_rescale(place: DeltaGenerator, rows: list[dict], base: World) -> None:
     """One click for the commonest slip: probabilities that do not sum to 1."""
     try:
         scaled = rescaled(rows)
-        made = world_from_rows(scaled, base.name, base.states, base.actions, base.start, base.suggested, base.positions)
+        made = world_from_rows(
+            scaled,
+            name=base.name,
+            states=base.states,
+            actions=base.actions,
+            start=base.start,
+            suggested=base.suggested,
+            positions=base.positions,
+        )
     except InputError:
         return
     place.button("Rescale probabilities to 1", on_click=_take_over, args=(pack(dump_world(made)),))

@@ -32,7 +32,7 @@ def card(name: str, loaded: Loaded, scene: Scene) -> None:
     curves = checkpoints.curves(name)
     if curves:
         alt = f"Score over the steps of training: {len(curves)} seeds, the one shown heavier."
-        chart(figures.to_json(score_curve(curves, loaded.step)), "card", alt, CARD, name)
+        chart(figures.to_json(score_curve(curves, loaded.step)), "card", alt, CARD, revision=name)
     with st.expander("Settings"):
         rows = "".join(
             f"<tr><td>{escape(key)}</td><td>{escape(_written(value))}</td></tr>"

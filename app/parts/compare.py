@@ -100,5 +100,5 @@ def comparison(view: View) -> None:
     sentence, figures = compute.comparison(pinned, view, what)
     for column, (name, figure) in zip(st.columns(3, gap="small"), figures.items(), strict=False):
         with column:
-            chart(figure, f"compare {name}", f"{what.replace('_', '-')}: {name}", HEIGHT, what)
+            chart(figure, f"compare {name}", f"{what.replace('_', '-')}: {name}", HEIGHT, revision=what)
     st.caption(sentence)

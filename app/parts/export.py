@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 import streamlit as st
+from streamlit.delta_generator import DeltaGenerator
 
 from app import compute, explain, link, sources, state
 from app.copy import copy_button
@@ -41,7 +44,7 @@ def agent_footer(view: View) -> None:
     _downloads(download, view)
 
 
-def _reading(place) -> None:
+def _reading(place: DeltaGenerator) -> None:
     """What lies in a closed popover is left out: formulas bring a large script along."""
     words = place.popover("How to read this", width="stretch", on_change="rerun", key="reading")
     if words.open:
@@ -61,7 +64,7 @@ def _loss(view: View) -> str:
     return f"Acting by these values{free}{constant} for an episode of {length} loses {loss:.3g} against the best."
 
 
-def _copying(place, view: View) -> None:
+def _copying(place: DeltaGenerator, view: View) -> None:
     box = place.popover("Copy", width="stretch", on_change="rerun", key="copying")
     if not box.open:
         return
@@ -109,7 +112,7 @@ def python_of(view: View) -> str:
     )
 
 
-def _downloads(place, view: View) -> None:
+def _downloads(place: DeltaGenerator, view: View) -> None:
     box = place.popover("Download", width="stretch", on_change="rerun", key="downloading")
     if not box.open:
         return
@@ -119,9 +122,9 @@ def _downloads(place, view: View) -> None:
     with box:
         _file("NPZ: every array and the settings", lambda: npz_bytes(found), f"{name}.npz", _BYTES)
         for title, csv in _TABLES.items():
-            _file(f"CSV: {title}", lambda csv=csv: csv(found), f"{name}_{title.replace(' ', '_')}.csv", "text/csv")
+            _file(f"CSV: {title}", partial(csv, found), f"{name}_{title.replace(' ', '_')}.csv", "text/csv")
         st.caption("PNG, SVG, CSV and HTML of the lens: the buttons under it.")
 
 
-def _file(label: str, data, file_name: str, mime: str) -> None:
+def _file(label: str, data: Callable[[], str | bytes], file_name: str, mime: str) -> None:
     st.download_button(label, data, file_name=file_name, mime=mime, width="stretch", on_click="ignore")

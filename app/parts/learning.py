@@ -255,10 +255,12 @@ def pictures(view: View) -> None:
     row = st.columns(3, gap="small")
     with row[0]:
         alt = "Error of the learned gamma-space and return over episodes, a line a seed."
-        chart(compute.learning_figure("curve", view), "curve", alt, HEIGHT, view.settings.world)
+        chart(compute.learning_figure("curve", view), "curve", alt, HEIGHT, revision=view.settings.world)
     with row[1]:
         alt = f"Probability of each reward after {name} over future steps: the range over all seeds, the truth dotted."
-        chart(compute.learning_figure("probabilities", view), "probabilities", alt, HEIGHT, view.settings.world)
+        chart(
+            compute.learning_figure("probabilities", view), "probabilities", alt, HEIGHT, revision=view.settings.world
+        )
     with row[2]:
         if view.learned.peers is None:
             st.html('<div class="panel-title">return: four codes and the truth</div>')
@@ -269,7 +271,7 @@ def pictures(view: View) -> None:
             st.button("Learn them too", on_click=_with_peers, args=(view.world,))
         else:
             alt = f"Cumulated distribution of the return after {name}: four codes and the true one."
-            chart(compute.learning_figure("returns", view), "returns", alt, HEIGHT, view.settings.world)
+            chart(compute.learning_figure("returns", view), "returns", alt, HEIGHT, revision=view.settings.world)
     if len(view.learned.basis) > 1:
         _over_seeds(view, name)
 
@@ -279,10 +281,10 @@ def _over_seeds(view: View, name: str) -> None:
     left, right = st.columns([1.4, 1], gap="small")
     with left:
         alt = "Value of each action over the horizon: the range over all seeds, and which share of them chooses each."
-        chart(compute.learning_figure("values", view), "values", alt, HEIGHT, view.settings.world)
+        chart(compute.learning_figure("values", view), "values", alt, HEIGHT, revision=view.settings.world)
     with right:
         alt = f"Expected reward and survival of {name} over future steps: the range over all seeds."
-        chart(compute.learning_figure("rewards", view), "rewards", alt, HEIGHT, view.settings.world)
+        chart(compute.learning_figure("rewards", view), "rewards", alt, HEIGHT, revision=view.settings.world)
 
 
 def _with_peers(world: World) -> None:

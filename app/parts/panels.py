@@ -27,7 +27,7 @@ def shown_state(view: View) -> dict[str, Any]:
 
 
 def pictures(
-    view: View, base: View, presets: Sequence[Preset] = (), lead: Mapping[str, Any] | None = None,
+    view: View, base: View, *, presets: Sequence[Preset] = (), lead: Mapping[str, Any] | None = None,
     followed: Mapping[str, Any] | None = None, simulated: Simulated | None = None,
 ) -> None:  # fmt: skip
     """Draw the lens; what is let go of in it is set by hand.
@@ -62,11 +62,11 @@ def pictures(
         compute.lens_payload(view, simulated),
         shown,
         state.page_name(),
-        state_of(base.settings, last, action=view.action),
-        presets,
-        heard,
-        Said(_tone(judged), _sentence(judged, view), tuple(remedy.label for remedy in judged.remedies)),
-        _graph(view),
+        base=state_of(base.settings, last, action=view.action),
+        presets=presets,
+        on_release=heard,
+        said=Said(_tone(judged), _sentence(judged, view), tuple(remedy.label for remedy in judged.remedies)),
+        world=_graph(view),
         pinnable=view.world is not None,
         pinned=compare.is_pinned(),
         pin=compare.pinned_state(view),

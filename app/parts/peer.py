@@ -34,10 +34,10 @@ def view(loaded: Loaded, scene: Scene, asked: Rolling | None) -> None:
     seen = observation_of(scene, state.chosen()) if rollout is None else rolled.observation_at(rollout, at)
     taken = None if rollout is None else int(rollout.actions[at])
     action = _action(scene, taken)
-    picture, alt = _of_state(loaded, scene, seen, action, rollout, at)
+    picture, alt = _of_state(loaded, scene, seen, action, rollout=rollout, at=at)
     left, right = st.columns(2, gap="small")
     with left:
-        chart(figures.to_json(picture), "state", alt, HEIGHT, loaded.algorithm)
+        chart(figures.to_json(picture), "state", alt, HEIGHT, revision=loaded.algorithm)
     with right:
         if rollout is None:
             st.html('<div class="panel-title">along an episode</div>')
@@ -48,11 +48,11 @@ def view(loaded: Loaded, scene: Scene, asked: Rolling | None) -> None:
                 rollout.predicted,
                 return_quantiles(said, rollout.actions),
                 at,
-                rollout.acting_gamma,
-                not rollout.terminated,
+                gamma=rollout.acting_gamma,
+                cut=not rollout.terminated,
             )
             chart(figures.to_json(figure), "episode", "Expected and real return over the episode.", HEIGHT)
-    returns.section(loaded, seen, action, scene.actions[action], None, rollout, at)
+    returns.section(loaded, seen, action, scene.actions[action], alpha=None, rollout=rollout, step=at)
 
 
 def _action(scene: Scene, taken: int | None) -> int:
@@ -71,7 +71,7 @@ def _action(scene: Scene, taken: int | None) -> int:
 
 
 def _of_state(
-    loaded: Loaded, scene: Scene, seen: tuple[float, ...], action: int, rollout: Rollout | None, at: int
+    loaded: Loaded, scene: Scene, seen: tuple[float, ...], action: int, *, rollout: Rollout | None, at: int
 ) -> tuple[Figure, str]:
     """What the agent knows of this state, and what the picture shows."""
     agent, gamma, observation = loaded.agent, acting_gamma(loaded.agent), np.array(seen)

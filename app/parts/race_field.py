@@ -73,10 +73,10 @@ def _shown(control: Control, found: Races, summary: dict[str, Any]) -> None:
 
 def _picture(found: Races, summary: dict[str, Any], names: tuple[str, str]) -> None:
     mean, interval = float(summary["difference"]), tuple(summary["interval"])
-    figure = figures.differences(found, mean, interval, int(state.chosen().get(START, 0)), COLOURS, names)
+    figure = figures.differences(found, mean, interval, int(state.chosen().get(START, 0)), colours=COLOURS, names=names)
     alt = f"Difference of return from {len(found.starts)} starts, on average {mean:.1f}, one dot a start."
     same = f"{found.environment} {found.horizon}"
-    chart(figures.to_json(figure), _KEY, alt, HEIGHT, same, lambda: _clicked(found))
+    chart(figures.to_json(figure), _KEY, alt, HEIGHT, revision=same, on_click=lambda: _clicked(found))
 
 
 def _clicked(found: Races) -> None:

@@ -155,7 +155,15 @@ def show(control: Control, racing: races.Racing) -> None:
     def heard(step: int) -> None:
         state.choose(AT, None if step >= last else step)
 
-    track(packed, at, state.page_name(), raced.sides(control), scene_of(control.environment).actions, heard, SECONDS)
+    track(
+        packed,
+        at,
+        state.page_name(),
+        raced.sides(control),
+        action_names=scene_of(control.environment).actions,
+        on_step=heard,
+        seconds=SECONDS,
+    )
     _footer(control, race, at)
 
 

@@ -24,7 +24,7 @@ LOOK_EVERY = 0.5  # seconds between two looks at a simulation in the making
 
 
 def section(
-    loaded: Loaded, observation: tuple[float, ...], action: int, name: str, alpha: float | None = None,
+    loaded: Loaded, observation: tuple[float, ...], action: int, name: str, *, alpha: float | None = None,
     rollout: Rollout | None = None, step: int = 0,
 ) -> None:  # fmt: skip
     """Learned laws at once; those of what comes after a button, which needs a rollout to go on from.
@@ -40,10 +40,10 @@ def section(
     alphas = [alpha if each is loaded and alpha else DEFAULTS["alpha"] for each in agents]
     laws = [law_of(each, observation, action, one) for each, one in zip(agents, alphas, strict=True)]
     found = None if rollout is None else returned.found(agents, rollout, step, action)
-    came = _offered(agents, rollout, step, action, name, found)
+    came = _offered(agents, rollout, step, action, name=name, found=found)
     rows = [
         ReturnRow(
-            _title(each, each is loaded and len(agents) > len({a.algorithm for a in agents})),
+            _title(each, told_apart=each is loaded and len(agents) > len({a.algorithm for a in agents})),
             law,
             came[i] if came else None,
         )
@@ -64,7 +64,7 @@ def section(
 
 
 def _offered(
-    agents: Sequence[Loaded], rollout: Rollout | None, step: int, action: int, name: str, found: Returned | None
+    agents: Sequence[Loaded], rollout: Rollout | None, step: int, action: int, *, name: str, found: Returned | None
 ) -> tuple | None:
     """One line over the pictures: how to get what comes, how far it is, or what it is. Returns what came, if it did."""
     with st.container(key="codes_line"):
@@ -118,7 +118,7 @@ def law_of(loaded: Loaded, observation: tuple[float, ...], action: int, alpha: f
     return return_laws(loaded.agent, np.array(observation), [action], alpha)[0]
 
 
-def _title(loaded: Loaded, told_apart: bool) -> str:
+def _title(loaded: Loaded, *, told_apart: bool) -> str:
     name = checkpoints.ALGORITHMS[loaded.algorithm] + (" (opened)" if told_apart else "")
     notes = {"laplace": ", if steps were independent", "expectile": ", imputed", "dqn": ", a mean"}
     return name + notes.get(loaded.algorithm, "")

@@ -164,7 +164,16 @@ def show(rolling: Rolling, scene: Scene, view: View | None = None) -> None:
 
     names = [(part.name, part.unit) for part in scene.components]
     seconds = max(_SLOWEST, _SECONDS.get(rollout.environment, _SLOWEST))
-    player(rolling.packed(), at, state.page_name(), names, scene.actions, heard, seconds, flags)
+    player(
+        rolling.packed(),
+        at,
+        state.page_name(),
+        names,
+        action_names=scene.actions,
+        on_step=heard,
+        seconds=seconds,
+        flags=flags,
+    )
 
 
 def lead(rolling: Rolling, step: int) -> dict[str, Any]:

@@ -35,7 +35,7 @@ def cards(runs: Sequence[Run], looked: Run | None) -> None:
     for first in range(0, len(shown), 2):
         for column, run in zip(st.columns(2, gap="small"), shown[first : first + 2], strict=False):
             with column, st.container(border=True, key=f"run_{run.name}"):
-                _card(runs, run, run == looked)
+                _card(runs, run, looked=run == looked)
     if len(runs) > len(shown):
         st.button(f"Show all {len(runs)} runs", on_click=_show_all)
 
@@ -44,15 +44,15 @@ def _show_all() -> None:
     st.session_state["_all_runs"] = True
 
 
-def _card(runs: Sequence[Run], run: Run, looked: bool) -> None:
+def _card(runs: Sequence[Run], run: Run, *, looked: bool) -> None:
     if run.settings is None:
-        _head(run, run.name, NEUTRAL, False)
+        _head(run, run.name, NEUTRAL, looked=False)
         st.html(f'<div class="run-error">{escape(_sentence(run.error))}</div>')
         _more(run, None)
         return
     settings, curves, progress = run.settings, training_runs.curves(run), read_progress(run.folder)
     title = f"{algorithm_title(settings.ALGORITHM)} · {world_title(settings.environment)} · seed {settings.seed}"
-    _head(run, title, colour_of(runs, run), looked)
+    _head(run, title, colour_of(runs, run), looked=looked)
     share, words = _progress(run, progress, curves)
     st.progress(share, words)
     st.html(f'<div class="run-note">{escape(_numbers(curves))}<br>{escape(_different(run))}</div>')
@@ -68,7 +68,7 @@ def _card(runs: Sequence[Run], run: Run, looked: bool) -> None:
         _more(run, curves)
 
 
-def _head(run: Run, title: str, colour: str, looked: bool) -> None:
+def _head(run: Run, title: str, colour: str, *, looked: bool) -> None:
     word = {FAILED: "failed", WAITING: f"waiting, place {run.place}"}.get(run.state, run.state)
     shown = " shown" if looked else ""
     st.html(

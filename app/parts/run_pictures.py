@@ -61,20 +61,20 @@ def pictures(runs: Sequence[Run], run: Run) -> None:
         steps = max(settings_of(one).steps for one in drawn)
         figure = learning_curves(f"{world_title(settings.environment)}: return", lines, steps, bands)
         alt = f"Return over steps of {len(drawn)} runs: while training, and in evaluation with standard errors."
-        chart(to_json(figure), "training", alt, TALL, f"{settings.environment} {steps}")
+        chart(to_json(figure), "training", alt, TALL, revision=f"{settings.environment} {steps}")
     if not gammas.size:
         return
     mine = training_runs.curves(run)
     first = min(settings.evaluate_every, settings.steps)
     with places[1]:
         alt = f"How far the values of {label(run)} at the start lie from what came, a line a discount."
-        chart(to_json(discount_errors(mine, gammas, settings.steps, first)), "discounts", alt, TALL, run.name)
+        chart(to_json(discount_errors(mine, gammas, settings.steps, first)), "discounts", alt, TALL, revision=run.name)
     if len(gammas) == 1:
         return
     with places[2]:
         alt = f"Expected and real discounted return of {label(run)} from the start, over the discounts."
         figure = values_by_discount(mine, gammas, colour_of(runs, run), first)
-        chart(to_json(figure), "value at the start", alt, TALL, run.name)
+        chart(to_json(figure), "value at the start", alt, TALL, revision=run.name)
 
 
 def shipped(environment: str) -> None:
@@ -87,7 +87,7 @@ def shipped(environment: str) -> None:
         return
     title = world_title(environment)
     alt = f"Evaluations over the steps of training of the agents that ship for {title}: {len(bands)} algorithms."
-    chart(to_json(shipped_curves(f"{title}: agents that ship", bands)), "shipped", alt, TALL, environment)
+    chart(to_json(shipped_curves(f"{title}: agents that ship", bands)), "shipped", alt, TALL, revision=environment)
     st.caption("The median of the seeds, shaded from the lowest to the highest. Your own runs are drawn over it.")
 
 

@@ -10,7 +10,7 @@ from app import state, training_runs
 from app.controls import number, world_title
 from app.training_form import FORM, OPENING, TRAIN, algorithm_title, fields, suited, wanted
 from laplace_core import InputError
-from laplace_core.agents.settings import ENVIRONMENTS, LOOP_SCHEMA, SETTINGS
+from laplace_core.agents.settings import ENVIRONMENTS, LOOP_SCHEMA, SETTINGS, LoopSettings
 from laplace_core.parameters import Parameter
 
 _REFUSED = "_training_refused"
@@ -55,7 +55,7 @@ def _seed() -> Parameter:
     return next(parameter for parameter in LOOP_SCHEMA if parameter.name == "seed")
 
 
-def _in_columns(parameters: list[Parameter], shown) -> None:
+def _in_columns(parameters: list[Parameter], shown: LoopSettings) -> None:
     for row in _rows(parameters):
         for column, parameter in zip(st.columns(len(row)), row, strict=True):
             with column:

@@ -26,7 +26,7 @@ LOOK_EVERY = 0.5  # seconds between two looks at a simulation in the making
 def ask(view: View, loaded: Loaded, rollout: Rollout, step: int) -> Simulated | None:
     """The line over the lens: a button, then progress, then what is drawn; returns what the lens draws of it."""
     own = _own(rollout)
-    found = simulations.found(loaded, rollout, step, view.action, own)
+    found = simulations.found(loaded, rollout, step, view.action, own=own)
     with st.container(key="truth"):
         shares = [7, 1.2] if rollout.of_the_values else [5.8, 2.6, 1.2]
         words, *picker, button = st.columns(shares, vertical_alignment="center", gap="small")
@@ -45,7 +45,7 @@ def ask(view: View, loaded: Loaded, rollout: Rollout, step: int) -> Simulated | 
         words.caption(_told(view, loaded, rollout, step))
         button.button(
             "Simulate", key="simulate", width="stretch", disabled=found is not None, on_click=simulations.begin,
-            args=(loaded, rollout, step, view.action, own),
+            args=(loaded, rollout, step, view.action), kwargs={"own": own},
             help="Does the decoded timeline come true? Hold it against what really comes.",
         )  # fmt: skip
     if found is None or not environments.chance(loaded.environment):
@@ -59,11 +59,11 @@ def ask(view: View, loaded: Loaded, rollout: Rollout, step: int) -> Simulated | 
 
 def section(view: View, loaded: Loaded, rollout: Rollout, step: int) -> None:
     """Under the lens, once there is a simulation: its calibration, which follows alpha; of many states, their means."""
-    found = simulations.found(loaded, rollout, step, view.action, _own(rollout))
+    found = simulations.found(loaded, rollout, step, view.action, own=_own(rollout))
     if found is None or found.going:
         return
     try:
-        confronted = _confronted(found, loaded, view.subject, view.action, view.settings.alpha)
+        confronted = _confronted(found, loaded, view.subject, view.action, alpha=view.settings.alpha)
     except InputError as error:
         st.error(str(error))
         return
@@ -96,7 +96,7 @@ def _told(view: View, loaded: Loaded, rollout: Rollout, step: int) -> str:
     own = _own(rollout)
     then = _titles(rollout)["rule" if own else "values"].removeprefix("as rolled out: ")
     if environments.chance(loaded.environment):
-        steps = steps_known(loaded.agent, rollout, step, STEPS, own)
+        steps = steps_known(loaded.agent, rollout, step, STEPS, own=own)
         limit = "to the deadline" if steps < STEPS else "without a time limit"
         action = view.subject.action_names[view.action]
         words = f"{COUNT} continuations of {steps} steps, {limit}: {action}, then {then}."
@@ -126,9 +126,9 @@ def _progress(found: Simulation) -> None:
 
 
 @lru_cache(maxsize=16)
-def _confronted(found: Simulation, loaded: Loaded, subject: Subject, action: int, alpha: float) -> Confronted:
+def _confronted(found: Simulation, loaded: Loaded, subject: Subject, action: int, *, alpha: float) -> Confronted:
     came = found.result()
     if isinstance(came, Outcomes):
         return confront_states(loaded.agent, came, alpha)
     assert subject.gamma_space is not None  # an agent was observed: there is no world to make one from
-    return confront(loaded.agent, subject.gamma_space, action, came, alpha)
+    return confront(loaded.agent, subject.gamma_space, action, came, alpha=alpha)

@@ -23,7 +23,7 @@ _HERE = Path(__file__).resolve().parent
 
 
 def player(
-    data: bytes, at: int, key: str, names: Sequence[tuple[str, str]], action_names: Sequence[str],
+    data: bytes, at: int, key: str, names: Sequence[tuple[str, str]], *, action_names: Sequence[str],
     on_step: Callable[[int], None] | None = None, seconds: float = 0.05, flags: Mapping[str, Any] | None = None,
 ) -> None:  # fmt: skip
     """Draw the player.
@@ -37,7 +37,7 @@ def player(
         flags: from :func:`app.flagging.for_player`; None while they are looked for, and the player asks again.
     """
     told = {"names": list(names), "actions": list(action_names), "seconds": seconds, "flags": flags}
-    under_cursor(_component(), "player", key, data, at, told, on_step)
+    under_cursor(_component(), "player", key, data, at=at, told=told, on_step=on_step)
 
 
 @cache
@@ -60,4 +60,4 @@ def script() -> str:
     return shared + chart.joined(f"{cursor.script()}\n{own}")
 
 
-__all__ = ["name_of", "payload", "player", "player_js", "script"]
+__all__ = ["payload", "player", "player_js", "script"]

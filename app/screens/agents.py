@@ -121,7 +121,7 @@ def _view(loaded: Loaded, scene: Scene, asked: Rolling | None) -> None:
         truth.section(view, loaded, rollout, at)
     seen = observation or observation_of(scene, state.chosen())
     name = view.subject.action_names[view.action]
-    returns.section(loaded, seen, view.action, name, view.settings.alpha, rollout, at)
+    returns.section(loaded, seen, view.action, name, alpha=view.settings.alpha, rollout=rollout, step=at)
     panels.artefacts(view)
     export.agent_footer(view)
 

@@ -26,14 +26,14 @@ def page() -> None:
     except InputError as error:
         st.error(str(error))
         return
-    st.fragment(_view, run_every=LOOK_EVERY if going else None)(going)
+    st.fragment(_view, run_every=LOOK_EVERY if going else None)(going=going)
 
 
 def _going(runs: list[Run]) -> bool:
     return any(run.going or (run.settings is not None and training_runs.behind(run)) for run in runs)
 
 
-def _view(going: bool) -> None:
+def _view(*, going: bool) -> None:
     state.write_url()
     queue = training_runs.queue()
     runs = queue.runs()

@@ -16,10 +16,10 @@ def page() -> None:
     if not sidebar.begin():
         return
     running = learning.at_work()
-    st.fragment(_view, run_every=LOOK_EVERY if running else None)(running)
+    st.fragment(_view, run_every=LOOK_EVERY if running else None)(running=running)
 
 
-def _view(running: bool) -> None:
+def _view(*, running: bool) -> None:
     """The main area. Its own controls rerun only this, and leave the sidebar alone."""
     if state.sidebar_is_stale():
         st.rerun()
@@ -36,7 +36,7 @@ def _view(running: bool) -> None:
         return
     state.worked()
     learning.strip(view, watched)
-    panels.pictures(view, base, presets_for(view) if view.world is not None else ())
+    panels.pictures(view, base, presets=presets_for(view) if view.world is not None else ())
     panels.artefacts(view)
     learning.pictures(view)
     export.footer(view)

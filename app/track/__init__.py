@@ -24,7 +24,7 @@ COLOURS = ("#0072B2", "#D55E00")
 
 
 def track(
-    data: bytes, at: int, key: str, names: Sequence[str], action_names: Sequence[str],
+    data: bytes, at: int, key: str, names: Sequence[str], *, action_names: Sequence[str],
     on_step: Callable[[int], None], seconds: float = 0.05,
 ) -> None:  # fmt: skip
     """Draw a race.
@@ -37,7 +37,7 @@ def track(
         seconds: that a step is shown for while it plays.
     """
     told = {"names": list(names), "actions": list(action_names), "seconds": seconds, "colours": COLOURS}
-    under_cursor(_component(), "track", key, data, at, told, on_step)
+    under_cursor(_component(), "track", key, data, at=at, told=told, on_step=on_step)
 
 
 @cache

@@ -39,7 +39,7 @@ LISTED: dict[str, Callable[[Look], Artefact | None]] = {"shifted index": shifted
 
 
 def find_artefacts(
-    study: Study, action: int, horizon: float | None = None, searching: bool = True, trials: Trials | None = None
+    study: Study, action: int, horizon: float | None = None, *, searching: bool = True, trials: Trials | None = None
 ) -> list[Artefact]:  # fmt: skip
     """Every artefact present in the tau-space of one action, the gravest kinds first.
 

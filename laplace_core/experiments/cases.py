@@ -59,7 +59,7 @@ def draw_case(rng: np.random.Generator, chances: Mapping[str, float] | None = No
         world, length = lasting_world(rng)
         dt = float(rng.choice([1.0, 0.5, 0.25], p=[0.6, 0.2, 0.2]))
         steps = max(2, round(length * rng.choice([0.5, 1.0, 1.0, 1.3]) / dt))
-        base = _base(rng, world, min(steps, MOST_ROWS, round(200 / dt)), kind, dt)
+        base = _base(rng, world, min(steps, MOST_ROWS, round(200 / dt)), kind, time_step=dt)
     chances = dict.fromkeys(SWITCHES, 0.3) | CHANCES[kind] | dict(chances or {})
     switched = tuple(name for name in SWITCHES if rng.random() < chances[name])
     for pair in EXCLUSIVE:
@@ -72,7 +72,7 @@ def draw_case(rng: np.random.Generator, chances: Mapping[str, float] | None = No
     return Case(world, int(rng.integers(world.n_actions)), base, settings, switched)
 
 
-def _base(rng: np.random.Generator, world: World, steps: int, kind: str, time_step: float = 1.0) -> ResolvedForWorld:
+def _base(rng: np.random.Generator, world: World, steps: int, kind: str, *, time_step: float = 1.0) -> ResolvedForWorld:
     rewards = world.reward_values
     spacing = float(np.diff(rewards).min(initial=2.0)) / rng.uniform(7.0, 10.0)
     slope = SLOPE_TIMES_SPACING / spacing

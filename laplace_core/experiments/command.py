@@ -105,38 +105,38 @@ def _check(missed: list[str]) -> None:
 def _verdicts(options: argparse.Namespace) -> None:
     from laplace_core.experiments import verdicts  # only this verb needs it
 
-    seed = checked_number("seed", options.seed, int, 0, 2**31 - 1)
+    seed = checked_number("seed", options.seed, int, 0, high=2**31 - 1)
     if options.only is not None:
-        print(verdicts.shown(checked_number("only", options.only, int, 0, verdicts.MOST_VIEWS), seed))
+        print(verdicts.shown(checked_number("only", options.only, int, 0, high=verdicts.MOST_VIEWS), seed))
         return
-    cases = checked_number("cases", options.cases, int, 1, verdicts.MOST_VIEWS)
-    numbers, text = verdicts.report(cases, seed, checked_number("jobs", options.jobs, int, 1, verdicts.MOST_JOBS))
+    cases = checked_number("cases", options.cases, int, 1, high=verdicts.MOST_VIEWS)
+    numbers, text = verdicts.report(cases, seed, checked_number("jobs", options.jobs, int, 1, high=verdicts.MOST_JOBS))
     print(json.dumps(numbers, indent=1) if options.json else text)
     if options.check:
         _check([row["words"] for row in numbers["rows"] if not row["met"]])
 
 
 def _training(options: argparse.Namespace) -> None:
-    seeds = checked_number("seeds", options.seeds, int, 1, 100)
-    aim = checked_number("aim", options.aim, float, -1e9, 1e9)
+    seeds = checked_number("seeds", options.seeds, int, 1, high=100)
+    aim = checked_number("aim", options.aim, float, -1e9, high=1e9)
     settings_of(options.algorithm, options.environment, {})
     from laplace_core.experiments import training  # loads torch
 
-    numbers, text = training.report(options.algorithm, options.environment, seeds, aim, Path(options.runs))
+    numbers, text = training.report(options.algorithm, options.environment, seeds, aim, folder=Path(options.runs))
     print(json.dumps(numbers, indent=1) if options.json else text)
 
 
 def _horizon(options: argparse.Namespace) -> None:
     episodes, seed = (
-        checked_number("episodes", options.episodes, int, 2, 10_000),
-        checked_number("seed", options.seed, int, 0, 10**6),
+        checked_number("episodes", options.episodes, int, 2, high=10_000),
+        checked_number("seed", options.seed, int, 0, high=10**6),
     )
     horizons = [
-        None if word == "full" else checked_number("horizons", word, int, 1, 10_000)
+        None if word == "full" else checked_number("horizons", word, int, 1, high=10_000)
         for word in options.horizons.split(",")
     ]
     given = {
-        name: checked_number(name, getattr(options, name), float, low, high)
+        name: checked_number(name, getattr(options, name), float, low, high=high)
         for name, low, high in (("stretch", 0.01, 100.0), ("alpha", 1e-9, 1e6), ("softness", 0.0, 10.0))
         if getattr(options, name) is not None
     }
@@ -146,12 +146,14 @@ def _horizon(options: argparse.Namespace) -> None:
     if options.rule in RULES:
         check_rule_options(options.rule, given)
     paths, references = ([Path(path) for path in several] for several in (options.checkpoints, options.reference))
-    numbers, text = horizon.report(paths, options.rule, horizons, episodes, seed, given, references)
+    numbers, text = horizon.report(
+        paths, options.rule, horizons, episodes, seed=seed, options=given, references=references
+    )
     print(json.dumps(numbers, indent=1) if options.json else text)
 
 
 def _interpolation(options: argparse.Namespace) -> None:
-    seed = checked_number("seed", options.seed, int, 0, 10**6)
+    seed = checked_number("seed", options.seed, int, 0, high=10**6)
     from laplace_core.experiments import interpolation  # loads torch
 
     numbers, text = interpolation.report(Path(options.checkpoint), seed)
@@ -166,11 +168,11 @@ def _searches(options: argparse.Namespace) -> None:
 
 
 def _ship(options: argparse.Namespace) -> None:
-    seeds = checked_number("seeds", options.seeds, int, 1, 100)
+    seeds = checked_number("seeds", options.seeds, int, 1, high=100)
     settings_of(options.algorithm, options.environment, {})
     from laplace_core.experiments import shipping  # loads torch
 
-    entry = shipping.ship(options.algorithm, options.environment, seeds, Path(options.runs), Path(options.out))
+    entry = shipping.ship(options.algorithm, options.environment, seeds, Path(options.runs), folder=Path(options.out))
     print(json.dumps(entry, indent=1))
 
 

@@ -28,7 +28,7 @@ def report(
     rule: str,
     horizons: Sequence[int | None],
     episodes: int,
-    seed: int,
+    *, seed: int,
     options: dict[str, float],
     references: Sequence[Path] = (),
 ) -> tuple[dict[str, Any], str]:  # fmt: skip
@@ -50,10 +50,11 @@ def report(
         raise InputError("name the checkpoints of one environment.")
     rows = []
     for horizon in horizons:
-        rows.append(_row(agents, rule, horizon, episodes, seed, options))
+        rows.append(_row(agents, rule, horizon, episodes, seed=seed, options=options))
         if others:
             rows[-1]["references"] = [
-                float(_returns(each, suited(each.agent, horizon), horizon, episodes, seed).mean()) for each in others
+                float(_returns(each, suited(each.agent, horizon), horizon, episodes, seed=seed).mean())
+                for each in others
             ]
     numbers = {
         "environment": agents[0].environment, "agents": [str(path) for path in paths], "rule": rule,
@@ -64,11 +65,14 @@ def report(
 
 
 def _row(
-    agents: list[Loaded], rule: str, horizon: int | None, episodes: int, seed: int, options: dict[str, float]
+    agents: list[Loaded], rule: str, horizon: int | None, episodes: int, *, seed: int, options: dict[str, float]
 ) -> dict[str, Any]:
     returns = {
         name: np.array(
-            [_returns(each, name, horizon, episodes, seed, options if name == rule else {}) for each in agents]
+            [
+                _returns(each, name, horizon, episodes, seed=seed, options=options if name == rule else {})
+                for each in agents
+            ]
         )
         for name in (*AGAINST, rule)
     }
@@ -84,11 +88,11 @@ def _row(
 
 
 def _returns(
-    loaded: Loaded, rule: str, horizon: int | None, episodes: int, seed: int, options: Mapping[str, float] = NOTHING
+    loaded: Loaded, rule: str, horizon: int | None, episodes: int, *, seed: int, options: Mapping[str, float] = NOTHING
 ) -> np.ndarray:
     """``(episodes,)``."""
     told: dict[str, Any] = {"horizon": horizon, "rule": rule, **options}
-    return evaluate(loaded.agent, loaded.environment, episodes, seed, **told).returns
+    return evaluate(loaded.agent, loaded.environment, episodes=episodes, seed=seed, **told).returns
 
 
 def _table(numbers: dict[str, Any]) -> str:

@@ -104,9 +104,9 @@ def repairs(view: View, changes: Mapping[str, Any]) -> bool:
     return Judge(view).repairs(changes)
 
 
-def every_single_setting(view: View, until_one: bool = False) -> dict[Change, bool]:
+def every_single_setting(view: View, *, until_one: bool = False) -> dict[Change, bool]:
     """Whether each change of one setting repairs the view; ``until_one`` stops at the first that does."""
-    return Judge(view).every_single_setting(until_one)
+    return Judge(view).every_single_setting(until_one=until_one)
 
 
 class Judge:
@@ -192,7 +192,7 @@ class Judge:
                 params[name.removeprefix("param:")] = value
         return replace(self.view.settings, params=tuple(sorted(params.items())), **fields)
 
-    def every_single_setting(self, until_one: bool = False) -> dict[Change, bool]:
+    def every_single_setting(self, *, until_one: bool = False) -> dict[Change, bool]:
         found: dict[Change, bool] = {}
         for changes in single_settings(self.view):
             found[tuple(sorted(changes.items()))] = repaired = self.repairs(changes)

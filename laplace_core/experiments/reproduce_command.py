@@ -49,24 +49,24 @@ def _reproduce(options: argparse.Namespace) -> None:
     if len(asked) > 1:
         raise InputError(f"--{asked[0]} and --{asked[1]} are asked for one at a time: leave one of them out.")
     experiments = _named(options.name, some=bool(asked))
-    steps = None if options.steps is None else checked_number("steps", options.steps, int, 2, 10**9)
+    steps = None if options.steps is None else checked_number("steps", options.steps, int, 2, high=10**9)
     if steps is not None and options.out is None and asked in ([], ["collect"]):
         raise InputError("--steps makes results that are none of the paper's: name a folder for them with --out.")
     runs, out = Path(options.runs), Path(options.out or OUT)
     trainings = trainings_of(experiments, runs, steps)
     if options.list:
-        _list(experiments, trainings, out, options.json)
+        _list(experiments, trainings, out, as_json=options.json)
     elif options.budget:
-        _budget(experiments, trainings, out, options.json)
+        _budget(experiments, trainings, out, as_json=options.json)
     elif options.adopt is not None:
         adopted = adopt(Path(options.adopt), once_each(trainings))
         told = {"run": adopted.name, "state": adopted.state, "folder": str(adopted.folder)}
         print(json.dumps(told, indent=1) if options.json else f"{options.adopt} is {adopted.folder} now")
     else:
-        _train(experiments, trainings, out, options.collect, options.json)
+        _train(experiments, trainings, out, collect=options.collect, as_json=options.json)
 
 
-def _named(name: str | None, some: bool) -> list[Experiment]:
+def _named(name: str | None, *, some: bool) -> list[Experiment]:
     """The experiments that were asked for; without a name all, where nothing is trained.
 
     Raises:
@@ -85,7 +85,7 @@ def _named(name: str | None, some: bool) -> list[Experiment]:
 
 
 def _list(
-    experiments: Sequence[Experiment], trainings: dict[str, list[Training]], out: Path, as_json: bool
+    experiments: Sequence[Experiment], trainings: dict[str, list[Training]], out: Path, *, as_json: bool
 ) -> None:  # fmt: skip
     listed: list[dict[str, Any]] = []
     for experiment in experiments:
@@ -120,7 +120,7 @@ def _list(
 
 
 def _budget(
-    experiments: Sequence[Experiment], trainings: dict[str, list[Training]], out: Path, as_json: bool
+    experiments: Sequence[Experiment], trainings: dict[str, list[Training]], out: Path, *, as_json: bool
 ) -> None:  # fmt: skip
     everything = once_each(trainings)
     known = measured_speeds(list(EXPERIMENTS.values()), _all_planned(everything), out)
@@ -154,7 +154,7 @@ def _cost(budget: Budget) -> str:
 
 
 def _train(
-    experiments: Sequence[Experiment], trainings: dict[str, list[Training]], out: Path, collect: bool, as_json: bool
+    experiments: Sequence[Experiment], trainings: dict[str, list[Training]], out: Path, *, collect: bool, as_json: bool
 ) -> None:  # fmt: skip
     from laplace_core.experiments.paper import reproduce  # loads torch
 
@@ -167,7 +167,9 @@ def _train(
 
     failed = 0
     with Stop() as stop:
-        for done in reproduce.reproduce(experiments, trainings, out, lambda: stop.asked, begins, collect):
+        for done in reproduce.reproduce(
+            experiments, trainings, out, lambda: stop.asked, begins=begins, collect=collect
+        ):
             each, row = done.training, done.row
             failed += row is None
             which = f"{each.cell.label}, seed {each.settings.seed}"

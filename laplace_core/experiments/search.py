@@ -40,14 +40,14 @@ Trial = dict[str, Any]
 """Settings that a trial changes against the file's, by name."""
 
 
-def trials(varied: Mapping[str, Sequence[str]], one_at_a_time: bool) -> list[Trial]:
+def trials(varied: Mapping[str, Sequence[str]], *, one_at_a_time: bool) -> list[Trial]:
     """All combinations, or the unchanged settings and then each value by itself."""
     if one_at_a_time:
         return [{}, *({name: value} for name, values in varied.items() for value in values)]
     return [dict(zip(varied, values, strict=True)) for values in itertools.product(*varied.values())]
 
 
-def settings_for(algorithm: str, environment: str, common: Trial, trial: Trial, seed: int) -> LoopSettings:
+def settings_for(algorithm: str, environment: str, common: Trial, trial: Trial, *, seed: int) -> LoopSettings:
     """Settings of one training.
 
     Raises:
@@ -71,6 +71,7 @@ def search(
     environment: str,
     common: Trial,
     varied: Mapping[str, Sequence[str]],
+    *,
     seeds: int,
     folder: Path,
     one_at_a_time: bool = False,
@@ -86,16 +87,18 @@ def search(
         and the seconds that their trainings took, one after the other.
     """
     found: list[dict[str, Any]] = []
-    tried = trials(varied, one_at_a_time)
-    planned = [settings_for(algorithm, environment, common, trial, seed) for trial in tried for seed in range(seeds)]
+    tried = trials(varied, one_at_a_time=one_at_a_time)
+    planned = [
+        settings_for(algorithm, environment, common, trial, seed=seed) for trial in tried for seed in range(seeds)
+    ]
     with _started(planned, folder, jobs) as results:
         for i, trial in enumerate(tried):
             scores, errors, seconds = zip(*(result() for result in results[i * seeds : (i + 1) * seeds]), strict=True)
             row = {"trial": trial, "scores": scores, "median": float(np.median(scores)), "value_errors": errors}
             found.append(row | {"seconds": round(sum(seconds), 1)})
             about = {
-                "command": command(algorithm, environment, common, varied, seeds, one_at_a_time),
-                "settings": settings_for(algorithm, environment, common, {}, 0).as_dict(),
+                "command": command(algorithm, environment, common, varied, seeds=seeds, one_at_a_time=one_at_a_time),
+                "settings": settings_for(algorithm, environment, common, {}, seed=0).as_dict(),
                 "one_at_a_time": one_at_a_time,
                 "seeds": seeds,
                 "trials": found,
@@ -125,6 +128,7 @@ def command(
     environment: str,
     common: Trial,
     varied: Mapping[str, Sequence[str]],
+    *,
     seeds: int,
     one_at_a_time: bool,
 ) -> str:

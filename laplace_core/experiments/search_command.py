@@ -32,8 +32,8 @@ def add_search(verbs: argparse._SubParsersAction[argparse.ArgumentParser]) -> No
 
 
 def _search(options: argparse.Namespace) -> None:
-    seeds, folder = checked_number("seeds", options.seeds, int, 1, 100), Path(options.runs)
-    jobs = checked_number("jobs", options.jobs, int, 1, 256)
+    seeds, folder = checked_number("seeds", options.seeds, int, 1, high=100), Path(options.runs)
+    jobs = checked_number("jobs", options.jobs, int, 1, high=256)
     varied = {name: text.split(",") for name, text in named_params(options.vary, "--vary").items()}
     common = dict(named_params(options.set, "--set"))
     if "seed" in varied or "seed" in common:
@@ -46,8 +46,8 @@ def _search(options: argparse.Namespace) -> None:
     from laplace_core.experiments import search, search_report  # loads torch
 
     planned = [
-        search.settings_for(options.algorithm, options.environment, common, trial, seed)
-        for trial in search.trials(varied, options.one_at_a_time)
+        search.settings_for(options.algorithm, options.environment, common, trial, seed=seed)
+        for trial in search.trials(varied, one_at_a_time=options.one_at_a_time)
         for seed in range(seeds)
     ]
     for name, values in varied.items():
@@ -64,9 +64,18 @@ def _search(options: argparse.Namespace) -> None:
     folder.mkdir(parents=True, exist_ok=True)
     rows = []
     for row in search.search(
-        options.algorithm, options.environment, common, varied, seeds, folder, options.one_at_a_time, jobs
+        options.algorithm,
+        options.environment,
+        common,
+        varied,
+        seeds=seeds,
+        folder=folder,
+        one_at_a_time=options.one_at_a_time,
+        jobs=jobs,
     ):
         rows.append(row)
         if not options.json:
             print(f"{row['trial'] or 'as in the file'}: {row['scores']}, {row['seconds']:.0f} s", flush=True)
-    print(json.dumps(rows, indent=1) if options.json else search_report.table(rows, options.one_at_a_time))
+    print(
+        json.dumps(rows, indent=1) if options.json else search_report.table(rows, one_at_a_time=options.one_at_a_time)
+    )

@@ -16,7 +16,7 @@ Found = Mapping[str, Any]
 """What ``search.json`` holds."""
 
 
-def table(rows: Sequence[Mapping[str, Any]], one_at_a_time: bool) -> str:
+def table(rows: Sequence[Mapping[str, Any]], *, one_at_a_time: bool) -> str:
     """The best first, with the score of every seed; one at a time, against the unchanged settings.
 
     ``value off`` is the value at the starts less the discounted return that came, of the seed where it is farthest off.
@@ -50,7 +50,7 @@ def _text(found: Found) -> str:
     hours = sum(row["seconds"] for row in rows) / 3600
     steps = sum(int(row["trial"].get("steps", found["settings"]["steps"])) for row in rows) * found["seeds"]
     about = f"{len(rows) * found['seeds']} trainings, {steps:,} steps, {hours:.1f} hours of one core"
-    return f"{found['command']}\n{about}\n{table(rows, found['one_at_a_time'])}"
+    return f"{found['command']}\n{about}\n{table(rows, one_at_a_time=found['one_at_a_time'])}"
 
 
 def read(path: Path) -> Found:

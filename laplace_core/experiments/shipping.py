@@ -39,7 +39,7 @@ class TrainingCurve:
     errors: tuple[float, ...]
 
 
-def ship(algorithm: str, environment: str, seeds: int, runs: Path, folder: Path) -> dict[str, Any]:
+def ship(algorithm: str, environment: str, seeds: int, runs: Path, *, folder: Path) -> dict[str, Any]:
     """Evaluate every seed, copy the median one's best checkpoint to ``folder`` and enter it in the manifest there.
 
     Returns:
@@ -52,7 +52,7 @@ def ship(algorithm: str, environment: str, seeds: int, runs: Path, folder: Path)
         run = runs / training.run_name(algorithm, environment, seed)
         if not (run / "last.safetensors").exists():
             raise InputError(f"{run} is not finished: train it first.")
-    rows = training.report(algorithm, environment, seeds, 0.0, runs)[0]["seeds"]
+    rows = training.report(algorithm, environment, seeds, 0.0, folder=runs)[0]["seeds"]
     scores = np.array([row["score"] for row in rows])
     picked = int(np.argsort(scores, kind="stable")[(seeds - 1) // 2])
     run = runs / training.run_name(algorithm, environment, picked)
@@ -72,7 +72,7 @@ def ship(algorithm: str, environment: str, seeds: int, runs: Path, folder: Path)
         "scores": [round(score, 2) for score in scores.tolist()],
         "score": round(float(scores[picked]), 2),
         "standard_error": round(rows[picked]["standard_error"], 2),
-        "curve": write_curves(runs, algorithm, environment, seeds, folder),
+        "curve": write_curves(runs, algorithm, environment, seeds, folder=folder),
     }
     write_whole(folder / name, data)
     entries = {each["file"]: each for each in manifest(folder)} | {name: entry}
@@ -81,7 +81,7 @@ def ship(algorithm: str, environment: str, seeds: int, runs: Path, folder: Path)
     return entry
 
 
-def write_curves(runs: Path, algorithm: str, environment: str, seeds: int, folder: Path) -> dict[str, str]:
+def write_curves(runs: Path, algorithm: str, environment: str, seeds: int, *, folder: Path) -> dict[str, str]:
     """Write the evaluations while training of every seed to one file; returns its name and sha256 for the manifest."""
     curves = []
     for seed in range(seeds):

@@ -19,13 +19,13 @@ from laplace_core.training.run_folder import read_config, read_metrics
 EPISODES = 100
 
 
-def report(algorithm: str, environment: str, seeds: int, aim: float, folder: Path) -> tuple[dict[str, Any], str]:
+def report(algorithm: str, environment: str, seeds: int, aim: float, *, folder: Path) -> tuple[dict[str, Any], str]:
     """Train what is not trained yet, evaluate the best checkpoint of every seed, and tell.
 
     Runs are kept in ``folder``; one that is there already is used if it was made with the same settings, and gone on
     with if it was not finished.
     """
-    rows = [_seed(algorithm, environment, seed, aim, folder) for seed in range(seeds)]
+    rows = [_seed(algorithm, environment, seed, aim, folder=folder) for seed in range(seeds)]
     scores = np.array([row["score"] for row in rows])
     numbers = {"algorithm": algorithm, "environment": environment, "aim": aim, "episodes": EPISODES, "seeds": rows}
     numbers |= {"median": float(np.median(scores)), "lowest": float(scores.min())}
@@ -56,7 +56,7 @@ def run_name(algorithm: str, environment: str, seed: int) -> str:
     return f"{algorithm}_{environment.replace(':', '-')}_{seed}"
 
 
-def _seed(algorithm: str, environment: str, seed: int, aim: float, folder: Path) -> dict[str, Any]:
+def _seed(algorithm: str, environment: str, seed: int, aim: float, *, folder: Path) -> dict[str, Any]:
     settings = settings_of(algorithm, environment, {"seed": seed})
     run = folder / run_name(algorithm, environment, seed)
     finished = (run / "last.safetensors").exists()
@@ -94,7 +94,7 @@ def evaluated(agent: Agent, environment: str, episodes: int, seed: int) -> tuple
     """
     gamma = agent.acting_discount
     discounts = None if gamma is None else np.array([gamma])
-    scores = evaluate(agent, environment, episodes, seed, discounts=discounts)
+    scores = evaluate(agent, environment, episodes=episodes, seed=seed, discounts=discounts)
     if gamma is None:
         return scores, None
     values, actions = agent.action_values(scores.starts, agent.acting_head), agent.greedy(scores.starts)

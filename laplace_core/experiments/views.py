@@ -72,17 +72,17 @@ def _settings(rng: np.random.Generator, world: World, length: int) -> ResolvedFo
         return bool(rng.random() < chance)
 
     time_step = float(rng.choice([1.0, 0.5, 0.25, 1.0 / 3.0], p=[0.79, 0.07, 0.07, 0.07]))
-    theta_min, theta_max = _edges(rng, world.reward_values, careless())
+    theta_min, theta_max = _edges(rng, world.reward_values, careless=careless())
     chosen = Settings(
         world=world.source or world.name,
         params=world.params,
-        **_discounts(rng, careless()),
+        **_discounts(rng, careless=careless()),
         thetas=int(rng.integers(20, 161)),
         theta_spacing=str(rng.choice(["uniform", "gaussian", "asinh"], p=[0.8, 0.1, 0.1])),
         theta_min=theta_min,
         theta_max=theta_max,
         alpha=(alpha := _two_digits(_log_uniform(rng, *((1e-8, 5.0) if careless() else (1e-8, 1e-4))))),
-        steps=_steps(rng, length, time_step, careless()),
+        steps=_steps(rng, length, time_step, careless=careless()),
         time_step=time_step,
         normalise=str(rng.choice(["paper", "survival"])) if careless() else "none",
         policy="per_gamma" if careless() else "shared",
@@ -96,10 +96,10 @@ def _settings(rng: np.random.Generator, world: World, length: int) -> ResolvedFo
         least = 10.0 * chosen.noise if rng.random() < 0.7 else 0.0
         chosen = replace(chosen, alpha=_two_digits(max(alpha, least * _log_uniform(rng, 1.0, 30.0))))
     resolved = resolve(chosen, world)
-    return replace(resolved, slope=_two_digits(resolved.slope * _steepness(rng, careless())))
+    return replace(resolved, slope=_two_digits(resolved.slope * _steepness(rng, careless=careless())))
 
 
-def _discounts(rng: np.random.Generator, careless: bool) -> dict[str, Any]:
+def _discounts(rng: np.random.Generator, *, careless: bool) -> dict[str, Any]:
     """A grid that reaches far and is well filled, or any."""
     if careless:
         return {
@@ -116,7 +116,7 @@ def _discounts(rng: np.random.Generator, careless: bool) -> dict[str, Any]:
     }
 
 
-def _edges(rng: np.random.Generator, rewards: np.ndarray, careless: bool) -> tuple[float, float]:
+def _edges(rng: np.random.Generator, rewards: np.ndarray, *, careless: bool) -> tuple[float, float]:
     """Ends of the sensitivities: beyond every reward, or far beyond; careless: one on a reward or short of it."""
     low, high = float(rewards[0]), float(rewards[-1])
     width = (high - low) or max(1.0, abs(low))
@@ -128,7 +128,7 @@ def _edges(rng: np.random.Generator, rewards: np.ndarray, careless: bool) -> tup
     return float(f"{ends[0]:.6g}"), float(f"{ends[1]:.6g}")
 
 
-def _steps(rng: np.random.Generator, length: int, time_step: float, careless: bool) -> int:
+def _steps(rng: np.random.Generator, length: int, time_step: float, *, careless: bool) -> int:
     """Rows of the world's length or more; careless: of a part of it, or hardly any."""
     if not careless:
         steps = length + float(rng.integers(0, 3)) if rng.random() < 0.5 else length * float(rng.uniform(1.0, 3.0))
@@ -137,7 +137,7 @@ def _steps(rng: np.random.Generator, length: int, time_step: float, careless: bo
     return int(np.clip(round(steps / time_step), 1, MOST_ROWS))
 
 
-def _steepness(rng: np.random.Generator, careless: bool) -> float:
+def _steepness(rng: np.random.Generator, *, careless: bool) -> float:
     """Slope in units of the one that suits the spacing."""
     if not careless:
         return 1.0

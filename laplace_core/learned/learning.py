@@ -34,7 +34,7 @@ class Learning:
         s = self.settings
         self.every = max(1, min(s.episodes // (10 * NOTES), EVENT_STEPS // s.max_steps))
         bounds = bounds_of(world, s) if s.peers else None
-        self._learners = [_Learner(world, s, s.seed + i, self.every, bounds) for i in range(s.seeds)]
+        self._learners = [_Learner(world, s, s.seed + i, self.every, bounds=bounds) for i in range(s.seeds)]
         self._bounds = bounds
         self.seconds = 0.0
 
@@ -140,19 +140,25 @@ class Learning:
 class _Learner:
     """One seed: the Laplace code, its peers if wanted, the stream of its events and its curve."""
 
-    def __init__(self, world: World, s: ResolvedLearning, seed: int, every: int, bounds: tuple[float, float] | None):
+    def __init__(
+        self, world: World, s: ResolvedLearning, seed: int, every: int, *, bounds: tuple[float, float] | None
+    ) -> None:
         discounts = s.discounts
         self.grid = discounts.size
         if bounds is not None:  # one more discount: what this code says of the return that the peers represent
             discounts = np.append(discounts, s.peer_gamma)
-        self.laplace = LaplaceTD(world, discounts, None, s.policy, s.acting_gamma, s.rate)
+        self.laplace = LaplaceTD(
+            world, discounts, channels=None, policy=s.policy, acting_gamma=s.acting_gamma, rate=s.rate
+        )
         learners: list[LaplaceTD | PlainQ | Categorical | Quantile | Expectile] = [self.laplace]
         if bounds is not None:
             low, high = bounds
             self.plain = PlainQ(world, s.peer_gamma, rate=s.rate)
             self.categorical = Categorical(world, s.peer_gamma, np.linspace(low, high, s.atoms), rate=s.rate)
-            self.quantile = Quantile(world, s.peer_gamma, s.quantiles, high - low, rate=s.quantile_rate, takes_over=0.5)
-            self.expectile = Expectile(world, s.peer_gamma, low, high, s.expectiles, rate=s.rate)
+            self.quantile = Quantile(
+                world, s.peer_gamma, count=s.quantiles, scale=high - low, rate=s.quantile_rate, takes_over=0.5
+            )
+            self.expectile = Expectile(world, s.peer_gamma, low, high, count=s.expectiles, rate=s.rate)
             for peer in (self.plain, self.categorical, self.quantile, self.expectile):
                 peer.act = self.laplace.act  # type: ignore[method-assign]  # all evaluate the one policy that acts
                 learners.append(peer)

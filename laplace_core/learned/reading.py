@@ -119,7 +119,7 @@ class Returns:
 
 
 def return_distributions(
-    learned: Learned, state: str | int, action: int, seed_index: int = 0, settings: Settings | None = None
+    learned: Learned, state: str | int, action: int, *, seed_index: int = 0, settings: Settings | None = None
 ) -> Returns:
     """The codes of one return beside the true one; ``settings`` decode the tau-space of ``independent_steps``.
 
@@ -145,7 +145,7 @@ def return_distributions(
         "expectile": impute(expectiles, levels, peers.low, peers.high),
         "plain": _point(peers.plain[pair]),
     }
-    truth = _true_return(world, at, action, s.acting_gamma, s.peer_gamma)
+    truth = _true_return(world, at, action, s.acting_gamma, gamma=s.peer_gamma)
     law = truth.locations, truth.masses
     distances = {name: wasserstein(code, law) for name, code in codes.items()}
     return Returns(s.peer_gamma, law, truth.error, codes, distances)
@@ -156,8 +156,8 @@ def _point(value: float) -> tuple[np.ndarray, np.ndarray]:
 
 
 @lru_cache(maxsize=16)
-def _true_return(world: World, state: int, action: int, acting_gamma: float, gamma: float) -> ReturnDistribution:
-    return return_distribution(world, state, action, _best_policy(world, acting_gamma), gamma)
+def _true_return(world: World, state: int, action: int, acting_gamma: float, *, gamma: float) -> ReturnDistribution:
+    return return_distribution(world, state, action, _best_policy(world, acting_gamma), gamma=gamma)
 
 
 def bounds_of(world: World, learning: ResolvedLearning) -> tuple[float, float]:

@@ -55,7 +55,7 @@ class LearnSettings:
     gamma_max: float | None = like(Settings, "gamma_max")
     acting_gamma: float | None = _setting(0.99, *DISCOUNT_RANGE, "Discount by which the learner chooses its actions.")
     peers: bool | None = _switch(
-        False, "Also learn the categorical, quantile, expectile and plain codes of the return."
+        "Also learn the categorical, quantile, expectile and plain codes of the return.", default=False
     )
     peer_gamma: float | None = _setting(None, *DISCOUNT_RANGE, "Discount of that return (default: the acting gamma).")
     atoms: int | None = _setting(51, 2, 500, "Atoms of the categorical code.")

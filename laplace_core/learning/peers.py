@@ -84,7 +84,7 @@ class Categorical(_Peer):
     """
 
     def __init__(
-        self, world: World, gamma: float, atoms: np.ndarray, policy: np.ndarray | None = None, rate: Decay = _RATE
+        self, world: World, gamma: float, atoms: np.ndarray, *, policy: np.ndarray | None = None, rate: Decay = _RATE
     ):
         super().__init__(world, gamma, policy, rate)
         self.atoms = np.asarray(atoms, dtype=float)
@@ -119,7 +119,7 @@ class Quantile(_Peer):
     """
 
     def __init__(
-        self, world: World, gamma: float, count: int = 51, scale: float = 1.0, policy: np.ndarray | None = None,
+        self, world: World, gamma: float, *, count: int = 51, scale: float = 1.0, policy: np.ndarray | None = None,
         rate: Decay = _RATE, takes_over: float = np.inf,
     ):  # fmt: skip
         super().__init__(world, gamma, policy, rate)
@@ -173,10 +173,11 @@ class Expectile(_Peer):
         gamma: float,
         low: float,
         high: float,
+        *,
         count: int = 11,
         policy: np.ndarray | None = None,
         rate: Decay = _RATE,
-    ):
+    ) -> None:
         super().__init__(world, gamma, policy, rate)
         if count < 1 or count % 2 == 0 or not low < high:
             raise InputError("expectiles need an odd count and low < high.")
@@ -242,7 +243,14 @@ class ReturnDistribution(NamedTuple):
 
 
 def return_distribution(
-    world: World, state: int, action: int, policy: np.ndarray, gamma: float, tolerance: float = 1e-6, most: int = 4_000
+    world: World,
+    state: int,
+    action: int,
+    policy: np.ndarray,
+    *,
+    gamma: float,
+    tolerance: float = 1e-6,
+    most: int = 4_000,
 ) -> ReturnDistribution:
     """The true law of sum_tau gamma^tau r_tau after a state and action, the policy deciding afterwards.
 
@@ -265,7 +273,7 @@ def return_distribution(
         source, outcome = _expand(bounds, pairs)
         returns = returns[source] + discount * world.reward[outcome]
         masses, states = masses[source] * world.probability[outcome], world.following[outcome]
-        states, returns, masses, shift, cell = _merge(states, returns, masses, cell, most)
+        states, returns, masses, shift, cell = _merge(states, returns, masses, cell, most=most)
         squares += shift
         ended = states == END
         done.append((returns[ended], masses[ended]))
@@ -275,7 +283,7 @@ def return_distribution(
         discount *= gamma
     left = float(masses.sum()) * discount * largest / (1.0 - gamma)
     locations, totals = (np.concatenate(column) for column in zip(*done, (returns, masses), strict=True))
-    _, locations, totals, shift, _ = _merge(np.zeros(locations.size, int), locations, totals, cell, most)
+    _, locations, totals, shift, _ = _merge(np.zeros(locations.size, int), locations, totals, cell, most=most)
     return ReturnDistribution(locations, totals, float(np.sqrt(squares + shift)) + left)
 
 
@@ -288,7 +296,7 @@ def _expand(bounds: np.ndarray, rows: np.ndarray) -> tuple[np.ndarray, np.ndarra
 
 
 def _merge(
-    groups: np.ndarray, values: np.ndarray, masses: np.ndarray, cell: float, most: int
+    groups: np.ndarray, values: np.ndarray, masses: np.ndarray, cell: float, *, most: int
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray, float, float]:
     """Replace the values of a group that share a cell by their mean; widen the cell until ``most`` are left.
 

@@ -150,7 +150,13 @@ def _uniforms(rng: np.random.Generator) -> Iterator[float]:
 
 
 def td_update(
-    value: np.ndarray, following: np.ndarray | None, now: np.ndarray, gammas: np.ndarray, rate: float, work: np.ndarray
+    value: np.ndarray,
+    following: np.ndarray | None,
+    now: np.ndarray,
+    gammas: np.ndarray,
+    *,
+    rate: float,
+    work: np.ndarray,
 ) -> None:
     """value += rate * (now + gamma * following - value), in place, for all discounts and channels at once.
 
@@ -197,11 +203,12 @@ class LaplaceTD:
         self,
         world: World,
         gammas: np.ndarray,
+        *,
         channels: np.ndarray | None = None,
         policy: str | np.ndarray = "shared",
         acting_gamma: float = 0.99,
         rate: Decay = Decay(),
-    ):
+    ) -> None:
         rewards = world.reward_values
         channels = np.eye(rewards.size) if channels is None else np.asarray(channels, dtype=float)
         if channels.ndim != 2 or len(channels) != rewards.size:
@@ -253,7 +260,7 @@ class LaplaceTD:
         following = None if next_state == END else self._following(next_state)
         rate = self.rate(self._visits[state][action])
         self._visits[state][action] += 1
-        td_update(self._table[state, action], following, self._now[kind], self._gammas, rate, self._work)
+        td_update(self._table[state, action], following, self._now[kind], self._gammas, rate=rate, work=self._work)
         if self._mode == "shared":
             self._greedy[state, -1] = first_best(self._table[state, :, -1, -1].tolist())
         elif self._mode == "per_gamma":

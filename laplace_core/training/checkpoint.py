@@ -62,7 +62,7 @@ def new_agent(settings: LoopSettings) -> Agent:
     return kind(settings, spec.observation, spec.actions, spec.time_limit)
 
 
-def save_checkpoint(path: str | Path, agent: Agent, step: int, score: float | None, episodes: int = 0) -> None:
+def save_checkpoint(path: str | Path, agent: Agent, step: int, score: float | None, *, episodes: int = 0) -> None:
     """Write the agent's averaged network, whole or not at all."""
     settings = agent.settings
     about = {

@@ -81,7 +81,7 @@ def run_train(options: argparse.Namespace) -> None:
     file, step = ProgressFile(folder, settings.steps), 0
     with Stop() as stop:
         new = None if options.resume else settings
-        for event in train(new, folder, bool(options.resume), lambda: bool(stop.asked)):
+        for event in train(new, folder, resume=bool(options.resume), stop=lambda: bool(stop.asked)):
             progress.show(event)
             step = event.step
             file.at(step)
@@ -315,14 +315,14 @@ def add_evaluate(verbs: argparse._SubParsersAction[argparse.ArgumentParser]) -> 
 
 def run_evaluate(options: argparse.Namespace) -> None:
     """Evaluate one checkpoint."""
-    episodes = checked_number("episodes", options.episodes, int, 1, 100_000)
-    seed = checked_number("seed", options.seed, int, 0, 10**6)
+    episodes = checked_number("episodes", options.episodes, int, 1, high=100_000)
+    seed = checked_number("seed", options.seed, int, 0, high=10**6)
     told_rule: dict[str, Any] = {
-        name: checked_number(name, getattr(options, name), float, low, high)
+        name: checked_number(name, getattr(options, name), float, low, high=high)
         for name, low, high in (("softness", 0.0, 10.0), ("alpha", 1e-9, 1e6), ("stretch", 1e-2, 100.0))
         if getattr(options, name) is not None
     }
-    horizon = None if options.horizon is None else checked_number("horizon", options.horizon, int, 1, 10_000)
+    horizon = None if options.horizon is None else checked_number("horizon", options.horizon, int, 1, high=10_000)
     from laplace_core.training.checkpoint import load_checkpoint  # all three load torch
     from laplace_core.training.evaluation import evaluate
     from laplace_core.training.rules import RULES, suited
@@ -332,7 +332,7 @@ def run_evaluate(options: argparse.Namespace) -> None:
     if rule in RULES:
         check_rule_options(rule, told_rule)
     scores = evaluate(
-        loaded.agent, loaded.environment, episodes, seed, horizon=horizon, rule=rule,
+        loaded.agent, loaded.environment, episodes=episodes, seed=seed, horizon=horizon, rule=rule,
         discounts=own_discount(loaded.agent), **told_rule,
     )  # fmt: skip
     notes = return_notes(loaded.agent, scores)

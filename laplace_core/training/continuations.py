@@ -62,7 +62,7 @@ def standard_error(values: np.ndarray) -> np.ndarray:
     return values.std(axis=0, ddof=1) / np.sqrt(count) if count > 1 else np.zeros(values.shape[1:])
 
 
-def steps_known(agent: Agent, rollout: Rollout, step: int, steps: int, own: bool) -> int:
+def steps_known(agent: Agent, rollout: Rollout, step: int, steps: int, *, own: bool) -> int:
     """How many of the steps from one on a control decides: a rule for a deadline T says nothing after T."""
     if not own or rollout.rule in _TIMELESS:
         return steps
@@ -70,7 +70,7 @@ def steps_known(agent: Agent, rollout: Rollout, step: int, steps: int, own: bool
 
 
 def continue_from(
-    agent: Agent, rollout: Rollout, step: int, action: int | None = None, count: int = 100, steps: int = 200,
+    agent: Agent, rollout: Rollout, step: int, *, action: int | None = None, count: int = 100, steps: int = 200,
     seed: int = 0, own: bool = False, options: Options = _USUAL, told: Callable[[int, int], None] | None = None,
 ) -> Continuations:  # fmt: skip
     """Continuations from the state before a step.
@@ -97,7 +97,7 @@ def continue_from(
     if action is not None and not 0 <= action < agent.n_actions:
         raise InputError(f"action {action} is none of this environment's {agent.n_actions}.")
     first = int(rollout.actions[step]) if action is None else action
-    steps = steps_known(agent, rollout, step, steps, own)
+    steps = steps_known(agent, rollout, step, steps, own=own)
     judge = _judge(agent, rollout, options) if own else lambda seen, time: agent.action_values(seen, agent.acting_head)
     envs = [environments.make(rollout.environment, limited=False) for _ in range(count)]
     try:
@@ -110,8 +110,8 @@ def continue_from(
         dice = np.random.default_rng(np.random.SeedSequence([seed, step, 1]))  # for random actions
         with one_thread():
             return _play(
-                envs, rollout.observations[step], first, steps, step, _choice(judge, agent.n_actions, dice),
-                told or (lambda done, of: None),
+                envs, rollout.observations[step], first, steps, past=step, choose=_choice(judge, agent.n_actions, dice),
+                told=told or (lambda done, of: None),
             )  # fmt: skip
     finally:
         for env in envs:
@@ -121,7 +121,7 @@ def continue_from(
 def _judge(agent: Agent, rollout: Rollout, options: Options) -> Judge | None:
     length = length_of(agent, rollout.environment, rollout.horizon)
     rule = "readout" if rollout.rule == "decoded" else rollout.rule  # the same values, in a thousandth of the time
-    return judge_of(agent, rule, length, rollout.gamma, options)[0]
+    return judge_of(agent, rule, length, gamma=rollout.gamma, options=options)[0]
 
 
 def _choice(judge: Judge | None, actions: int, dice: np.random.Generator) -> Choose:
@@ -135,6 +135,7 @@ def _play(
     start: np.ndarray,
     first: int,
     steps: int,
+    *,
     past: int,
     choose: Choose,
     told: Callable[[int, int], None],
@@ -171,7 +172,7 @@ class Outcomes:
 
 
 def outcomes_of_states(
-    agent: Agent, environment: str, episodes: int = 20, each: int = 10, steps: int = 200, seed: int = 0,
+    agent: Agent, environment: str, *, episodes: int = 20, each: int = 10, steps: int = 200, seed: int = 0,
     like: Rollout | None = None, told: Callable[[int, int], None] | None = None,
 ) -> Outcomes:  # fmt: skip
     """States along episodes, and what came after them, without a time limit.
@@ -194,7 +195,9 @@ def outcomes_of_states(
             steps = min(steps, (length + 1) // 2)
     parts: list[tuple[Any, ...]] = []
     for i in range(episodes):
-        found = roll_out(agent, environment, seed + i, rule, length, gamma, limited=False, spaces=False)
+        found = roll_out(
+            agent, environment, seed + i, rule=rule, horizon=length, gamma=gamma, limited=False, spaces=False
+        )
         whole = len(found) if found.terminated else len(found) - steps
         for at in np.unique(np.linspace(0, max(0, min(steps, whole) - 1), each).astype(int)):
             got = found.rewards[at : at + steps]

@@ -51,7 +51,7 @@ class Spec(NamedTuple):
     time_limit: int | None
 
 
-def make(name: str, pictures: bool = False, limited: bool = True) -> gymnasium.Env:
+def make(name: str, *, pictures: bool = False, limited: bool = True) -> gymnasium.Env:
     """One environment of the list.
 
     Args:

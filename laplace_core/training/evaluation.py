@@ -56,7 +56,7 @@ def _standard_error(values: np.ndarray) -> np.ndarray:
 
 
 def evaluate(
-    agent: Agent, environment: str, episodes: int = 100, seed: int = 0, horizon: int | None = None,
+    agent: Agent, environment: str, *, episodes: int = 100, seed: int = 0, horizon: int | None = None,
     softness: float = 0.2, rule: str = "greedy", alpha: float = 1.0, steps: int = 1000, stretch: float = 1.5,
     first_seed: int = FIRST_SEED, discounts: np.ndarray | None = None, head: int | None = None,
     told: Callable[[int, int], None] | None = None,
@@ -90,7 +90,7 @@ def evaluate(
     parts = []
     for i, group in enumerate(groups):
         hear = _part_of(told, i, len(groups), length)
-        parts.append(_episodes(choose, environment, group, length, gammas, hear))
+        parts.append(_episodes(choose, environment, group, length, gammas=gammas, hear=hear))
     return Scores(*(np.concatenate(column) for column in zip(*parts, strict=True)))
 
 
@@ -104,7 +104,7 @@ def _part_of(
 
 
 def _episodes(
-    choose: Any, environment: str, starts: list[int], length: int | None, gammas: np.ndarray, hear: Any
+    choose: Any, environment: str, starts: list[int], length: int | None, *, gammas: np.ndarray, hear: Any
 ) -> Any:
     """The columns of :class:`Scores`, of one episode from each start seed, all in step."""
     envs = [environments.make(environment) for _ in starts]

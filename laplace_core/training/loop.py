@@ -27,7 +27,11 @@ _ROUND = 8  # updates that are drawn for, and whose targets may be computed, at 
 
 
 def train(
-    settings: LoopSettings | None, run_folder: str | Path, resume: bool = False, stop: Callable[[], bool] | None = None
+    settings: LoopSettings | None,
+    run_folder: str | Path,
+    *,
+    resume: bool = False,
+    stop: Callable[[], bool] | None = None,
 ) -> Iterator[Event]:
     """Train an agent; files in ``run_folder`` follow the events.
 
@@ -43,12 +47,12 @@ def train(
     Raises:
         InputError: settings or a folder that do not fit.
     """
-    folder = RunFolder(run_folder, settings, resume)
+    folder = RunFolder(run_folder, settings, resume=resume)
     torch.set_num_threads(folder.settings.threads)
     memory.keep()
     run = _Run(folder)
     try:
-        yield from run.events(resume, stop or (lambda: False))
+        yield from run.events(resume=resume, stop=stop or (lambda: False))
     finally:
         run.close()
 
@@ -66,7 +70,12 @@ class _Run:
         self.random = self.agent.random = np.random.default_rng(int(seeds[-1]))
         self.envs = Environments([partial(make, s.environment)] * s.rings, (seeds[:-1] % _LARGEST_START).tolist())
         self.replay = Replay(
-            s.buffer, s.rings, self.agent.n_observations, s.n_step, own, s.priority_exponent if s.prioritised else None
+            s.buffer,
+            s.rings,
+            self.agent.n_observations,
+            n_step=s.n_step,
+            own=own,
+            exponent=s.priority_exponent if s.prioritised else None,
         )
         self.heads = np.full(s.rings, self.agent.acting_head)
         self.returns = np.zeros(s.rings)
@@ -78,7 +87,7 @@ class _Run:
         self.envs.close()
         self.folder.close()
 
-    def events(self, resume: bool, stop: Callable[[], bool]) -> Iterator[Event]:
+    def events(self, *, resume: bool, stop: Callable[[], bool]) -> Iterator[Event]:
         s, saved = self.settings, self.folder.load() if resume else None
         self.folder.open_metrics(saved[1]["metrics_bytes"] if saved else 0)
         if saved:
@@ -95,7 +104,7 @@ class _Run:
             yield Step(self.step)
             done = self.step >= s.steps
             if done or self._crossed(before, s.evaluate_every):
-                yield from self._evaluate(done)
+                yield from self._evaluate(last=done)
             if done or self._crossed(before, s.checkpoint_every):
                 yield from self._save()
 
@@ -126,8 +135,8 @@ class _Run:
             actions = np.where(uniform, actions, self.agent.behave(observations, self.heads))
         stepped = envs.step(actions)
         self.replay.add(
-            stepped.real, observations, actions, stepped.rewards, stepped.observations,
-            stepped.terminated, stepped.truncated, stepped.elapsed,
+            stepped.real, observations, actions, stepped.rewards, next_observations=stepped.observations,
+            terminated=stepped.terminated, truncated=stepped.truncated, elapsed=stepped.elapsed,
         )  # fmt: skip
         self.returns[stepped.real] += stepped.rewards[stepped.real]
         self.step += int(stepped.real.sum())
@@ -176,19 +185,24 @@ class _Run:
             self.losses[1] += count
             left -= count
 
-    def _evaluate(self, last: bool) -> Iterator[Event]:
+    def _evaluate(self, *, last: bool) -> Iterator[Event]:
         s = self.settings
         gammas = s.discounts()
         scores = evaluate(
-            self.agent, s.environment, s.evaluate_episodes, s.seed, first_seed=_VALIDATION_SEED, discounts=gammas
+            self.agent,
+            s.environment,
+            episodes=s.evaluate_episodes,
+            seed=s.seed,
+            first_seed=_VALIDATION_SEED,
+            discounts=gammas,
         )
         # An equal score later in training replaces an earlier one: more has been learned since.
         best = self.best is None or scores.mean >= self.best
         if best:
             self.best = scores.mean
-            save_checkpoint(self.folder.best, self.agent, self.step, scores.mean, s.evaluate_episodes)
+            save_checkpoint(self.folder.best, self.agent, self.step, scores.mean, episodes=s.evaluate_episodes)
         if last:
-            save_checkpoint(self.folder.last, self.agent, self.step, scores.mean, s.evaluate_episodes)
+            save_checkpoint(self.folder.last, self.agent, self.step, scores.mean, episodes=s.evaluate_episodes)
         expected = self._expected(scores) if gammas.size else ()
         yield self._told(
             Evaluation(

@@ -49,7 +49,7 @@ class ProgressFile:
         self._path, self._of = folder / FILE, of
         self._notes: deque[tuple[float, int]] = deque(maxlen=_WINDOW)
 
-    def at(self, step: int, last: bool = False) -> None:
+    def at(self, step: int, *, last: bool = False) -> None:
         """The run has reached this step."""
         now = time.monotonic()
         if self._notes and now - self._notes[-1][0] < EVERY and not last:

@@ -108,7 +108,7 @@ class Races:
 
 
 def race(
-    environment: str, left: Entrant, right: Entrant, start: int, horizon: int, pictures: bool = False,
+    environment: str, left: Entrant, right: Entrant, start: int, *, horizon: int, pictures: bool = False,
     told: Told | None = None,
 ) -> Race:  # fmt: skip
     """Two rollouts from one start.
@@ -128,15 +128,15 @@ def race(
         hear = _half(told, i)
         sides.append(
             roll_out(
-                one.agent, environment, FIRST_START + int(start), one.rule, horizon, one.gamma, pictures=pictures,
-                spaces=False, told=hear,
+                one.agent, environment, FIRST_START + int(start), rule=one.rule, horizon=horizon, gamma=one.gamma,
+                pictures=pictures, spaces=False, told=hear,
             )
         )  # fmt: skip
     return Race(int(start), horizon, *sides)
 
 
 def races(
-    environment: str, left: Entrant, right: Entrant, horizon: int, count: int = 100, first: int = 0,
+    environment: str, left: Entrant, right: Entrant, horizon: int, *, count: int = 100, first: int = 0,
     told: Told | None = None,
 ) -> Races:  # fmt: skip
     """Races from the starts ``first`` to ``first + count - 1``, all episodes of one side in step; no pictures.
@@ -153,8 +153,8 @@ def races(
             head, _ = nearest_head(one.agent, one.rule, one.gamma)
             scores.append(
                 evaluate(
-                    one.agent, environment, count, horizon=horizon, rule=one.rule, first_seed=FIRST_START + first,
-                    head=head, told=_half(told, i),
+                    one.agent, environment, episodes=count, horizon=horizon, rule=one.rule,
+                    first_seed=FIRST_START + first, head=head, told=_half(told, i),
                 )
             )  # fmt: skip
     a, b = scores

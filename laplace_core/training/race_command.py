@@ -36,14 +36,14 @@ def add_race(verbs: argparse._SubParsersAction[argparse.ArgumentParser]) -> None
 
 def run_race(options: argparse.Namespace) -> None:
     """One race, or many."""
-    horizon = checked_number("horizon", options.horizon, int, 1, 10_000)
-    count = 100 if options.seeds is None else checked_number("seeds", options.seeds, int, 2, 500)
-    first = 0 if options.first is None else checked_number("first", options.first, int, 0, 10**8)
+    horizon = checked_number("horizon", options.horizon, int, 1, high=10_000)
+    count = 100 if options.seeds is None else checked_number("seeds", options.seeds, int, 2, high=500)
+    first = 0 if options.first is None else checked_number("first", options.first, int, 0, high=10**8)
     for name in ("seeds", "first"):
         if options.start is not None and getattr(options, name) is not None:
             raise InputError(f"--{name} changes nothing beside --start, which is one race: leave one of them out.")
-    start = None if options.start is None else checked_number("start", options.start, int, 0, 10**8)
-    gamma = None if options.gamma is None else checked_number("gamma", options.gamma, float, 1e-6, 0.999999)
+    start = None if options.start is None else checked_number("start", options.start, int, 0, high=10**8)
+    gamma = None if options.gamma is None else checked_number("gamma", options.gamma, float, 1e-6, high=0.999999)
     from laplace_core.training.checkpoint import load_checkpoint  # all three load torch
     from laplace_core.training.race import Entrant, race, races
     from laplace_core.training.rules import suited
@@ -61,13 +61,15 @@ def run_race(options: argparse.Namespace) -> None:
         "rule": right.rule, "against": left.rule, "against_agent": options.against_agent, "gamma": gamma,
     }  # fmt: skip
     if start is None:
-        found = races(loaded.environment, left, right, horizon, count, first)
-        _print_many(found, told | {"first": first}, options.json)
+        found = races(loaded.environment, left, right, horizon, count=count, first=first)
+        _print_many(found, told | {"first": first}, as_json=options.json)
     else:
-        _print_one(race(loaded.environment, left, right, start, horizon), told | {"start": start}, options.json)
+        _print_one(
+            race(loaded.environment, left, right, start, horizon=horizon), told | {"start": start}, as_json=options.json
+        )
 
 
-def _print_many(found: Races, told: dict[str, Any], as_json: bool) -> None:
+def _print_many(found: Races, told: dict[str, Any], *, as_json: bool) -> None:
     summary = found.summary()
     if as_json:
         returns = {"left": found.left.tolist(), "right": found.right.tolist(), "all_starts": found.starts.tolist()}
@@ -83,7 +85,7 @@ def _print_many(found: Races, told: dict[str, Any], as_json: bool) -> None:
         print("  the interval covers 0: these starts do not tell which is better")
 
 
-def _print_one(found: Race, told: dict[str, Any], as_json: bool) -> None:
+def _print_one(found: Race, told: dict[str, Any], *, as_json: bool) -> None:
     sides = {"left": found.left, "right": found.right}
     if as_json:
         told |= {"difference": found.difference, "parting": found.parting}

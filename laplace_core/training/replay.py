@@ -26,7 +26,7 @@ class Replay:
     """
 
     def __init__(
-        self, capacity: int, rings: int, observation: int, n_step: int = 1, own: bool = False,
+        self, capacity: int, rings: int, observation: int, *, n_step: int = 1, own: bool = False,
         exponent: float | None = None,
     ):  # fmt: skip
         self.length, self.rings, self.n_step, self.own = max(1, capacity // rings), rings, n_step, own
@@ -53,6 +53,7 @@ class Replay:
         observations: np.ndarray,
         actions: np.ndarray,
         rewards: np.ndarray,
+        *,
         next_observations: np.ndarray,
         terminated: np.ndarray,
         truncated: np.ndarray,

@@ -170,7 +170,7 @@ def return_quantiles(said: Mapping[str, np.ndarray], actions: np.ndarray) -> np.
 
 
 def simulate_returns(
-    agent: Agent, rollout: Rollout, step: int, action: int, count: int = COUNT, seed: int = 0,
+    agent: Agent, rollout: Rollout, step: int, action: int, *, count: int = COUNT, seed: int = 0,
     told: Callable[[int, int], None] | None = None,
 ) -> SimulatedReturns:  # fmt: skip
     """Returns of continuations from the state before a step of an episode, which may be another agent's.
@@ -185,7 +185,7 @@ def simulate_returns(
     gamma = acting_gamma(agent)
     steps = steps_until_cut(gamma)
     count = count if environments.chance(rollout.environment) else 1
-    found = continue_from(agent, rollout, step, action, count, steps, seed, told=told)
+    found = continue_from(agent, rollout, step, action=action, count=count, steps=steps, seed=seed, told=told)
     running = float(found.alive[:, -1].mean())
     missing = running * gamma**steps / (1.0 - gamma) * float(np.abs(found.rewards).max())
     return SimulatedReturns(found.rewards @ gamma ** np.arange(steps), gamma, steps, running, missing)

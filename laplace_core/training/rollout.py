@@ -112,7 +112,7 @@ def longest(agent: Agent) -> int:
 
 
 def roll_out(
-    agent: Agent, environment: str, seed: int, rule: str = "greedy", horizon: int | None = None,
+    agent: Agent, environment: str, seed: int, *, rule: str = "greedy", horizon: int | None = None,
     gamma: float | None = None, options: Options = _USUAL, pictures: bool = False, limited: bool = True,
     spaces: bool = True, told: Callable[[int, int], None] | None = None,
 ) -> Rollout:  # fmt: skip
@@ -141,15 +141,22 @@ def roll_out(
     if horizon is not None and not 1 <= horizon <= most:
         raise InputError(f"the horizon is {horizon}; it must be from 1 to {most} steps.")
     length = length_of(agent, environment, horizon)
-    judge, gamma = judge_of(agent, rule, length, gamma, options)
+    judge, gamma = judge_of(agent, rule, length, gamma=gamma, options=options)
     acting = acting_gamma(agent)
     with one_thread():
         observations, values, actions, rewards, terminated, frames = _act(
-            agent, environment, seed, judge, length, pictures, limited, told or (lambda done, of: None)
+            agent,
+            environment,
+            seed,
+            judge,
+            length=length,
+            pictures=pictures,
+            limited=limited,
+            told=told or (lambda done, of: None),
         )
         greedy_values = _in_parts(lambda some: agent.action_values(some, agent.acting_head), observations)
         kept = _spaces(agent, observations[:-1]) if spaces else _NONE
-        predicted, received, surprise = _expected(greedy_values, actions, rewards, terminated, acting)
+        predicted, received, surprise = _expected(greedy_values, actions, rewards, terminated=terminated, gamma=acting)
     return Rollout(
         environment, seed, rule, horizon, gamma, acting, observations, actions, rewards,
         greedy_values[:-1] if judge is None else values, greedy_values[:-1],
@@ -164,7 +171,7 @@ def length_of(agent: Agent, environment: str, horizon: int | None) -> int:
 
 
 def judge_of(
-    agent: Agent, rule: str, length: int, gamma: float | None = None, options: Options = _USUAL
+    agent: Agent, rule: str, length: int, *, gamma: float | None = None, options: Options = _USUAL
 ) -> tuple[Judge | None, float | None]:
     """What a rule asks at every step, None for random actions; and the trained discount nearest to ``gamma``.
 
@@ -212,11 +219,11 @@ def acting_gamma(agent: Agent) -> float:
 
 
 def _act(
-    agent: Agent, environment: str, seed: int, judge: Judge | None, length: int, pictures: bool,
+    agent: Agent, environment: str, seed: int, judge: Judge | None, *, length: int, pictures: bool,
     limited: bool, told: Callable[[int, int], None],
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, bool, tuple[bytes, ...]]:  # fmt: skip
     """Observations ``(N + 1, O)``, values, actions, rewards, whether it terminated, and frames."""
-    env, random = environments.make(environment, pictures, limited), np.random.default_rng(seed)
+    env, random = environments.make(environment, pictures=pictures, limited=limited), np.random.default_rng(seed)
     try:
         seen = [env.reset(seed=seed)[0].ravel()]
         values: list[np.ndarray] = []
@@ -246,7 +253,7 @@ def _act(
 
 
 def _expected(
-    greedy_values: np.ndarray, actions: np.ndarray, rewards: np.ndarray, terminated: bool, gamma: float
+    greedy_values: np.ndarray, actions: np.ndarray, rewards: np.ndarray, *, terminated: bool, gamma: float
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """``predicted``, ``received`` and ``surprise``; values ``(N + 1, A)``."""
     predicted = greedy_values[np.arange(len(actions)), actions]

@@ -108,7 +108,7 @@ def decoded(agent: Agent, length: int | None, options: Options) -> Judge:
     def judge(observations: np.ndarray, time: int) -> np.ndarray:
         assert isinstance(agent, HasGammaSpace)  # its discounts were asked for
         found = zip(*agent.gamma_spaces(observations), strict=True)
-        spaces = [GammaSpace(values, constant, gammas, agent.thetas, True) for values, constant in found]
+        spaces = [GammaSpace(values, constant, gammas, agent.thetas, open_ends=True) for values, constant in found]
         return np.array([decode_and_read(one, settings).horizon_values[:, length - time - 1] for one in spaces])
 
     return judge

@@ -41,7 +41,7 @@ class RunFolder:
             run that another process trains at this moment.
     """
 
-    def __init__(self, path: str | Path, settings: LoopSettings | None, resume: bool):
+    def __init__(self, path: str | Path, settings: LoopSettings | None, *, resume: bool) -> None:
         self.path = Path(path)
         self.metrics, self.resume_point = self.path / "metrics.jsonl", self.path / "resume.safetensors"
         self.best, self.last = self.path / "best.safetensors", self.path / "last.safetensors"

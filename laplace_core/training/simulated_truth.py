@@ -104,9 +104,11 @@ class Confronted:
     calibration: Calibration
 
 
-def confront(agent: Agent, space: GammaSpace, action: int, found: Continuations, alpha: float) -> Confronted:
+def confront(agent: Agent, space: GammaSpace, action: int, found: Continuations, *, alpha: float) -> Confronted:
     """One state's gamma-space and the continuations that begin with an action."""
-    return _confronted(agent, found, space.values[[action]], space.constant[[action]], space.open_ends, alpha)
+    return _confronted(
+        agent, found, space.values[[action]], space.constant[[action]], open_ends=space.open_ends, alpha=alpha
+    )
 
 
 def confront_states(agent: Agent, found: Outcomes, alpha: float) -> Confronted:
@@ -120,11 +122,11 @@ def confront_states(agent: Agent, found: Outcomes, alpha: float) -> Confronted:
     values, constant = agent.gamma_spaces(found.observations)
     row = np.arange(len(values))
     tails, constant = values[row, found.actions], constant[row, found.actions]
-    return _confronted(agent, Continuations(found.rewards, found.alive), tails, constant, True, alpha)
+    return _confronted(agent, Continuations(found.rewards, found.alive), tails, constant, open_ends=True, alpha=alpha)
 
 
 def _confronted(
-    agent: Agent, found: Continuations, tails: np.ndarray, constant: np.ndarray, open_ends: bool, alpha: float
+    agent: Agent, found: Continuations, tails: np.ndarray, constant: np.ndarray, *, open_ends: bool, alpha: float
 ) -> Confronted:
     """Gamma-space of one state or of as many as there are simulations: tails ``(S, G, H)``, constant ``(S, G)``."""
     happened = _passed(agent, found)

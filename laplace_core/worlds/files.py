@@ -100,7 +100,7 @@ def parse_world(text: str) -> World:
         states,
         actions,
         _parse_transitions(document["transitions"], states, actions),
-        _parse_start(document["start"], states) if "start" in document else None,
+        start=_parse_start(document["start"], states) if "start" in document else None,
     )
     return (
         replace(world, positions=_parse_positions(document["positions"], states)) if "positions" in document else world

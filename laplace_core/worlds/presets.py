@@ -44,7 +44,7 @@ def _chain_steps(states: list[int], actions: range, rewards: list[float]) -> lis
 
 
 def _branch(
-    first: int, length: int, r1: float, r2: float, auxiliary: bool, slip: float, base: Callable[[int], int]
+    first: int, length: int, r1: float, r2: float, *, auxiliary: bool, slip: float, base: Callable[[int], int]
 ) -> Any:
     """The branching decision in state ``first``; later states are numbered by ``base(0), base(1), ...``.
 
@@ -72,26 +72,28 @@ _BRANCH_PARAMETERS = (
 )
 
 
-def two_branch(length: int = 3, r1: float = 5.0, r2: float = 10.0, auxiliary: bool = False, slip: float = 0.0) -> World:
+def two_branch(
+    length: int = 3, *, r1: float = 5.0, r2: float = 10.0, auxiliary: bool = False, slip: float = 0.0
+) -> World:
     """The toy MDP of the paper's Fig. 4: take r1 now and end, or wait for r2.
 
     Diagnoses the repeated reward: rescaled rows keep paying r1 after the short branch has ended.
     Optimum at the start, discount g: max(r1, 0) for T < length, else max(r1, g^(length-1) r2) (no slip).
     """
-    rows, names = _branch(0, length, r1, r2, auxiliary, slip, lambda i: i + 1)
+    rows, names = _branch(0, length, r1, r2, auxiliary=auxiliary, slip=slip, base=lambda i: i + 1)
     suggested = {"gammas": 15, "alpha": 0.2, "steps": length}
     return World.from_outcomes("two_branch", ["start", *names], ["short", "long"], rows, suggested=suggested)
 
 
 def two_decisions(
-    length: int = 3, r1: float = 5.0, r2: float = 10.0, auxiliary: bool = False, slip: float = 0.0, r0: float = 4.0
+    length: int = 3, *, r1: float = 5.0, r2: float = 10.0, auxiliary: bool = False, slip: float = 0.0, r0: float = 4.0
 ) -> World:
     """The same branch behind a first decision: take r0 and end, or go on to the branch.
 
     Diagnoses mixed policies: after "go on", low discounts take r1 and high ones wait for r2, so that the
     values over gamma belong to no single process. With the defaults they part at gamma = (r1/r2)^(1/2) = .707.
     """
-    rows, names = _branch(1, length, r1, r2, auxiliary, slip, lambda i: i + 2)
+    rows, names = _branch(1, length, r1, r2, auxiliary=auxiliary, slip=slip, base=lambda i: i + 2)
     rows += [Outcome(0, 0, 1.0, END, r0), Outcome(0, 1, 1.0, 1, 0.0)]
     suggested = {"gammas": 15, "spacing": "log", "gamma_min": 0.3, "gamma_max": 0.99, "alpha": 0.2, "steps": length + 1}
     states, actions = ["first", "branch", *names], ["leave / short", "go on / long"]
@@ -112,7 +114,7 @@ def fig6_chain(outer: float = 2.0, inner: float = 1.0) -> World:
 
 
 def double_chain(
-    early: int = 2, late: int = 6, r_early: float = 0.6, r_late: float = 1.0, p_early: float = 0.5
+    early: int = 2, *, late: int = 6, r_early: float = 0.6, r_late: float = 1.0, p_early: float = 0.5
 ) -> World:
     """One of two chains by chance: r_early at step ``early`` or r_late at step ``late``.
 
@@ -165,7 +167,7 @@ def discounting_chain(reward: float = 1.0, bonus: float = 2.0, bonus_chain: int 
 
 
 def cliff_grid(
-    width: int = 6, height: int = 4, slip: float = 0.0, goal: float = 10.0, cliff: float = -10.0, step: float = -0.2
+    width: int = 6, *, height: int = 4, slip: float = 0.0, goal: float = 10.0, cliff: float = -10.0, step: float = -0.2
 ) -> World:
     """A gridworld: from the bottom left to the bottom right along a cliff that ends the episode.
 

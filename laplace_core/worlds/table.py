@@ -37,6 +37,7 @@ def world_rows(world: World) -> list[dict[str, Any]]:
 
 def world_from_rows(
     rows: Iterable[Mapping[str, Any]],
+    *,
     name: str = "my_world",
     states: Sequence[str] | None = None,
     actions: Sequence[str] | None = None,
@@ -71,9 +72,9 @@ def world_from_rows(
         state_index,
         action_index,
         [row for row in outcomes if row.probability > 0],
-        _start(start, state_index, len(known)),
-        suggested,
-        None if grown else positions,
+        start=_start(start, state_index, len(known)),
+        suggested=suggested,
+        positions=None if grown else positions,
     )
 
 

@@ -55,7 +55,7 @@ def timeline_world(rows: Iterable[Mapping[str, object]], rest: str = "zero", nam
                 raise InputError(
                     f"the timelines make more than {MAX_OUTCOMES:,} outcomes: draw fewer rewards or actions."
                 )
-            outcomes += _outcomes(here, a, len(names), step, *onwards)
+            outcomes += _outcomes(here, a, len(names), step, onwards=onwards[0], goes_on=onwards[1])
     longest = max(lengths) - 1
     suggested = {"gammas": 50, "alpha": 1e-3, "steps": longest + 3}
     return World.from_outcomes(name, states, names, outcomes, suggested=suggested)
@@ -150,7 +150,7 @@ def _check_alive(action: str, tau: int, total: float, following: float) -> None:
 
 
 def _outcomes(
-    here: int | Literal["start"], action: int, n_actions: int, step: Step, onwards: int, goes_on: float
+    here: int | Literal["start"], action: int, n_actions: int, step: Step, *, onwards: int, goes_on: float
 ) -> list[Outcome]:
     """One step of a chain: in "start" under its own action only, later under every action alike."""
     state, actions = (0, [action]) if here == "start" else (here, range(n_actions))

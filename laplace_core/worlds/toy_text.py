@@ -87,7 +87,13 @@ def toy_text_world(name: str, params: Mapping[str, Any] | None = None) -> World:
     actions = _ACTIONS[name.split("-")[0].removesuffix("8x8").removesuffix("Slippery")]
     suggested = {"gammas": 30, "spacing": "log", "gamma_min": 0.3, "alpha": 0.01, "steps": 60}
     return World.from_outcomes(
-        f"gym:{name}", states, actions, rows, start, suggested=suggested, positions=_positions(env, name, n_states)
+        f"gym:{name}",
+        states,
+        actions,
+        rows,
+        start=start,
+        suggested=suggested,
+        positions=_positions(env, name, n_states),
     )
 
 

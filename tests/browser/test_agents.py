@@ -27,7 +27,7 @@ SEED, STEP = 3, 17
 
 def by_the_library(environment):
     loaded = load_checkpoint(CHECKPOINTS / f"laplace_{environment}.safetensors")
-    return loaded, roll_out(loaded.agent, environment, SEED, "fading", horizon=60)
+    return loaded, roll_out(loaded.agent, environment, SEED, rule="fading", horizon=60)
 
 
 @pytest.fixture(scope="module")
@@ -96,7 +96,7 @@ def taken_along(page) -> tuple[np.ndarray, dict[str, object]]:
     return np.array(rows), page.evaluate("() => document.querySelector('.laplace-lens').lens.state")
 
 
-def exactly(page, loaded, rollout, step=STEP, added=0) -> GammaSpace:
+def exactly(page, loaded, rollout, *, step=STEP, added=0) -> GammaSpace:
     """Wait until the lens has the exact gamma-space of a step, and not the player's rounded one; returns it."""
     space = with_added(loaded.agent.gamma_space(rollout.observations[step]), added)
     for _ in range(100):

@@ -33,7 +33,7 @@ def returns_after(found, step: int) -> list[str]:
 
 
 def test_a_race_is_watched_and_then_run_from_many_starts(page, address, sides):
-    one, many = race(*sides, START, T), races(*sides, T, COUNT)
+    one, many = race(*sides, START, horizon=T), races(*sides, T, count=COUNT)
     page.goto(f"{address}/race?d.T={T}&d.start={START}&d.starts={COUNT}")
     page.locator(".laplace-track canvas").wait_for()
     assert shown(page) == returns_after(one, T)
@@ -56,7 +56,7 @@ def test_a_race_is_watched_and_then_run_from_many_starts(page, address, sides):
 
 
 def test_to_move_the_cursor_needs_no_server_and_it_plays(page, address, sides):
-    one = race(*sides, START, T)
+    one = race(*sides, START, horizon=T)
     page.goto(f"{address}/race?d.T={T}&d.start={START}")
     page.locator(".laplace-track canvas").wait_for()
     page.context.route("**/*", lambda route: route.abort())  # whatever is not there by now does not come

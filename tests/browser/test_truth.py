@@ -40,8 +40,8 @@ def test_continuations_are_drawn_held_against_tau_space_and_gone_with_their_stat
     page.wait_for_function("() => document.querySelector('canvas.tau-space').ariaLabel.includes('outlined')")
 
     loaded = load_checkpoint(CHECKPOINT)
-    rollout = roll_out(loaded.agent, "LunarLander-v3", SEED, "fading", horizon=T)
-    found = empirical(loaded.agent, continue_from(loaded.agent, rollout, STEP, ACTION, COUNT, STEPS))
+    rollout = roll_out(loaded.agent, "LunarLander-v3", SEED, rule="fading", horizon=T)
+    found = empirical(loaded.agent, continue_from(loaded.agent, rollout, STEP, action=ACTION, count=COUNT, steps=STEPS))
     space = loaded.agent.gamma_space(rollout.observations[STEP])
 
     def check():

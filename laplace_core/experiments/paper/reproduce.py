@@ -34,6 +34,7 @@ def reproduce(
     trainings: dict[str, list[Training]],
     out: Path,
     stop: Callable[[], object],
+    *,
     begins: Callable[[Training], None],
     collect: bool = False,
 ) -> Iterator[Done]:
@@ -78,7 +79,7 @@ def _train(training: Training, stop: Callable[[], object]) -> None:
     """To its end, or to where it was stopped."""
     there = training.state != MISSING
     progress, step = ProgressFile(training.folder, training.settings.steps), training.step
-    for event in train(None if there else training.settings, training.folder, there, lambda: bool(stop())):
+    for event in train(None if there else training.settings, training.folder, resume=there, stop=lambda: bool(stop())):
         step = event.step
         progress.at(step)
     progress.at(step, last=True)
