@@ -24,6 +24,7 @@ lint: .venv/.dev
 verify: .venv/.dev
 	$(BIN)/python -m laplace_core report verdicts --jobs 2 --check
 	$(BIN)/python -m laplace_core report detectors --check
+	$(BIN)/python -m pytest -m long
 	LENS_VIEWS=1000 $(BIN)/python -m pytest tests/browser/test_lens.py -k verdict_of_the_lens
 
 bench: .venv/.dev

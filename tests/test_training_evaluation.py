@@ -183,7 +183,7 @@ def exact(agent: LaplaceAgent, name: str, state: str):
     return study(load_world(name), settings).gamma_space
 
 
-@pytest.mark.parametrize("name", ["fig6_chain", "two_branch"])
+@pytest.mark.parametrize("name", [pytest.param("fig6_chain", marks=pytest.mark.long), "two_branch"])
 def test_a_trained_network_has_the_gamma_space_of_its_world(name, tmp_path):
     """Within 3% of the range of the exact one, in every state; and its decode shows the same picture."""
     for _ in train(settings_of("laplace", name, {}), tmp_path / "run"):

@@ -409,6 +409,7 @@ def test_who_tells_the_truth_misses_nothing():
     assert [name for one in examined for name, _ in one.disagreements if name != "alpha kept"] == []
 
 
+@pytest.mark.long
 def test_who_lies_is_found_out_in_everything():
     examined = [examine(number, 32, lying) for number in VIEWS]
     rows = {row["name"]: row for row in rows_of(examined)}
