@@ -8,13 +8,14 @@ from typing import Any
 from app import checkpoints, training_runs
 from app.link import read_values
 from app.races import Control
+from app.rolled import name_of
 from laplace_core import InputError, Settings
 from laplace_core.agents.agent import Agent
-from laplace_core.agents.capabilities import HasDiscounts, HasTimeToGo
+from laplace_core.agents.capabilities import HasDiscounts
 from laplace_core.agents.settings import GYMNASIUM_ENVIRONMENTS
 from laplace_core.parameters import Parameter
 from laplace_core.settings import resolve
-from laplace_core.training import environments
+from laplace_core.training import environments, rules
 from laplace_core.training.checkpoint import Loaded
 from laplace_core.training.race import MOST_RACES, MOST_START, Race
 from laplace_core.training.rollout import longest
@@ -30,10 +31,6 @@ FIRST_AGENT = "laplace_LunarLander-v3"
 USUAL_HORIZON, USUAL_COUNT = 50, 100
 _STOPS = (1, 2, 3, 4, 5, 6, 8, 10, 15, 20, 25, 30, 40, 50, 60, 80, 100, 125, 150, 200, 250, 300, 400, 500, 700, 1000)
 
-_NAMES = {
-    "greedy": "greedy", "matched": "nearest discount", "fading": "fading deadline", "readout": "readout",
-    "decoded": "decoded tau-space", "own": "learned values",
-}  # fmt: skip
 REMARKS = {
     "CartPole-v1": "Every step pays 1 while the pole stands: what is best hardly depends on the deadline.",
     "Acrobot-v1": "Every step costs 1 until the tip is up: the fastest way is best for any deadline that it makes.",
@@ -61,10 +58,9 @@ def _environment(name: str) -> str | None:
 
 
 def rules_of(agent: Agent) -> tuple[str, ...]:
-    """Rules that an agent can act by."""
-    if isinstance(agent, HasDiscounts):
-        return ("greedy", "matched", "fading", "readout", "decoded")
-    return ("own",) if isinstance(agent, HasTimeToGo) else ("greedy",)
+    """Rules that an agent can act by; one that takes the time to go has no reason for another."""
+    found = rules.rules_of(agent)
+    return found[:1] if found[0] == "own" else found
 
 
 def longest_horizon(loaded: Loaded) -> int:
@@ -154,7 +150,7 @@ def _trained_discount(agent: Agent, gamma: float | None) -> float | None:
 
 def sides(control: Control) -> tuple[str, str]:
     """Names of the left and the right side, that tell them apart."""
-    left, right = _NAMES[control.left_rule], _NAMES[control.right_rule]
+    left, right = name_of(control.left_rule), name_of(control.right_rule)
     if control.gamma is not None:
         left += f" (γ {control.gamma:.3g})"
     if control.left is control.right:

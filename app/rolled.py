@@ -11,45 +11,58 @@ from app.rollouts import Control
 from laplace_core.agents.agent import Agent
 from laplace_core.agents.capabilities import HasDiscounts, HasTimeToGo
 from laplace_core.parameters import Parameter
-from laplace_core.training.rollout import MOST_SEED, MOST_STEPS, RULES, Rollout
+from laplace_core.training import rules
+from laplace_core.training.rollout import MOST_SEED, MOST_STEPS, RANDOM, Rollout
+from laplace_core.training.rules import RULES
 
 SHOWN, SEED, RULE, HORIZON, GAMMA, AT = "r.shown", "r.seed", "r.rule", "r.horizon", "r.gamma", "r.at"
 ACTION, TAKEN = "r.action", "taken"  # the action taken is an option of its own, which follows the cursor
 AFTER = "r.after"
 TITLES = {
-    "greedy": "greedy at a discount",
-    "fading": "for T: fading deadline",
-    "readout": "for T: readout of all discounts",
-    "decoded": "for T: decoded tau-space (slow)",
-    "matched": "for T: nearest discount",
-    "own": "for T: values of the steps to go",
-    "random": "random",
+    "greedy": ("greedy at a discount", "greedy"),
+    "fading": ("for T: fading deadline", "fading deadline"),
+    "readout": ("for T: readout of all discounts", "readout"),
+    "decoded": ("for T: decoded tau-space (slow)", "decoded tau-space"),
+    "matched": ("for T: nearest discount", "nearest discount"),
+    "own": ("for T: values of the steps to go", "learned values"),
+    "random": ("random", "random"),
 }
+"""What rules are called in the form of a rollout, and in a sentence; a rule without a row goes by its own name."""
 VIEW = (
     Parameter(SHOWN, "no", help="Whether a rollout is shown.", choices=("no", "yes")),
     Parameter(SEED, 0, 0, MOST_SEED, "Seed of the start, and of random actions."),
-    Parameter(RULE, "greedy", help="Control rule.", choices=tuple(name for name in RULES if name in TITLES)),
+    Parameter(RULE, "greedy", help="Control rule.", choices=(*RULES, RANDOM)),
     Parameter(HORIZON, None, 1, MOST_STEPS, "Deadline T of the episode, in steps.", int),
     Parameter(GAMMA, None, 1e-6, 0.999999, "Discount to be greedy at.", float),
     Parameter(AT, 0, 0, MOST_STEPS, "Step under the cursor."),
     Parameter(AFTER, "values", help="Control of what is simulated from there.", choices=("values", "rule")),
 )
 PARAMETERS = {parameter.name: parameter for parameter in VIEW}
-ADAPTED = ("fading", "readout", "decoded", "matched", "own")
 
 
 def title_of(rule: str) -> str:
-    """What a rule is called."""
-    return TITLES.get(rule, rule)
+    """What the form of a rollout calls a rule."""
+    return TITLES.get(rule, (rule, rule))[0]
+
+
+def name_of(rule: str) -> str:
+    """What a sentence calls a rule."""
+    return TITLES.get(rule, (rule, rule))[1]
+
+
+def for_deadline(rule: str) -> bool:
+    """Whether a rule acts for the T of an episode."""
+    return rule != RANDOM and RULES[rule].for_deadline
 
 
 def rules_of(agent: Agent) -> dict[str, str]:
     """Rules that an agent can act by, the first one by default, and what they are called."""
-    if isinstance(agent, HasDiscounts):
-        return {name: title for name, title in TITLES.items() if name != "own"}
+    found = {name: title_of(name) for name in (*rules.rules_of(agent), RANDOM)}
     if isinstance(agent, HasTimeToGo):
-        return {"own": TITLES["own"], "greedy": "greedy for the longest T", "random": "random"}
-    return {"greedy": "greedy", "random": "random"}
+        found["greedy"] = "greedy for the longest T"
+    elif not isinstance(agent, HasDiscounts):
+        found["greedy"] = "greedy"
+    return found
 
 
 def parameters(agent: Agent) -> dict[str, Parameter]:
@@ -70,7 +83,7 @@ def control_of(values: Mapping[str, Any], limit: int, usual: str = "greedy") -> 
     where there is none."""
     rule = str(values.get(RULE, usual))
     horizon = values.get(HORIZON)
-    if rule in ADAPTED:
+    if for_deadline(rule):
         return Control(int(values.get(SEED, 0)), rule, min(limit, int(horizon or limit)))
     gamma = values.get(GAMMA) if rule == "greedy" else None
     return Control(int(values.get(SEED, 0)), rule, None, gamma)

@@ -39,22 +39,6 @@ def checked_number(name: str, text: object, kind: type[Number], low: float, *, h
     return kind(Parameter(name, None, low, high, "", kind).parse(text))
 
 
-RULE_OPTIONS = {"fading": ("stretch",), "readout": ("alpha", "softness"), "decoded": ("alpha", "softness")}
-"""What each rule of control can be told; the others take nothing."""
-
-
-def check_rule_options(rule: str, given: Iterable[str]) -> None:
-    """Refuse an option that the rule would not hear.
-
-    Raises:
-        InputError: naming the option and the rules that take it.
-    """
-    for name in given:
-        if name not in RULE_OPTIONS.get(rule, ()):
-            takers = " and ".join(taker for taker, options in RULE_OPTIONS.items() if name in options)
-            raise InputError(f"--{name} changes nothing under the rule {rule[:40]!r}: it is of {takers}.")
-
-
 def study_notes(found: Study) -> list[str]:
     """What a reader of a decoded state should know of its world and sensitivities, a sentence each."""
     if not isinstance(found, WorldStudy):

@@ -17,7 +17,7 @@ from laplace_core.training import environments
 from laplace_core.training.checkpoint import load_checkpoint, new_agent
 from laplace_core.training.rollout import roll_out
 from laplace_core.training.rollout_file import rollout_npz
-from laplace_core.training.rules import VALUES, Options
+from laplace_core.training.rules import RULES, Options
 from tests.lens_reference import seen
 
 torch.set_num_threads(1)
@@ -100,7 +100,7 @@ def test_readout_and_decoded_are_one_rule(made):
     trained, observations = agent.settings.hidden > 8, visited(agent, environment)
     for length in (5, 50, 200):
         options = Options(steps=200)
-        first, second = (VALUES[name](agent, length, options)(observations, 0) for name in ("readout", "decoded"))
+        first, second = (RULES[name].values(agent, length, options)(observations, 0) for name in ("readout", "decoded"))
         # The terms of an untrained agent all but cancel: its values are rounded as their sizes are.
         spaces = [agent.gamma_space(observation) for observation in observations]
         terms = max(np.abs(space.differences * space.bin_values).sum(axis=-1).max() for space in spaces)

@@ -17,9 +17,9 @@ from laplace_core.training import rollout
 from laplace_core.training.checkpoint import new_agent
 from laplace_core.training.evaluation import evaluate
 from laplace_core.training.frames import HEIGHT, animation
-from laplace_core.training.rollout import RULES, longest, roll_out
+from laplace_core.training.rollout import longest, roll_out
 from laplace_core.training.rollout_file import rollout_npz
-from laplace_core.training.rules import VALUES, Options
+from laplace_core.training.rules import RULES, Options
 
 torch.set_num_threads(1)
 SMALL = {"hidden": 8, "features": 4, "gammas": 5, "thetas": 9, "theta_min": -3.0, "theta_max": 12.0}
@@ -61,7 +61,7 @@ def test_it_is_the_episode_that_an_evaluation_plays(agent, rule):
 
 
 def test_actions_are_the_best_of_the_values_under_the_rule(agent, found):
-    judge = VALUES["readout"](agent, 200, Options())
+    judge = RULES["readout"].values(agent, 200, Options())
     wanted = [judge(one[None], t)[0] for t, one in enumerate(found.observations[:-1])]
     np.testing.assert_allclose(found.values, wanted, rtol=1e-5, atol=1e-6)
     np.testing.assert_array_equal(found.actions, found.values.argmax(axis=1))
@@ -190,4 +190,6 @@ def test_what_does_not_fit_is_refused_in_one_sentence(agent, wrong):
 
 
 def test_every_rule_has_a_name():
-    assert set(RULES) == {*VALUES, "random"}
+    from app.rolled import TITLES
+
+    assert set(TITLES) == {*RULES, "random"}

@@ -56,11 +56,11 @@ def is_wrong(found, row: int) -> bool:
 
 def test_decoded_and_readout_are_the_same_rule():
     from laplace_core.training.checkpoint import load_checkpoint
-    from laplace_core.training.rules import VALUES, Options
+    from laplace_core.training.rules import RULES, Options
 
     agent = load_checkpoint(SHIPPED).agent
     observations = np.random.default_rng(0).normal(0.0, 0.4, (12, 8)).astype(np.float32)
-    one, other = (VALUES[name](agent, 50, Options())(observations, 0) for name in ("readout", "decoded"))
+    one, other = (RULES[name].values(agent, 50, Options())(observations, 0) for name in ("readout", "decoded"))
     np.testing.assert_allclose(one, other, rtol=0, atol=1e-5 * np.abs(one).max())
 
 

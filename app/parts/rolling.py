@@ -11,7 +11,7 @@ from app.flagging import flagging, for_player
 from app.message import name_of
 from app.observations import Scene
 from app.player import player
-from app.rolled import ADAPTED, AT, GAMMA, HORIZON, PARAMETERS, RULE, SEED, SHOWN
+from app.rolled import AT, GAMMA, HORIZON, PARAMETERS, RULE, SEED, SHOWN
 from app.rollouts import Rolling
 from app.sources import View
 from app.trained import OBSERVED
@@ -53,7 +53,7 @@ def form(loaded: Loaded) -> None:
     left.number_input("Start seed", 0, MOST_SEED, step=1, key=key, on_change=_keep, args=(key,))
     rule = values.get(RULE, next(iter(rules)))
     with right:
-        if rule in ADAPTED:
+        if rolled.for_deadline(rule):
             key = state.put(HORIZON, min(limit, int(values.get(HORIZON) or limit)))
             st.number_input("T (steps)", 1, limit, step=1, key=key, on_change=_keep, args=(key,))
         elif rule == "greedy" and isinstance(loaded.agent, HasDiscounts):

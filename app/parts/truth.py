@@ -85,7 +85,7 @@ def _own(rollout: Rollout) -> bool:
 
 
 def _titles(rollout: Rollout) -> dict[str, str]:
-    rule = rolled.TITLES[rollout.rule].split(" (")[0].removeprefix("for T: ")
+    rule = rolled.title_of(rollout.rule).split(" (")[0].removeprefix("for T: ")
     if rollout.gamma:
         rule = f"greedy at γ {rollout.gamma:.4g}"
     return {"values": f"greedy at γ {rollout.acting_gamma:.4g}", "rule": f"as rolled out: {rule}"}

@@ -8,7 +8,7 @@ import sys
 from pathlib import Path
 
 from laplace_core.training.command import settings_of
-from laplace_core.words import check_rule_options, checked_number
+from laplace_core.words import checked_number
 
 
 def add_report(verbs: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
@@ -141,10 +141,9 @@ def _horizon(options: argparse.Namespace) -> None:
         if getattr(options, name) is not None
     }
     from laplace_core.experiments import horizon  # loads torch
-    from laplace_core.training.rules import RULES
+    from laplace_core.training.rules import check_rule_options
 
-    if options.rule in RULES:
-        check_rule_options(options.rule, given)
+    check_rule_options(options.rule, given)
     paths, references = ([Path(path) for path in several] for several in (options.checkpoints, options.reference))
     numbers, text = horizon.report(
         paths, options.rule, horizons, episodes, seed=seed, options=given, references=references

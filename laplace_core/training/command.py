@@ -31,7 +31,7 @@ from laplace_core.settings import Settings, flag, resolve
 from laplace_core.training.events import Checkpoint, Episode, Evaluation, Resumed, Step
 from laplace_core.training.progress import ProgressFile
 from laplace_core.training.run_folder import read_config
-from laplace_core.words import add_parameters, check_rule_options, checked_number
+from laplace_core.words import add_parameters, checked_number
 from laplace_core.worlds import load_world
 
 if TYPE_CHECKING:  # these bring torch along
@@ -325,12 +325,11 @@ def run_evaluate(options: argparse.Namespace) -> None:
     horizon = None if options.horizon is None else checked_number("horizon", options.horizon, int, 1, high=10_000)
     from laplace_core.training.checkpoint import load_checkpoint  # all three load torch
     from laplace_core.training.evaluation import evaluate
-    from laplace_core.training.rules import RULES, suited
+    from laplace_core.training.rules import check_rule_options, suited
 
     loaded = load_checkpoint(options.checkpoint)
     rule = suited(loaded.agent, horizon) if options.rule is None else options.rule
-    if rule in RULES:
-        check_rule_options(rule, told_rule)
+    check_rule_options(rule, told_rule)
     scores = evaluate(
         loaded.agent, loaded.environment, episodes=episodes, seed=seed, horizon=horizon, rule=rule,
         discounts=own_discount(loaded.agent), **told_rule,

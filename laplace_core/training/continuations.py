@@ -19,11 +19,10 @@ from laplace_core.errors import InputError
 from laplace_core.ties import greedy_action
 from laplace_core.training import environments
 from laplace_core.training.rollout import RANDOM, Rollout, judge_of, length_of, one_thread, roll_out
-from laplace_core.training.rules import Choose, Judge, Options
+from laplace_core.training.rules import RULES, Choose, Judge, Options
 
 MOST = 1_000
 """Continuations, and steps of each."""
-_TIMELESS = ("greedy", RANDOM)
 """Rules that do not look at the time to go."""
 _USUAL = Options()
 
@@ -62,9 +61,13 @@ def standard_error(values: np.ndarray) -> np.ndarray:
     return values.std(axis=0, ddof=1) / np.sqrt(count) if count > 1 else np.zeros(values.shape[1:])
 
 
+def _for_deadline(rule: str) -> bool:
+    return rule != RANDOM and RULES[rule].for_deadline
+
+
 def steps_known(agent: Agent, rollout: Rollout, step: int, steps: int, *, own: bool) -> int:
     """How many of the steps from one on a control decides: a rule for a deadline T says nothing after T."""
-    if not own or rollout.rule in _TIMELESS:
+    if not own or not _for_deadline(rollout.rule):
         return steps
     return min(steps, length_of(agent, rollout.environment, rollout.horizon) - step)
 
@@ -190,7 +193,7 @@ def outcomes_of_states(
     rule, gamma, length = "greedy", None, min(2 * steps, MOST)
     if like is not None:
         rule, gamma = "readout" if like.rule == "decoded" else like.rule, like.gamma
-        if rule not in _TIMELESS:
+        if _for_deadline(rule):
             length = length_of(agent, environment, like.horizon)
             steps = min(steps, (length + 1) // 2)
     parts: list[tuple[Any, ...]] = []

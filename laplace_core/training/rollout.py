@@ -24,10 +24,9 @@ from laplace_core.gamma_space import GammaSpace
 from laplace_core.ties import greedy_action
 from laplace_core.training import environments
 from laplace_core.training.frames import picture_of
-from laplace_core.training.rules import VALUES, Judge, Options
+from laplace_core.training.rules import RULES, Judge, Options
 
 RANDOM = "random"
-RULES = (*VALUES, RANDOM)
 MOST_STEPS = 2_000
 MOST_BYTES = 64_000_000
 """Most that the gamma-spaces of one rollout may take; pictures take some 3 kB each, everything else is small."""
@@ -120,7 +119,7 @@ def roll_out(
 
     Args:
         seed: also of random actions.
-        rule: a name in ``RULES``.
+        rule: a name in :data:`laplace_core.training.rules.RULES`, or ``random``.
         horizon: T; the episode is stopped after so many steps. None leaves it to the environment's own limit.
         gamma: a discount for ``greedy``; the nearest one that was trained is taken. None is the acting discount.
         pictures: whether to keep a frame of every step.
@@ -134,8 +133,8 @@ def roll_out(
     spec, most = environments.spec(environment), longest(agent)
     if spec.observation != agent.n_observations or spec.actions != agent.n_actions:
         raise InputError(f"this agent was not trained for {environment}: its observations or actions differ.")
-    if rule not in RULES:
-        raise InputError(f"rule {rule[:40]!r} is not one of {', '.join(RULES)}.")
+    if rule != RANDOM and rule not in RULES:
+        raise InputError(f"rule {rule[:40]!r} is not one of {', '.join((*RULES, RANDOM))}.")
     if not 0 <= seed <= MOST_SEED:
         raise InputError(f"the seed is {seed}; it must be from 0 to {MOST_SEED}.")
     if horizon is not None and not 1 <= horizon <= most:
@@ -179,7 +178,7 @@ def judge_of(
         InputError: a rule that the agent has not learned enough for, or a discount that does not fit.
     """
     head, gamma = nearest_head(agent, rule, gamma)
-    return (None if rule == RANDOM else VALUES[rule](agent, length, _with_head(options, head))), gamma
+    return (None if rule == RANDOM else RULES[rule].values(agent, length, _with_head(options, head))), gamma
 
 
 @contextmanager

@@ -2,12 +2,15 @@
 
 A rule is a function of the agent, of the length of the episode and of :class:`Options`, and returns what is asked at
 every step: a function from observations ``(B, O)`` and the step t, from 0, to the values of all actions ``(B, A)``, the
-best of which is taken. T - t steps are to go. Another rule is one more such function and its name in ``VALUES``.
+best of which is taken. T - t steps are to go.
+
+To add a rule, write one more such function and its entry in ``RULES``; the command line, rollouts, races and
+evaluations follow. What the page calls it is a row of ``app.rolled.TITLES``.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
 import numpy as np
@@ -124,22 +127,65 @@ def own(agent: Agent, length: int | None, options: Options) -> Judge:
     )
 
 
-VALUES: dict[str, Callable[[Agent, int | None, Options], Judge]] = {
-    "greedy": greedy, "matched": matched, "fading": fading, "readout": readout, "decoded": decoded, "own": own,
-}  # fmt: skip
+@dataclass(frozen=True)
+class Rule:
+    """A rule of control. Called with an agent, the length of an episode and :class:`Options`, it takes the best action.
 
+    Attributes:
+        values: what is asked at every step.
+        suits: whether an agent has learned enough for it.
+        for_deadline: whether it acts for the T of an episode; else T changes nothing.
+        options: names of the :class:`Options` that it hears, besides ``steps`` and ``head``.
+    """
 
-def _best(rule: Callable[[Agent, int | None, Options], Judge]) -> Callable[[Agent, int | None, Options], Choose]:
-    """The rule that takes the best action of these values."""
+    values: Callable[[Agent, int | None, Options], Judge]
+    suits: Callable[[Agent], bool]
+    for_deadline: bool = True
+    options: tuple[str, ...] = ()
 
-    def best(agent: Agent, length: int | None, options: Options) -> Choose:
-        judge = rule(agent, length, options)
+    def __call__(self, agent: Agent, length: int | None, options: Options) -> Choose:
+        judge = self.values(agent, length, options)
         return lambda observations, time: greedy_action(judge(observations, time))
 
-    return best
+
+def _has_discounts(agent: Agent) -> bool:
+    return isinstance(agent, HasDiscounts)
 
 
-RULES: dict[str, Callable[[Agent, int | None, Options], Choose]] = {name: _best(rule) for name, rule in VALUES.items()}
+def _has_gamma_space(agent: Agent) -> bool:
+    return isinstance(agent, HasGammaSpace)
+
+
+def _has_time_to_go(agent: Agent) -> bool:
+    return isinstance(agent, HasTimeToGo)
+
+
+RULES: dict[str, Rule] = {
+    "greedy": Rule(greedy, lambda agent: True, for_deadline=False),
+    "matched": Rule(matched, _has_discounts),
+    "fading": Rule(fading, _has_discounts, options=("stretch",)),
+    "readout": Rule(readout, _has_discounts, options=("softness", "alpha")),
+    "decoded": Rule(decoded, _has_gamma_space, options=("softness", "alpha")),
+    "own": Rule(own, _has_time_to_go),
+}
+
+
+def rules_of(agent: Agent) -> tuple[str, ...]:
+    """Names of the rules that an agent has learned enough for, that which suits it first."""
+    found = tuple(name for name, rule in RULES.items() if rule.suits(agent))
+    return ("own", *(name for name in found if name != "own")) if "own" in found else found
+
+
+def check_rule_options(rule: str, given: Iterable[str]) -> None:
+    """Refuse an option that a rule would not hear; a rule that does not exist is refused elsewhere.
+
+    Raises:
+        InputError: naming the option and the rules that take it.
+    """
+    for name in given if rule in RULES else ():
+        if name not in RULES[rule].options:
+            takers = " and ".join(taker for taker, other in RULES.items() if name in other.options)
+            raise InputError(f"--{name} changes nothing under the rule {rule[:40]!r}: it is of {takers}.")
 
 
 def suited(agent: Agent, horizon: int | None) -> str:
