@@ -39,7 +39,8 @@ class Grade:
         regret: Q*_T of the best action minus that of the chosen one, in units of reward, >= 0.
         wrong: whether the regret exceeds a tie.
         error: largest |V_T - true V_T| over the actions, in units of reward, the deadline of the truth being hard.
-        value_error: the same with the deadline of the study, as a share of the largest true value.
+        value_error: the same with the deadline of the study, as a share of the largest true value; where nothing is
+            ever paid, any value that is not rounding is infinitely far off.
     """
 
     chosen: int
@@ -85,7 +86,7 @@ def grade_values(truth: Truth, study: WorldStudy, row: int, values: np.ndarray, 
         regret,
         bool(regret > tie_size(optimum.max(), np.abs(optimum).max())),
         float(np.abs(values - hard).max()),
-        off / largest if largest > 0 else 0.0,
+        off / largest if largest > 0 else np.inf if off > tie_size(0.0, scale) else 0.0,
     )
 
 

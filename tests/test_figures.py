@@ -26,7 +26,7 @@ OVER_SEEDS = ("values", "rewards")
 @pytest.mark.parametrize("world", WORLDS)
 def test_plotly_accepts_the_graph_of_every_world(world):
     found = study(load_world(world), Settings(world=world))
-    view = View(Exact(found.world), found.settings, 0, None)
+    view = View(Exact(found.world), found.settings, 0)
     go.Figure(json.loads(compute.world_figure(view)))  # raises on any property or value that plotly does not know
 
 
@@ -44,7 +44,7 @@ def learner_of(world: str, seeds: int, episodes: int = 3) -> Learner:
 def learned_view(world: str = "two_branch", seeds: int = 1, action: int = 0, episodes: int = 3) -> View:
     learner = learner_of(world, seeds, episodes)
     settings = resolve(study_settings(learner.learned.settings, Settings(world=world, thetas=40)), learner.world)
-    return View(learner, settings, action, None)
+    return View(learner, settings, action)
 
 
 @pytest.mark.parametrize("seeds", [1, 3])
@@ -59,7 +59,7 @@ def test_plotly_accepts_every_figure_of_a_learner(world, seeds):
 @pytest.mark.parametrize("what", ["tau_space", "gamma_space"])
 @pytest.mark.parametrize("world", WORLDS)
 def test_plotly_accepts_every_map_of_a_comparison(world, what):
-    a, b = (View(Exact(load_world(world)), resolve(Settings(world=world, alpha=alpha), load_world(world)), 0, None)
+    a, b = (View(Exact(load_world(world)), resolve(Settings(world=world, alpha=alpha), load_world(world)), 0)
             for alpha in (0.1, 1.0))  # fmt: skip
     sentence, maps = compute.comparison(a, b, what)
     assert sentence
@@ -77,7 +77,7 @@ def unpacked(packed: dict | list) -> np.ndarray:
 
 def test_large_worlds_are_drawn_in_part_and_say_so():
     found = study(load_world("gym:Taxi-v4"), Settings(world="gym:Taxi-v4"))
-    figure = json.loads(compute.world_figure(View(Exact(found.world), found.settings, 0, None)))
+    figure = json.loads(compute.world_figure(View(Exact(found.world), found.settings, 0)))
     nodes = next(trace for trace in figure["data"] if "customdata" in trace)
     assert len(nodes["x"]) <= 26
     assert "not drawn" in figure["layout"]["title"]["text"]
@@ -140,7 +140,7 @@ def test_the_laws_of_the_return_rise_to_one_and_the_true_one_is_exact():
 @pytest.mark.parametrize("step", [1.0, 0.5])
 def test_the_maps_of_a_comparison_share_a_scale_and_hold_the_difference(step):
     world = load_world("two_branch")
-    a, b = (View(Exact(world), resolve(Settings(alpha=alpha, time_step=step), world), 0, None) for alpha in (0.2, 0.01))
+    a, b = (View(Exact(world), resolve(Settings(alpha=alpha, time_step=step), world), 0) for alpha in (0.2, 0.01))
     found = difference(compute.study_for(a), compute.study_for(b), 0, 0)
     maps = {name: json.loads(figure)["data"][0] for name, figure in compute.comparison(a, b, "tau_space")[1].items()}
     for name, values in (("A", found.a), ("B", found.b), ("B - A", found.difference)):
@@ -153,7 +153,7 @@ def test_columns_of_a_comparison_are_equally_wide_and_labelled_by_their_reward()
     """Whole numbers are places; a label lies where its reward is between them, and none on another."""
     world = load_world("two_branch")
     uneven = Settings(theta_spacing="asinh", theta_min=-100.0, theta_max=100.0, thetas=61)
-    a, b = (View(Exact(world), resolve(replace(uneven, alpha=alpha), world), 0, None) for alpha in (0.2, 0.01))
+    a, b = (View(Exact(world), resolve(replace(uneven, alpha=alpha), world), 0) for alpha in (0.2, 0.01))
     figure = json.loads(compute.comparison(a, b, "tau_space")[1]["A"])
     heat, across = figure["data"][0], figure["layout"]["xaxis"]
     np.testing.assert_array_equal(unpacked(heat["x"]), np.arange(60))

@@ -61,14 +61,14 @@ def test_a_subject_shows_what_the_library_makes_of_it(made):
 @pytest.mark.parametrize("made", [exact, from_file, learned, observed])
 def test_the_same_view_is_the_same_study(made):
     subject, settings, _ = made()
-    assert compute.study_for(View(subject, settings, 0, None)) is compute.study_for(View(subject, settings, 1, 3.0))
+    assert compute.study_for(View(subject, settings, 0)) is compute.study_for(View(subject, settings, 1))
 
 
 def test_two_views_of_one_world_share_what_is_cached():
     assert Exact(WORLD) == Exact(WORLD)
     assert hash(Exact(WORLD)) == hash(Exact(WORLD))
     assert Exact(WORLD) != Exact(load_world("fig6_chain"))
-    a, b = (View(Exact(WORLD), EXACT, 0, None) for _ in range(2))
+    a, b = (View(Exact(WORLD), EXACT, 0) for _ in range(2))
     assert compute.study_for(a) is compute.study_for(b)
     assert compute.verdict_for(a) is compute.verdict_for(b)
 

@@ -48,7 +48,7 @@ export function judged(model, state, seen) {
     return { tone: 'bad', error, timeline, sentence: `${choice}; the best is ${names[seen.best]}, and ${short(seen.regret)} is lost.${rows}` };
   }
   const scale = Math.max(...true_.map(Math.abs), 1e-2 * Math.max(...model.arrays.rewards.map(Math.abs)));
-  const offs = true_.map((value, a) => (scale > 0 ? Math.abs(value - values[a]) / scale : 0)), worst = offs.indexOf(Math.max(...offs));
+  const offs = true_.map((value, a) => (scale > 0 ? Math.abs(value - values[a]) / scale : Math.abs(value - values[a]) > tieSize(0, seen.scale) ? Infinity : 0)), worst = offs.indexOf(Math.max(...offs));
   const tone = offs[worst] > VALUE_TOLERANCE ? 'warn' : grade === 'sound' ? 'ok' : grade;
   if (model.A === 1) {
     const [decoded, truly] = inWords([values[0], true_[0]], seen.scale);
