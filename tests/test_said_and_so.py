@@ -276,3 +276,9 @@ def test_impossible_objects_are_refused_when_they_are_built():
         GammaSpace(values, constant, gammas, np.array([1.0, 0.0]))
     with pytest.raises(InputError):
         GammaSpace(values * np.nan, constant, gammas, np.array([0.0, 1.0]))
+
+
+def test_the_shifted_index_is_that_of_the_published_notebook():
+    """The notebook multiplies the values of each discount by the decoder's row of the next one; rows do not move."""
+    shifted = study(load_world("two_branch"), Settings(shift=True))
+    np.testing.assert_allclose(shifted.decoded.expected_reward[0], [0.19, 3.47, 1.52], atol=0.005)
