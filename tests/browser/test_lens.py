@@ -127,9 +127,8 @@ def test_the_verdict_of_the_lens_is_the_library_s(chromium):
             each, view, verdict = studies[number], views[number], verdicts[number]
             values = each.decoded.horizon_values[:, view.row]
             # Where nothing is ever paid, the sensitivities are the measure.
-            largest = max(np.abs(values).max(), np.abs(each.world.reward_values).max())
             span = each.settings.theta_max - each.settings.theta_min
-            allowed = 1e-6 * (largest or span)
+            allowed = 1e-6 * max(np.abs(values).max(), np.abs(each.world.reward_values).max() or span)
             tone = {"wrong": "bad", "lucky": "warn"}.get(verdict.choice)
             tone = tone or ("ok" if verdict.timeline == "sound" else verdict.timeline)
             same = (said["tone"], said["chosen"]) == (tone, verdict.chosen)
