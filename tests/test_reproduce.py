@@ -142,7 +142,27 @@ def test_what_is_finished_is_not_trained_or_scored_again(small, tmp_path, capsys
     elsewhere = ["--runs", str(tmp_path / "empty"), "--out", str(tmp_path / "out")]
     assert main(["reproduce", "--budget", "--steps", str(STEPS), *elsewhere]) == 0
     told = capsys.readouterr().out
-    assert "second: 2 trainings, 0 of them finished; 800 steps to go, about 0.0 h\n" in told
+    assert "first: 3 trainings, 1 of them finished; 800 steps to go" in told
+    assert "second: 2 trainings, 2 of them finished; 0 steps to go\n" in told
+
+
+def test_a_result_holds_without_its_run(small, tmp_path, capsys):
+    """Results are committed and runs are not: on another machine only the former are there."""
+    assert main(words(tmp_path, "second")) == 0
+    shutil.rmtree(tmp_path / "runs")
+    second = (tmp_path / "out" / "second.json").read_bytes()
+    assert listed(tmp_path, capsys)["second"]["state"] == "finished"
+    assert main(words(tmp_path, "second")) == 0
+    assert (tmp_path / "out" / "second.json").read_bytes() == second
+    assert not (tmp_path / "runs").exists()
+    # The first experiment needs one of them, too, and trains only the other two.
+    assert main(words(tmp_path, "first")) == 0
+    shared = run_name(shortened(settings_of("laplace", "two_branch", {**QUICK, "seed": 1}), STEPS))
+    assert sorted(path.name for path in (tmp_path / "runs").iterdir()) == sorted(
+        row["run"] for cell in json.loads((tmp_path / "out" / "first.json").read_text())["cells"]
+        for row in cell["trainings"] if row["run"] != shared
+    )  # fmt: skip
+    assert json.loads((tmp_path / "out" / "first.json").read_text())["finished"] == 3
 
 
 def test_collecting_trains_nothing(small, tmp_path, capsys):

@@ -13,7 +13,7 @@ from typing import Any
 from laplace_core.errors import InputError
 from laplace_core.experiments.paper import EXPERIMENTS
 from laplace_core.experiments.paper.experiment import Experiment
-from laplace_core.experiments.paper.result_files import measured_speeds, result_file
+from laplace_core.experiments.paper.result_files import measured_speeds, recorded_rows, result_file
 from laplace_core.experiments.paper.runs import FINISHED, Budget, Speeds, Training, adopt, once_each, trainings_of
 from laplace_core.training.command import Stop
 from laplace_core.words import checked_number
@@ -28,7 +28,7 @@ def add_reproduce(verbs: argparse._SubParsersAction[argparse.ArgumentParser]) ->
         help="train the experiments of the paper again",
         description="Trains what an experiment of the paper needs, one training after another, and writes what each "
         "one found to a small file. An interrupted training goes on where it was; one that several experiments need "
-        "is trained once.",
+        "is trained once, and one whose result is in the folder of results is not trained again.",
     )
     reproduce.add_argument("name", nargs="?", metavar="NAME", help=f"one of {', '.join(EXPERIMENTS)}, or all")
     reproduce.add_argument("--runs", default=RUNS, metavar="FOLDER", help=f"where the runs are kept (default: {RUNS})")
@@ -53,7 +53,8 @@ def _reproduce(options: argparse.Namespace) -> None:
     if steps is not None and options.out is None and asked in ([], ["collect"]):
         raise InputError("--steps makes results that are none of the paper's: name a folder for them with --out.")
     runs, out = Path(options.runs), Path(options.out or OUT)
-    trainings = trainings_of(experiments, runs, steps)
+    recorded = recorded_rows(list(EXPERIMENTS.values()), out)
+    trainings = trainings_of(experiments, runs, steps, recorded=recorded)
     if options.list:
         _list(experiments, trainings, out, as_json=options.json)
     elif options.budget:

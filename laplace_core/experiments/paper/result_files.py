@@ -41,11 +41,21 @@ def cells_in(path: Path) -> list[dict[str, Any]]:
     raise InputError(f"{path} is no result of an experiment: move it away, or name another --out folder.")
 
 
+def recorded_rows(experiments: Sequence[Experiment], folder: Path) -> dict[str, dict[str, Any]]:
+    """The rows in the files of the experiments, by the name of their run.
+
+    Raises:
+        InputError: a file that is no result.
+    """
+    cells = (cell for each in experiments for cell in cells_in(result_file(folder, each)))
+    return {row["run"]: row for cell in cells for row in cell["trainings"]}
+
+
 def measured_speeds(
     experiments: Sequence[Experiment], trainings: Sequence[Training], folder: Path
 ) -> list[tuple[LoopSettings, float]]:
     """Settings and steps a second of the trainings whose rows are in their run folders or in the experiments' files."""
-    rows = [row for each in experiments for cell in cells_in(result_file(folder, each)) for row in cell["trainings"]]
+    rows = list(recorded_rows(experiments, folder).values())
     for training in trainings:
         with contextlib.suppress(OSError, ValueError):  # not finished yet
             rows.append(json.loads((training.folder / KEPT).read_text()))

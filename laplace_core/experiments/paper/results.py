@@ -44,13 +44,13 @@ def row_of(training: Training) -> dict[str, Any]:
 
 
 def kept_row(training: Training) -> dict[str, Any] | None:
-    """The row in the folder of a run, if it has one of these start seeds."""
+    """The row of a training: in its run folder, if that has one of these start seeds, else in a file of results."""
     asked = {"episodes": EPISODES, "start_seed": START_SEEDS + training.settings.seed}
     with contextlib.suppress(OSError, ValueError, KeyError, TypeError):  # not there, or not to be used
         kept = json.loads((training.folder / KEPT).read_text())
         if kept["run"] == training.name and {name: kept["best"][name] for name in asked} == asked:
             return kept
-    return None
+    return None if training.recorded is None else dict(training.recorded)
 
 
 def write(experiment: Experiment, trainings: Sequence[Training], folder: Path) -> Path:

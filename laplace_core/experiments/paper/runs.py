@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import shutil
 import tempfile
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
 from typing import Any
@@ -28,11 +28,13 @@ class Training:
     Attributes:
         cell: whose settings it has.
         settings: the complete ones, with the seed.
+        recorded: its row in a file of results, which holds also where its run folder is on another machine.
     """
 
     cell: Cell
     settings: LoopSettings
     folder: Path
+    recorded: Mapping[str, Any] | None = field(default=None, compare=False, repr=False)
 
     @property
     def name(self) -> str:
@@ -45,7 +47,16 @@ class Training:
 
     @property
     def state(self) -> str:
-        """``missing``, ``part`` or ``finished``.
+        """``missing``, ``part`` or ``finished``, which it is as well where only its result is left.
+
+        Raises:
+            InputError: the folder holds a run of other settings.
+        """
+        return FINISHED if self.recorded is not None else self.folder_state
+
+    @property
+    def folder_state(self) -> str:
+        """``missing``, ``part`` or ``finished``, by its run folder alone.
 
         Raises:
             InputError: the folder holds a run of other settings.
@@ -69,24 +80,28 @@ class Training:
     @property
     def step(self) -> int:
         """How far it is."""
+        if self.recorded is not None:
+            return self.settings.steps
         told = read_progress(self.folder)
         step = max([0 if told is None else told.step, *(event["step"] for event in self.events[-1:])])
         return min(step, self.settings.steps)
 
 
 def trainings_of(
-    experiments: Sequence[Experiment], runs: Path, steps: int | None = None
+    experiments: Sequence[Experiment], runs: Path, steps: int | None = None, *,
+    recorded: Mapping[str, Mapping[str, Any]] | None = None,
 ) -> dict[str, list[Training]]:  # fmt: skip
     """The trainings of every experiment by its name; those that several need are equal.
 
     Args:
         runs: the folder that all runs are in.
         steps: shortens every training to so many.
+        recorded: rows of results by the name of their run; what has one needs no training.
     """
-    found = {}
+    found, known = {}, recorded or {}
     for experiment in experiments:
         found[experiment.name] = [
-            Training(cell, short, runs / run_name(short))
+            Training(cell, short, runs / run_name(short), known.get(run_name(short)))
             for cell in experiment.cells
             for settings in cell.trainings()
             for short in [settings if steps is None else shortened(settings, steps)]
@@ -198,8 +213,8 @@ def adopt(folder: Path, trainings: Sequence[Training]) -> Training:
     process = read_process(folder)
     if process is not None and process.alive:
         raise InputError(f"{folder} is being trained by the process {process.pid}: end that one first.")
-    if wanted.state != MISSING:
-        raise InputError(f"{wanted.folder} is there already, {wanted.state}: remove it to adopt {folder} in its place.")
+    if wanted.folder_state != MISSING:
+        raise InputError(f"{wanted.folder} is there already, {wanted.folder_state}: remove it to adopt {folder} in its place.")
     try:
         wanted.folder.parent.mkdir(parents=True, exist_ok=True)
         copy = Path(tempfile.mkdtemp(prefix=".adopted_", dir=wanted.folder.parent))
