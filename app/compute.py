@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from functools import lru_cache
+from threading import Lock
 from typing import Any
 
 import numpy as np
@@ -43,12 +44,18 @@ def _graded(view: View) -> Verdict:
 
 
 @lru_cache(maxsize=128)
+def _explained_verdict(view: View) -> Verdict:
+    return judge(study_for(view), row_of(view), view.action, trials=_trials(view))
+
+
 def verdict_for(view: View) -> Verdict:
     """The verdict with its cause, which may take seconds to find."""
-    _explained[view] = None
-    while len(_explained) > 128:
-        _explained.pop(next(iter(_explained)))
-    return judge(study_for(view), row_of(view), view.action, trials=_trials(view))
+    judged = _explained_verdict(view)
+    with _lock:
+        _explained[view] = None  # only now: nobody else is to wait for it before anything is drawn
+        while len(_explained) > 128:
+            _explained.pop(next(iter(_explained)))
+    return judged
 
 
 @lru_cache(maxsize=8)
@@ -60,6 +67,7 @@ def _trials(view: View) -> Trials | None:
 
 _explained: dict[View, None] = {}
 """Views whose cause was searched for, the oldest first."""
+_lock = Lock()
 AT_ONCE = 5e6
 """Products that a search may cost to be made before the pictures are drawn: a tenth of a second."""
 
@@ -73,9 +81,10 @@ def is_explained(view: View) -> bool:
     return trials is None or trials.work <= AT_ONCE
 
 
-def verdict_at_once(view: View) -> Verdict:
-    """The verdict with its cause where that is there at once; else what is wrong, without why."""
-    return verdict_for(view) if is_explained(view) else _graded(view)
+def verdict_at_once(view: View) -> tuple[Verdict, bool]:
+    """The verdict, and whether its cause was searched for; where that takes long, only what is wrong, without why."""
+    explained = is_explained(view)
+    return verdict_for(view) if explained else _graded(view), explained
 
 
 @lru_cache(maxsize=128)
@@ -207,7 +216,7 @@ def forget() -> None:
     for cached in (
         _study,
         _graded,
-        verdict_for,
+        _explained_verdict,
         _trials,
         _artefacts,
         _episode_regrets,
@@ -218,4 +227,5 @@ def forget() -> None:
         _lens_payload,
     ):
         cached.cache_clear()
-    _explained.clear()
+    with _lock:
+        _explained.clear()

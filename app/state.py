@@ -15,7 +15,7 @@ from app import link, sources
 from app.query import OPENING, query_of
 from app.sources import PARAM
 from laplace_core import World, load_world
-from laplace_core.settings import BY_NAME
+from laplace_core.settings import BY_NAME, SWITCHES
 from laplace_core.worlds import dump_world
 
 Parse = Callable[[Mapping[str, str]], tuple[dict[str, Any], list[str]]]
@@ -119,9 +119,12 @@ def edit_world(world: World) -> None:
 
 
 def apply_changes(changes: Mapping[str, Any]) -> None:
-    """Callback of a remedy: set fields, ``param:NAME`` for a parameter of the world."""
+    """Callback of a remedy: set fields, ``param:NAME`` for a parameter of the world; a switch turned off is let go."""
     for name, value in changes.items():
-        chosen()[name.replace("param:", PARAM)] = value
+        if name in SWITCHES and value == BY_NAME[name].default:
+            chosen().pop(name, None)
+        else:
+            chosen()[name.replace("param:", PARAM)] = value
     st.session_state["_sidebar_stale"] = True
     _touch()
 

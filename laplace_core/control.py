@@ -17,6 +17,7 @@ from laplace_core.horizon import horizon_values, row_horizons
 from laplace_core.learning import finite_horizon_optimum, proxy_gamma_space, reward_indicator_basis, value_of_rule
 from laplace_core.learning.policies import selection
 from laplace_core.pipeline import (
+    check_fold,
     clipped_sensitivities,
     folded_values,
     grids,
@@ -62,6 +63,7 @@ def values_everywhere(world: World, settings: ResolvedForWorld, learned: np.ndar
             f"rescaled rows need {solves:,} solves, one a state and discount, above {MAX_SOLVES:,}: "
             "leave the rows as they are."
         )
+    check_fold(s, len(gammas), world.n_states * world.n_actions * width)
     if work > MAX_WORK:
         raise InputError(
             f"a whole episode in {world.n_states:,} states at {s.steps} steps is {work:,} numbers, above "

@@ -34,6 +34,8 @@ from laplace_core.worlds import World
 
 MAX_VALUES = 50_000_000
 """Largest array a study may hold, in numbers; 50 million are 400 MB."""
+MAX_FOLDED = 200_000_000
+"""Numbers that the inverses of all horizons may be together, where each has one of its own: two or three seconds."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -182,6 +184,7 @@ def study(
     state = world.state_index(s.state)
     gammas, thetas = grids(s)
     _check_size(world.n_actions, len(gammas), len(thetas), s.steps, world.reward_values.size)
+    check_fold(s, len(gammas), world.n_actions * (len(thetas) if s.normalise == "paper" else 2))
     length = int(np.ceil(row_horizons(s.steps, s.time_step)[-1] - 1e-9))
     if policy is None:
         basis = _basis(world, state, gammas.tobytes(), s.policy, s.acting_gamma)
@@ -220,6 +223,7 @@ def study_of_gamma_space(gamma_space: GammaSpace, settings: Settings, *, own_con
     gamma_space = with_noise(softened(gamma_space, resolved.slope_share), resolved.noise, resolved.noise_seed)
     actions, discounts, thetas = gamma_space.values.shape
     _check_size(actions, discounts, thetas, resolved.steps)
+    check_fold(resolved, discounts, actions * (thetas if resolved.normalise == "paper" else 2))
     names = tuple(f"action {a}" for a in range(len(gamma_space.values)))
     return Study(resolved, names, gamma_space, gamma_space.bin_values, read_study(gamma_space, resolved))
 
@@ -323,9 +327,33 @@ def folded_values(rewards_at: Callable[[int], np.ndarray], settings: Resolved) -
     """
     s = settings
     columns = [
-        horizon_values(rewards_at(row), s.value_gamma, s.softness, s.time_step)[..., row] for row in range(s.steps)
+        horizon_values(rewards_at(row)[..., : row + 1], s.value_gamma, s.softness, s.time_step)[..., row]
+        for row in range(s.steps)
     ]
     return np.stack(columns, axis=-1)
+
+
+def work_of_fold(settings: Resolved, discounts: int, columns: int) -> int:
+    """Numbers that the inverses of all horizons are together, where each has one of its own; 0 where all share one.
+
+    Args:
+        columns: how many columns each of them decodes.
+    """
+    return settings.steps**2 * (discounts**2 + columns) if settings.fold else 0
+
+
+def check_fold(settings: Resolved, discounts: int, columns: int) -> None:
+    """Refuse more :func:`work_of_fold` than seconds do.
+
+    Raises:
+        InputError: it is more.
+    """
+    work = work_of_fold(settings, discounts, columns)
+    if work > MAX_FOLDED:
+        raise InputError(
+            f"an inverse for each of {settings.steps:,} horizons (--fold) is {work:,} numbers, above {MAX_FOLDED:,}: "
+            "lower steps, gammas or thetas, or decode all rows."
+        )
 
 
 def rewards_of(gamma_space: GammaSpace, settings: Resolved, row: int | None = None) -> np.ndarray:

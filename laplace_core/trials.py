@@ -35,6 +35,7 @@ from laplace_core.pipeline import (
     rewards_of,
     rewards_of_parts,
     study,
+    work_of_fold,
 )
 from laplace_core.settings import SLOPE_TIMES_SPACING, Resolved, ResolvedForWorld, Settings
 from laplace_core.worlds import load_world, parameters_of
@@ -126,8 +127,11 @@ class Trials:
         width = len(space.thetas) if s.normalise == "paper" or self.smeared else 1
         seeds = 1 + (FRESH_SEEDS if self._noise_stays({}) else 0)
         solves = 10 * self.study.world.n_states * len(space.gammas)
-        longer = sum(more_rows(s.steps)) * rows / s.steps
-        return float(len(ALPHAS) * seeds * rows * width + 20 * solves + (20 * rows + longer) * len(space.thetas))
+        longer = 0.0 if s.fold else sum(more_rows(s.steps)) * rows / s.steps
+        folded = 20 * work_of_fold(s, len(space.gammas), len(self.study.action_names) * width)
+        return float(
+            folded + len(ALPHAS) * seeds * rows * width + 20 * solves + (20 * rows + longer) * len(space.thetas)
+        )
 
     @property
     def affordable(self) -> bool:
@@ -183,7 +187,7 @@ class Trials:
             yield Remedy("Steepen the slope", changes, "slope blur")
         if s.theta_spacing != "uniform":
             yield Remedy("Space the sensitivities evenly", {"theta_spacing": "uniform"}, "uneven sensitivities")
-        for steps in more_rows(s.steps):
+        for steps in () if s.fold else more_rows(s.steps):  # folded, a horizon has its own number of rows
             yield Remedy(f"Decode {steps} rows", {"steps": steps}, "folding")
         if s.time_step < 1.0:
             steps = int(np.ceil(self.study.horizons[-1] - 1e-9))  # the same stretch of time

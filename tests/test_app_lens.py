@@ -5,10 +5,12 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from app import compute
 from app.lens import payload, structure
+from app.parts import panels
 from laplace_core import Settings, load_world, study
 from laplace_core.settings import resolve
-from tests.pages import choose, handed, opened, pin
+from tests.pages import choose, handed, link, opened, pin, press
 
 
 @pytest.mark.parametrize("world", ["two_branch", "rise_and_fade", "gym:FrozenLake-v1"])
@@ -63,3 +65,37 @@ def test_a_view_pinned_on_the_same_payload_is_drawn_in_the_lens():
 def test_the_graph_of_the_world_is_handed_over():
     told, _ = handed(opened(world="two_decisions", state="branch"))
     assert "state branch" in told["world"]["alt"]
+
+
+def test_a_search_that_another_visitor_ends_meanwhile_is_shown(monkeypatch):
+    """The other one's search ends after the lens has said that the cause is being searched for."""
+    compute.forget()
+    monkeypatch.setattr(compute, "AT_ONCE", 0.0)  # every search takes long
+    drawn, told = panels.artefacts, []
+
+    def ended_elsewhere(view):
+        drawn(view)
+        told.append(compute.is_explained(view))
+        compute.verdict_for(view)
+
+    monkeypatch.setattr(panels, "artefacts", ended_elsewhere)
+    said = handed(opened(world="two_branch", normalise="paper"))[0]["said"]
+    assert told[:2] == [False, True]
+    assert "Cause: repeated reward" in said["sentence"]
+    assert "being searched" not in said["sentence"]
+
+
+def test_a_cause_that_was_forgotten_is_found_again(monkeypatch):
+    monkeypatch.setattr(compute, "AT_ONCE", 0.0)
+    query = {"world": "two_branch", "normalise": "paper"}
+    for forgotten in (compute.forget, compute._explained.clear, compute._explained_verdict.cache_clear):
+        forgotten()
+        assert "Cause: repeated reward" in handed(opened(**query))[0]["said"]["sentence"]
+
+
+def test_a_remedy_leaves_no_switch_that_is_off_in_the_link():
+    page = opened(world="two_branch", shift="yes", alpha="0.01", horizon="1")
+    assert "Cause: shifted index" in handed(page)[0]["said"]["sentence"]
+    assert link(press(page, "Undo the shift of the index")) == {
+        "world": "two_branch", "alpha": "0.01", "horizon": "1"
+    }  # fmt: skip

@@ -13,7 +13,9 @@ from laplace_core.inverse import transform_matrix
 from laplace_core.learning import finite_horizon_optimum, greedy_policy, reward_indicator_basis, reward_timeline
 from laplace_core.pipeline import row_shares
 from laplace_core.settings import resolve
+from laplace_core.trials import Trials
 from laplace_core.worlds import END, Outcome, World
+from tests.hostile import assert_refused
 from tests.random_worlds import worlds
 
 TOY = {"gammas": 15, "alpha": 0.2, "thetas": 150, "theta_min": -2.0, "theta_max": 12.0, "slope": 25.0, "steps": 3}
@@ -258,3 +260,17 @@ def test_a_policy_of_ones_own_is_what_every_discount_and_the_truth_follow():
     np.testing.assert_array_equal(same.decoded.tau_space, greedy.decoded.tau_space)
     with pytest.raises(InputError, match="policy"):
         study(world, Settings(), policy=np.zeros((2, 2)))
+
+
+def test_an_inverse_for_every_horizon_is_refused_where_it_takes_minutes(capsys):
+    # 1,000 horizons x 1,000 rows x (15^2 + 2 actions x 150 thetas, which rescaled rows need) = 5.25e8.
+    words = ["decode", "two_branch", "--steps", "1000", "--normalise", "paper", "--thetas", "150", "--fold"]
+    assert_refused(capsys, words, "--fold", "1,000 horizons", "525,000,000", "lower steps")
+    # Rows that are not rescaled need no tau-space: 229 million would still be too many, 500 horizons are 57.
+    found = study(load_world("two_branch"), Settings(world="two_branch", steps=500, fold=True))
+    assert found.decoded.horizon_values.shape == (2, 500)
+
+
+def test_no_remedy_decodes_more_rows_where_every_horizon_has_its_own_number():
+    found = study(load_world("two_branch"), Settings(world="two_branch", fold=True, used=1.0, alpha=0.01))
+    assert not [each for each in Trials(found, found.row).switches if "steps" in each.changes]

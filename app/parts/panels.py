@@ -37,7 +37,8 @@ def pictures(
         lead, followed: the episode that the lens follows, and what came in it; see :func:`app.lens.lens`.
         simulated: what continuations from there came to.
     """
-    found, shown, judged = compute.study_for(view), shown_state(view), compute.verdict_at_once(view)
+    found, shown = compute.study_for(view), shown_state(view)
+    judged, explained = compute.verdict_at_once(view)
 
     def heard(released: Released) -> None:
         if released.preset is not None:
@@ -65,7 +66,11 @@ def pictures(
         base=state_of(base.settings, last, action=view.action),
         presets=presets,
         on_release=heard,
-        said=Said(_tone(judged), _sentence(judged, view), tuple(remedy.label for remedy in judged.remedies)),
+        said=Said(
+            _tone(judged),
+            _sentence(judged, view, explained=explained),
+            tuple(remedy.label for remedy in judged.remedies),
+        ),
         world=_graph(view),
         pinnable=view.world is not None,
         pinned=compare.is_pinned(),
@@ -82,24 +87,25 @@ def _tone(judged: Verdict) -> str:
     return TONES[judged.choice]
 
 
-def _sentence(judged: Verdict, view: View) -> str:
-    asked = dict(state.chosen())
-    if view.learned is not None or compute.is_explained(view) or st.session_state.get("_searched_for") == asked:
-        return judged.sentence
-    return f"{judged.sentence} The cause is being searched for."
-
-
-def explain(view: View) -> None:
-    """Find the cause of what is wrong, if that is still to be done, once everything else is on the page.
+def _sentence(judged: Verdict, view: View, *, explained: bool) -> str:
+    """The verdict; where its cause is still to be found, :func:`explain` finds it at the end of this run.
 
     One search a view: what is learned meanwhile is another object at every run of the page, and would never be found.
     """
-    asked = dict(state.chosen())
-    if compute.is_explained(view) or st.session_state.get("_searched_for") == asked:
-        return
-    st.session_state["_searched_for"] = asked
-    compute.verdict_for(view)
-    st.rerun()
+    due = not explained and st.session_state.get("_searched_for") != dict(state.chosen())
+    st.session_state["_cause_due"] = due
+    return f"{judged.sentence} The cause is being searched for." if due and view.learned is None else judged.sentence
+
+
+def explain(view: View) -> None:
+    """Find the cause that the lens does not show yet, once everything else is on the page, and draw the page with it.
+
+    What the lens shows counts, not what is known by now: another visitor's search may have ended meanwhile.
+    """
+    if st.session_state.get("_cause_due"):
+        compute.verdict_for(view)
+        st.session_state["_searched_for"] = dict(state.chosen())
+        st.rerun()
 
 
 def _graph(view: View) -> Graph | None:

@@ -214,7 +214,9 @@ def adopt(folder: Path, trainings: Sequence[Training]) -> Training:
     if process is not None and process.alive:
         raise InputError(f"{folder} is being trained by the process {process.pid}: end that one first.")
     if wanted.folder_state != MISSING:
-        raise InputError(f"{wanted.folder} is there already, {wanted.folder_state}: remove it to adopt {folder} in its place.")
+        raise InputError(
+            f"{wanted.folder} is there already, {wanted.folder_state}: remove it to adopt {folder} in its place."
+        )
     try:
         wanted.folder.parent.mkdir(parents=True, exist_ok=True)
         copy = Path(tempfile.mkdtemp(prefix=".adopted_", dir=wanted.folder.parent))
