@@ -2,14 +2,19 @@
 
 import os
 import tempfile
+from functools import cache
 
 import pytest
 from hypothesis import settings
+from streamlit.components.v2 import manifest_scanner
 
 os.environ["LAPLACE_RUNS"] = tempfile.mkdtemp(prefix="laplace_runs_")  # a page of a test resumes nobody's training
 
 settings.register_profile("suite", deadline=None, derandomize=True, database=None, max_examples=20)
 settings.load_profile("suite")
+
+# Every run of an AppTest reads the metadata of all installed packages, ten times the work of the page: once is enough.
+manifest_scanner.scan_component_manifests = cache(manifest_scanner.scan_component_manifests)
 
 
 @pytest.fixture
