@@ -99,7 +99,7 @@ def taken_along(page) -> tuple[np.ndarray, dict[str, object]]:
 def exactly(page, loaded, rollout, *, step=STEP, added=0) -> GammaSpace:
     """Wait until the lens has the exact gamma-space of a step, and not the player's rounded one; returns it."""
     space = with_added(loaded.agent.gamma_space(rollout.observations[step]), added)
-    for _ in range(100):
+    for _ in range(600):
         found = shown(page)
         if found.size == space.differences.size and np.abs(found.ravel() - space.differences.ravel()).max() < 1e-9:
             return space
