@@ -45,10 +45,10 @@ def rolled_out(page, address, environment="CartPole-v1"):
 
 
 def shown(page) -> np.ndarray:
-    """Differences of the model that the lens shows, (A, G, B)."""
+    """Differences of the model that the lens shows, (A, G, B); empty while it is being put on the page anew."""
     return np.array(page.evaluate(
-        "() => { const { model } = document.querySelector('.laplace-lens').lens;"
-        " return model.grids.own.columns.shared.values.map((one) => Array.from(one)); }"
+        "() => { const { model } = document.querySelector('.laplace-lens')?.lens ?? {};"
+        " return (model?.grids.own.columns.shared.values ?? []).map((one) => Array.from(one)); }"
     ))  # fmt: skip
 
 
