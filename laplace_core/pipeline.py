@@ -183,11 +183,11 @@ def study(
     s = resolve(settings, world)
     state = world.state_index(s.state)
     gammas, thetas = grids(s)
-    _check_size(world.n_actions, len(gammas), len(thetas), s.steps, world.reward_values.size)
+    _check_size(world.n_actions, len(gammas), len(thetas), s.steps, rewards=world.reward_values.size)
     check_fold(s, len(gammas), world.n_actions * (len(thetas) if s.normalise == "paper" else 2))
     length = int(np.ceil(row_horizons(s.steps, s.time_step)[-1] - 1e-9))
     if policy is None:
-        basis = _basis(world, state, gammas.tobytes(), s.policy, s.acting_gamma)
+        basis = _basis(world, state, gammas.tobytes(), s.policy, acting_gamma=s.acting_gamma)
         timeline = timeline_from(world, s)
     else:
         policy = check_policy(world, policy)
@@ -201,7 +201,8 @@ def study(
         clipped = clipped_sensitivities(s, world, timeline)
         thetas = thetas if clipped is None else clipped
     gamma_space = with_noise(encode(basis, world.reward_values, gammas, thetas, s.slope), s.noise, s.noise_seed)
-    truth = _truth(world, timeline, _optimum(world, state, s.acting_gamma, length), thetas, s)
+    optimum = _optimum(world, state, s.acting_gamma, length)
+    truth = _truth(world, timeline, optimum, thetas, settings=s)
     midpoints = gamma_space.bin_values
     decoded = read_study(gamma_space, s)
     return WorldStudy(s, world.actions, gamma_space, midpoints, decoded, world, state, truth, learned, policy)
@@ -392,7 +393,8 @@ def basis_of(study: WorldStudy, policy: str | None = None) -> np.ndarray:
     if study.policy is not None:
         policies = [study.policy] * study.gamma_space.gammas.size
         return reward_indicator_basis(study.world, study.state, study.gamma_space.gammas, policies)
-    return _basis(study.world, study.state, study.gamma_space.gammas.tobytes(), policy or s.policy, s.acting_gamma)
+    gammas = study.gamma_space.gammas.tobytes()
+    return _basis(study.world, study.state, gammas, policy or s.policy, acting_gamma=s.acting_gamma)
 
 
 def timeline_of(study: WorldStudy, length: int) -> np.ndarray:
@@ -443,7 +445,7 @@ def _acting_policy(world: World, acting_gamma: float) -> np.ndarray:
 
 
 @lru_cache(maxsize=16)
-def _basis(world: World, state: int, gammas: bytes, kind: str, acting_gamma: float) -> np.ndarray:
+def _basis(world: World, state: int, gammas: bytes, kind: str, *, acting_gamma: float) -> np.ndarray:
     basis = reward_indicator_basis(world, state, np.frombuffer(gammas), _policies(world, gammas, kind, acting_gamma))
     basis.setflags(write=False)
     return basis
@@ -460,7 +462,7 @@ def _timeline(world: World, state: int, acting_gamma: float, length: int) -> np.
 
 
 def _truth(
-    world: World, timeline: np.ndarray, optimum: np.ndarray, thetas: np.ndarray, settings: ResolvedForWorld
+    world: World, timeline: np.ndarray, optimum: np.ndarray, thetas: np.ndarray, *, settings: ResolvedForWorld
 ) -> Truth:
     """The truth on the rows and columns of a study, from a timeline ``(A, N, V)`` and an optimum ``(N, A)``."""
     s, length = settings, timeline.shape[1]
@@ -491,7 +493,7 @@ def row_shares(steps: int, length: int, time_step: float) -> np.ndarray:
     return (rows == first) * (1.0 - second) + (rows == first + 1) * second
 
 
-def _check_size(actions: int, gammas: int, thetas: int, steps: int, rewards: int = 1) -> None:
+def _check_size(actions: int, gammas: int, thetas: int, steps: int, *, rewards: int = 1) -> None:
     rows = max(gammas, steps)
     size = max(actions * thetas * rows, rewards * thetas, actions * rewards * rows)
     if size > MAX_VALUES:

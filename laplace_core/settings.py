@@ -142,7 +142,7 @@ class Settings:
                 ["from laplace_core import Settings, study_of_gamma_space",
                  "from laplace_core.saved import read_gamma_space"],
                 f"gamma_space = read_gamma_space({_literal(self.world)}{state})",
-                "study_of_gamma_space", "gamma_space", words, truth=False,
+                "study_of_gamma_space", "gamma_space", words=words, truth=False,
             )  # fmt: skip
         if world_expression is None:
             params = ", ".join(f"{_literal(name)}: {_literal(value)}" for name, value in self.params)
@@ -150,7 +150,7 @@ class Settings:
         loaders = [name for name in WORLD_MAKERS if f"{name}(" in world_expression]
         imports = ["from laplace_core import Settings, study"]
         imports += [f"from laplace_core.worlds import {', '.join(loaders)}"] if loaders else []
-        return _script(imports, f"world = {world_expression}", "study", "world", words, truth=True)
+        return _script(imports, f"world = {world_expression}", "study", "world", words=words, truth=True)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -241,7 +241,9 @@ def _literal(value: object) -> str:
     return f'"{text[1:-1]}"' if isinstance(value, str) and text[0] == "'" and '"' not in text else text
 
 
-def _script(imports: list[str], source: str, function: str, argument: str, words: list[str], truth: bool) -> str:
+def _script(
+    imports: list[str], source: str, function: str, argument: str, *, words: list[str], truth: bool
+) -> str:  # fmt: skip
     """The lines of a script; long settings take a line each."""
     line = f"found = {function}({argument}, Settings({', '.join(words)}))"
     if len(line) > 100:

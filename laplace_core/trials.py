@@ -37,7 +37,7 @@ from laplace_core.pipeline import (
     study,
     work_of_fold,
 )
-from laplace_core.settings import SLOPE_TIMES_SPACING, Resolved, ResolvedForWorld, Settings
+from laplace_core.settings import BY_NAME, OVERHANG, SLOPE_TIMES_SPACING, Resolved, ResolvedForWorld, Settings
 from laplace_core.worlds import load_world, parameters_of
 
 ALPHAS = tuple(float(f"{alpha:.2g}") for alpha in np.geomspace(1e-9, 10.0, 60))
@@ -50,9 +50,48 @@ OFTEN = 0.6
 """A change that holds under this share of them, but not under all, is neither offered nor ruled out."""
 LEAST_FALL = 1e-6
 """Share of an error that must go before it counts as smaller."""
-MOST_THETAS = 2_000
+MOST_THETAS, MOST_GAMMAS = (int(BY_NAME[name].bounds[1]) for name in ("thetas", "gammas"))
+TAIL = 8.0
+"""In 1/slope: sensitivities are widened to so far beyond the last reward; sigmoid(-8) is negligible."""
+STEEP = 1.1 * SLOPE_TIMES_SPACING
+"""A slope above this, in units of 1/spacing, rounds rewards."""
+APART = 9.0
+"""A slope of this, in units of 1/gap, keeps two rewards apart: it leaves sigmoid(-4.5) = .011 on either side."""
 MOST_WORK = 3e10
 """Products that a search may cost before it is left out: half a minute if it comes to the worst."""
+
+WHY = {
+    "repeated reward": "Rows with little or nothing in them are rescaled to probability 1, and a residue of an earlier "
+    "reward counts as a certain one.",
+    "conditional rewards": "Rows given survival say what comes if the episode still runs; summed as they are, they "
+    "count rewards after its end as if it always ran.",
+    "early end": "One action ends the episode before the deadline, and what the inverse leaves in the rows after "
+    "its end counts as reward; with steps of reward 0 in their place it does not.",
+    "mixed policies": "Each discount follows its own greedy policy, so that the values over gamma are no transform of "
+    "any single process.",
+    "noise amplification": "Gamma-space carries random error, and the inverse divides it by small singular values.",
+    "soft deadline": "The soft deadline counts part of what comes after T and leaves out part of what comes before.",
+    "edge clipping": "A reward at the edge of the sensitivities, or beyond it, leaves part of its probability outside "
+    "the picture.",
+    "reward quantisation": "The slope is so steep that no two sensitivities overlap, and every reward is rounded to a "
+    "midpoint.",
+    "slope blur": "The activation is so gentle that neighbouring rewards run together.",
+    "uneven sensitivities": "The sensitivities are unevenly spaced, and the slope suits only some of their gaps.",
+    "folding": "Gamma-space holds rewards that come after the last row; the inverse folds them into the rows that "
+    "exist.",
+    "fine rows": "Rows finer than a step ask the inverse for detail that no world has.",
+    "over-smoothing": "Alpha suppresses components that gamma-space still holds, so that rewards spread over "
+    "neighbouring steps.",
+    "negative mass": "So small an alpha lets the inverse ring around sharp events.",
+    "only T rows": "Only as many rows are decoded as the horizon has, and the inverse puts into them what comes later.",
+    "shifted index": "Each discount is decoded by the row of the next one, so that no time has its own place.",
+    "discount of the values": "The values are read at another discount than the one that the best action is for.",
+    "constant horizon": "The agent still acts as if all of T were left, and aims at rewards that come after the end.",
+    "discount grid": "These discounts do not tell the steps apart that matter here; others do.",
+    "not learned yet": "With the exact values of this world the same settings are right: the learner does not hold "
+    "these values yet.",
+}  # fmt: skip
+"""What each cause does, in one sentence."""
 
 AnySettings = TypeVar("AnySettings", bound=Settings)
 
@@ -172,19 +211,13 @@ class Trials:
         if s.softness:
             yield Remedy("Set softness to 0", {"softness": 0.0}, "soft deadline")
         rewards = world.reward_values
-        over = max(0.2 * float(rewards[-1] - rewards[0]), 8.0 / s.slope)  # sigmoid(-8) is negligible
-        low, high = min(s.theta_min, float(rewards[0]) - over), max(s.theta_max, float(rewards[-1]) + over)
-        if (low, high) != (s.theta_min, s.theta_max):
-            yield Remedy("Widen the sensitivities", wider(s, low, high), "edge clipping")
-        spacing = float(np.diff(self.study.gamma_space.thetas).max())
-        if s.slope > 1.1 * SLOPE_TIMES_SPACING / spacing:
-            gentle = float(f"{SLOPE_TIMES_SPACING / spacing:.2g}")
-            yield Remedy("Soften the slope", {"slope": gentle}, "reward quantisation")
-        if rewards.size > 1 and s.slope < 9.0 / float(np.diff(rewards).min()):
-            steep = float(f"{9.0 / float(np.diff(rewards).min()):.2g}")  # leaves sigmoid(-4.5) = .011 on either side
-            thetas = int(np.ceil((s.theta_max - s.theta_min) * steep / SLOPE_TIMES_SPACING)) + 1
-            changes = {"slope": steep, "thetas": min(MOST_THETAS, max(s.thetas, thetas))}
-            yield Remedy("Steepen the slope", changes, "slope blur")
+        if changes := widened(s, rewards):
+            yield Remedy("Widen the sensitivities", changes, "edge clipping")
+        thetas = self.study.gamma_space.thetas
+        if s.slope > STEEP / float(np.diff(thetas).max()):
+            yield Remedy("Soften the slope", softened_slope(thetas), "reward quantisation")
+        if rewards.size > 1 and s.slope < APART / float(np.diff(rewards).min()):
+            yield Remedy("Steepen the slope", steepened_slope(s, float(np.diff(rewards).min())), "slope blur")
         if s.theta_spacing != "uniform":
             yield Remedy("Space the sensitivities evenly", {"theta_spacing": "uniform"}, "uneven sensitivities")
         for steps in () if s.fold else more_rows(s.steps):  # folded, a horizon has its own number of rows
@@ -204,7 +237,7 @@ class Trials:
         found: list[dict[str, Any]] = [{"spacing": other} for other in GAMMA_SPACINGS if other != s.spacing]
         labels = [f"Space the discounts as {each['spacing']}" for each in found]
         if s.spacing != "paper":
-            more: list[dict[str, Any]] = [{"gammas": s.gammas * n} for n in (2, 4) if s.gammas * n <= 500]
+            more: list[dict[str, Any]] = [{"gammas": s.gammas * n} for n in (2, 4) if s.gammas * n <= MOST_GAMMAS]
             ends = [{"gamma_min": low} for low in (0.01, 0.1, 0.3) if low != s.gamma_min]
             ends += [{"gamma_max": high} for high in (0.99, 0.995, 0.999) if high != s.gamma_max]
             labels += [f"Use {each['gammas']} discounts" for each in more]
@@ -441,10 +474,30 @@ def more_rows(steps: int) -> Iterator[int]:
         yield steps
 
 
-def wider(s: ResolvedForWorld, low: float, high: float) -> dict[str, object]:
-    """A wider range of sensitivities at the same spacing, as far as their number allows."""
+def widened(s: ResolvedForWorld, rewards: np.ndarray) -> dict[str, object]:
+    """Sensitivities that reach beyond every reward, at the same spacing as far as their number allows.
+
+    Returns:
+        the change; empty where they reach so far already.
+    """
+    over = max(OVERHANG * float(rewards[-1] - rewards[0]), TAIL / s.slope)
+    low, high = min(s.theta_min, float(rewards[0]) - over), max(s.theta_max, float(rewards[-1]) + over)
+    if (low, high) == (s.theta_min, s.theta_max):
+        return {}
     thetas = min(MOST_THETAS, int(np.ceil((s.thetas - 1) * (high - low) / (s.theta_max - s.theta_min))) + 1)
     return {"theta_min": float(f"{low:.6g}"), "theta_max": float(f"{high:.6g}"), "thetas": max(s.thetas, thetas)}
+
+
+def softened_slope(thetas: np.ndarray) -> dict[str, object]:
+    """The change to the slope that suits the widest gap between sensitivities ``(H,)``."""
+    return {"slope": float(f"{SLOPE_TIMES_SPACING / float(np.diff(thetas).max()):.2g}")}
+
+
+def steepened_slope(s: ResolvedForWorld, gap: float) -> dict[str, object]:
+    """The change to a slope that keeps rewards with this gap apart, and to as many sensitivities as it needs."""
+    slope = float(f"{APART / gap:.2g}")
+    thetas = int(np.ceil((s.theta_max - s.theta_min) * slope / SLOPE_TIMES_SPACING)) + 1
+    return {"slope": slope, "thetas": min(MOST_THETAS, max(s.thetas, thetas))}
 
 
 def _can_add_auxiliary(found: WorldStudy) -> bool:

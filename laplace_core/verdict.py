@@ -21,7 +21,7 @@ from laplace_core.grades import VALUE_TOLERANCE, Grade, Timeline, grade, timelin
 from laplace_core.horizon import regret
 from laplace_core.pipeline import Study, WorldStudy
 from laplace_core.ties import ROUNDING, greedy_action, tie_size
-from laplace_core.trials import Remedy, Trials
+from laplace_core.trials import WHY, Remedy, Trials
 
 MOST_REMEDIES = 3
 
@@ -64,40 +64,6 @@ class Verdict:
     def faultless(self) -> bool:
         """Whether choice, values and timeline are all right."""
         return self.choice == "right" and self.timeline == "sound"
-
-
-WHY = {
-    "repeated reward": "Rows with little or nothing in them are rescaled to probability 1, and a residue of an earlier "
-    "reward counts as a certain one.",
-    "conditional rewards": "Rows given survival say what comes if the episode still runs; summed as they are, they "
-    "count rewards after its end as if it always ran.",
-    "early end": "One action ends the episode before the deadline, and what the inverse leaves in the rows after "
-    "its end counts as reward; with steps of reward 0 in their place it does not.",
-    "mixed policies": "Each discount follows its own greedy policy, so that the values over gamma are no transform of "
-    "any single process.",
-    "noise amplification": "Gamma-space carries random error, and the inverse divides it by small singular values.",
-    "soft deadline": "The soft deadline counts part of what comes after T and leaves out part of what comes before.",
-    "edge clipping": "A reward at the edge of the sensitivities, or beyond it, leaves part of its probability outside "
-    "the picture.",
-    "reward quantisation": "The slope is so steep that no two sensitivities overlap, and every reward is rounded to a "
-    "midpoint.",
-    "slope blur": "The activation is so gentle that neighbouring rewards run together.",
-    "uneven sensitivities": "The sensitivities are unevenly spaced, and the slope suits only some of their gaps.",
-    "folding": "Gamma-space holds rewards that come after the last row; the inverse folds them into the rows that "
-    "exist.",
-    "fine rows": "Rows finer than a step ask the inverse for detail that no world has.",
-    "over-smoothing": "Alpha suppresses components that gamma-space still holds, so that rewards spread over "
-    "neighbouring steps.",
-    "negative mass": "So small an alpha lets the inverse ring around sharp events.",
-    "only T rows": "Only as many rows are decoded as the horizon has, and the inverse puts into them what comes later.",
-    "shifted index": "Each discount is decoded by the row of the next one, so that no time has its own place.",
-    "discount of the values": "The values are read at another discount than the one that the best action is for.",
-    "constant horizon": "The agent still acts as if all of T were left, and aims at rewards that come after the end.",
-    "discount grid": "These discounts do not tell the steps apart that matter here; others do.",
-    "not learned yet": "With the exact values of this world the same settings are right: the learner does not hold "
-    "these values yet.",
-}  # fmt: skip
-"""What each cause does, in one sentence."""
 
 
 def judge(

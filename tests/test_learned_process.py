@@ -15,6 +15,7 @@ import pytest
 from laplace_core import InputError, load_world
 from laplace_core.cli import main
 from laplace_core.learned import Learning, LearnSettings, Run, read_learned, start
+from laplace_core.supervise import Process, Worker
 from laplace_core.worlds import dump_world
 from tests.hostile import assert_one_sentence, assert_refused
 
@@ -230,7 +231,8 @@ def test_a_run_cancelled_before_it_began_has_nothing(run):
 
 def test_a_line_of_progress_in_the_making_is_left_for_later(tmp_path):
     process = subprocess.Popen([sys.executable, "-c", ""])
-    one = Run(process, tmp_path / "a.safetensors", tmp_path / "progress.jsonl", tmp_path / "errors.txt")
+    worker = Worker(tmp_path, Process.of(process.pid), process)
+    one = Run(worker, tmp_path / "a.safetensors", tmp_path / "progress.jsonl")
     with (tmp_path / "progress.jsonl").open("w") as file:
         for text, seen in [('{"episodes": 1}\n{"epi', 1), ('sodes": 2', 1), ("}\n", 2), ("", 2)]:
             file.write(text)
@@ -253,7 +255,7 @@ def test_a_bad_run_is_refused_before_a_process_is_started(tmp_path):
 def test_a_run_that_fails_says_why_in_one_sentence(run, tmp_path):
     one = run(load_world("cliff_grid"), LONG)
     wait_for(one.snapshot)
-    os.killpg(one._process.pid, signal.SIGKILL)  # as the system does when memory is short
+    os.killpg(one._worker.process.pid, signal.SIGKILL)  # as the system does when memory is short
     wait_for(lambda: one.finished)
     assert_one_sentence(f"laplace: {one.error}", "unexpectedly")
     folder = tmp_path / "spoilt"
@@ -268,7 +270,7 @@ def test_a_run_ends_with_the_process_that_started_it(tmp_path):
     code = (
         "import sys, time\nfrom laplace_core import load_world\nfrom laplace_core.learned import LearnSettings, start\n"
         "one = start(load_world('cliff_grid'), LearnSettings(episodes=500_000), sys.argv[1])\n"
-        "while one.snapshot() is None: time.sleep(.02)\nprint(one._process.pid)"
+        "while one.snapshot() is None: time.sleep(.02)\nprint(one._worker.process.pid)"
     )
     parent = subprocess.run([sys.executable, "-c", code, str(tmp_path)], capture_output=True, text=True, check=True)
     child = Path(f"/proc/{int(parent.stdout)}/stat")

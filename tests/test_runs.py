@@ -135,7 +135,7 @@ def test_a_real_process_is_gone_after_cancel_and_its_files_after_forget():
     assert watched.running
     watched.cancel()
     assert not watched.running
-    assert watched._run._process.poll() is not None
+    assert watched._run._worker.ended
     assert watched.error is None
     folder = watched._folder
     assert folder.exists()

@@ -91,7 +91,8 @@ def test_resolved_settings_are_complete_and_can_be_chosen_again():
     assert again == settings
     assert type(settings.chosen()) is Settings
     assert settings.chosen().to_command() == settings.to_command()
-    for same in (copy.deepcopy(settings), pickle.loads(pickle.dumps(settings)), replace(settings)):  # noqa: S301 - ours
+    # Our own bytes.
+    for same in (copy.deepcopy(settings), pickle.loads(pickle.dumps(settings)), replace(settings)):  # noqa: S301
         assert same == settings
         assert hash(same) == hash(settings)
 

@@ -13,7 +13,7 @@ import psutil
 import pytest
 
 from laplace_core.errors import InputError
-from laplace_core.supervise import ONE_THREAD, Process, read_process, start, write_process
+from laplace_core.supervise import ONE_THREAD, End, Process, Worker, read_process, start, write_process
 from laplace_core.training.queue import Queue
 from tests.hostile import assert_one_sentence
 from tests.quick_runs import until
@@ -152,3 +152,40 @@ def test_a_lock_that_is_a_link_is_refused(tmp_path, exists):
         Queue(tmp_path / "runs")
     assert_one_sentence(str(refused.value), "runs")
     assert (tmp_path / "precious").exists() == exists
+
+
+def test_a_worker_is_noted_and_another_server_finds_it_and_ends_it(tmp_path):
+    worker = Worker.start(tmp_path, [sys.executable, "-c", "import time; time.sleep(60)"])
+    found = Worker.noted(tmp_path)
+    assert found.process == worker.process
+    assert (found.end, worker.end) == (None, None)
+    found.stop(0.3)
+    until(lambda: worker.ended)
+    assert found.end == End(None, "")  # only who started it hears of its status
+    assert worker.end == End(-signal.SIGTERM, "")
+    assert worker.end.asked
+
+
+def test_a_worker_that_cannot_be_noted_does_not_run(tmp_path):
+    (tmp_path / "process.json").mkdir()
+    with pytest.raises(InputError) as refused:
+        Worker.start(tmp_path, [sys.executable, "-c", f"import time; time.sleep(60); {tmp_path.name!r}"])
+    assert_one_sentence(str(refused.value), "process.json")
+    assert not [one for one in psutil.Process().children() if tmp_path.name in str(one.cmdline())]
+
+
+@pytest.mark.parametrize(
+    ("code", "refusal", "fault", "killed_by"),
+    [
+        ("import sys; sys.exit('laplace: it is full.')", "it is full.", None, None),
+        ("raise RuntimeError('the lamp went out.')", None, "the lamp went out", None),
+        ("raise AssertionError", None, "a fault of the program", None),
+        ("import os, signal; os.kill(os.getpid(), signal.SIGKILL)", None, None, signal.SIGKILL),
+        ("import sys; sys.exit('hm')", None, None, None),
+    ],
+)
+def test_a_worker_says_how_it_ended(tmp_path, code, refusal, fault, killed_by):
+    worker = Worker.start(tmp_path, [sys.executable, "-c", code])
+    until(lambda: worker.ended)
+    assert (worker.end.refusal, worker.end.fault, worker.end.signal) == (refusal, fault, killed_by)
+    assert not worker.end.asked

@@ -10,6 +10,7 @@ import pytest
 
 from laplace_core import Settings, load_world
 from laplace_core.cli import main
+from laplace_core.experiments import views
 from laplace_core.experiments.judge import (
     ALPHAS,
     FRESH_SEEDS,
@@ -192,6 +193,84 @@ def test_a_remedy_for_noisy_values_has_to_hold_on_nine_of_ten_seeds():
     assert shares[0.999] >= 0.98
 
 
+# --- the lens's switches, by hand: one chain, four discounts, and alpha near 0 ---
+
+FOUR = {"gammas": 4, "gamma_min": 0.2, "gamma_max": 0.8, "spacing": "linear", "alpha": 1e-9, "acting_gamma": 0.9}
+
+
+def test_with_steps_used_the_steps_that_are_left_are_judged():
+    """Rewards 1, 2, 3. At T = 3 with one step used two are left: 1 + .9 * 2 = 2.8. An agent with a constant horizon
+    reads all three, and is off by .81 * 3."""
+    left = judge_view(view_of(chain(1.0, 2.0, 3.0), 2, steps=3, used=1.0, **FOUR))
+    assert left == judge_view(view_of(chain(1.0, 2.0, 3.0), 1, steps=3, **FOUR))
+    assert left.choice == "right"
+    view = view_of(chain(1.0, 2.0, 3.0), 2, steps=3, used=1.0, deadline="constant", **FOUR)
+    assert judge_view(view).value_error == pytest.approx(0.81 * 3.0 / 2.8, abs=2e-3)
+    assert {"deadline": "time_to_go"} in list(single_settings(view))
+    assert repairs(view, {"deadline": "time_to_go"})
+
+
+def test_the_discount_of_the_values_weighs_both_sides_but_not_the_best_action():
+    """At .5 the values are 1 + 1 + .75, decoded and true; at the acting discount of .9 they would be 5.23."""
+    judged = judge_view(view_of(chain(1.0, 2.0, 3.0), 2, steps=3, value_gamma=0.5, **FOUR))
+    assert judged.value_error == pytest.approx(0.0, abs=2e-3)
+    assert judged.error == pytest.approx(5.23 - 2.75, abs=5e-3)
+
+
+def test_the_discount_of_the_values_may_choose_wrongly():
+    """Leave for 2, or go on for nothing and then 3: at .5 that is worth 1.5, at .9 it is 2.7."""
+    rows = [Outcome(0, 0, 1.0, END, 2.0), Outcome(0, 1, 1.0, 1, 0.0)]
+    rows += [Outcome(1, action, 1.0, END, 3.0) for action in range(2)]
+    world = World.from_outcomes("wait", ["s", "later"], ["leave", "wait"], rows)
+    view = view_of(world, 1, steps=2, value_gamma=0.5, **FOUR)
+    assert (judge_view(view).choice, judge_view(view).chosen, judge_view(view).best) == ("wrong", 0, 1)
+    assert repairs(view, {"value_gamma": 0.9})
+
+
+def test_folded_into_one_row_what_comes_later_counts_now():
+    """Rewards 1, 0, 3. One row is the mean over the discounts of 1 + 3 gamma^2: .2, .4, .6 and .8 squared are .3 in the
+    mean, of reward 3. Of reward 0 the row holds the mean of gamma, .5; and two steps are not drawn at all."""
+    view = view_of(chain(1.0, 0.0, 3.0), 0, steps=3, fold=True, **FOUR)
+    judged = judge_view(view)
+    assert judged.value_error == pytest.approx(0.9, abs=5e-3)
+    assert judged.timeline_errors[0] == pytest.approx((0.5 + 0.3 + 1.0 + 1.0) / 2.0 / 3.0, abs=5e-3)
+    assert repairs(view, {"fold": False})
+    tried = list(single_settings(view))
+    assert {"fold": False} in tried
+    assert not any("steps" in change for change in tried)  # each horizon has its own number of rows
+
+
+def test_shifted_by_one_the_first_discount_holds_nothing():
+    """One row is the mean of 0, 1, 1 and 1."""
+    view = view_of(chain(1.0), 0, steps=1, shift=True, **FOUR)
+    assert judge_view(view).value_error == pytest.approx(0.25, abs=2e-3)
+    assert repairs(view, {"shift": False})
+
+
+def test_clipped_sensitivities_begin_at_the_lowest_reward_that_occurs():
+    """Half of its probability lies below them. The third reward comes after the last horizon, and is not looked for."""
+    view = view_of(chain(4.0, 2.0, -5.0), 0, steps=2, clip=True, theta_min=-6.0, theta_max=6.0, slope=50.0, **FOUR)
+    judge = Judge(view)
+    assert judge._thetas(view.world, view.settings)[[0, -1]].tolist() == [2.0, 6.0]
+    _, by_reward = judge._decoded(view.world, 0, view.settings)[0]
+    np.testing.assert_allclose(by_reward.sum(axis=1), [1.0, 0.5], atol=5e-3)
+    assert {"clip": False} in list(single_settings(view))
+    short = view_of(chain(4.0, 2.0), 1, steps=2, clip=True, theta_min=-6.0, theta_max=6.0, **FOUR)
+    assert judge_view(short).value_error == pytest.approx(0.5 * 0.9 * 2.0 / 5.8, abs=0.01)
+    assert repairs(short, {"clip": False})
+    outside = view_of(chain(4.0, 2.0), 0, steps=2, clip=True, theta_min=3.0, theta_max=6.0, **FOUR)
+    assert Judge(outside)._thetas(outside.world, outside.settings)[0] == 3.0
+
+
+def test_the_paper_s_grid_takes_the_place_of_the_discounts_and_is_left_only():
+    view = view_of(chain(1.0), 0, steps=1, paper_grid=True, **FOUR)
+    assert discounts(view.settings) == discounts(replace(view.settings, spacing="paper"))
+    tried = [
+        change for change in single_settings(view) if set(change) & {"paper_grid", "spacing", "gammas", "gamma_min"}
+    ]
+    assert tried == [{"paper_grid": False}]
+
+
 # --- truth ---
 
 
@@ -262,6 +341,15 @@ def test_equal_values_choose_the_lowest_action_however_small_they_are():
     assert judged.choice == ("right" if judged.chosen == 2 else "wrong")
 
 
+def test_values_that_differ_by_rounding_of_their_terms_are_equal(monkeypatch):
+    """Nothing is paid within T = 1, and both actions come out at -9e-4, 1.5e-11 apart: sums over midpoints of up to 66,
+    of which 1e-12 is rounding."""
+    monkeypatch.setattr(views, "SWITCHED", 1.0)
+    view = draw_view(np.random.default_rng([5252, 106]))
+    assert sensitivities(view.settings)[-1] == 66.0
+    assert judge_view(view).chosen == 0
+
+
 # --- the library as a second account ---
 
 
@@ -291,42 +379,48 @@ def test_the_library_gives_the_same_numbers(first):
         judge = Judge(view)
         found = study(ended(view.world, judge), s)
         world, state = view.world, view.world.state_index(s.state)
-        gammas, thetas = grids(s)
+        (gammas, _), thetas, decoded = grids(s), found.gamma_space.thetas, found.at(view.row)
+        read, left = found.reading(view.row)
         np.testing.assert_allclose(discounts(s), gammas, rtol=1e-12)
-        np.testing.assert_allclose(sensitivities(s), thetas, rtol=1e-9, atol=1e-12 * np.abs(thetas).max())
+        np.testing.assert_allclose(judge._thetas(world, s), thetas, rtol=1e-9, atol=1e-12 * np.abs(thetas).max())
         values, constant = judge.gamma_space(s)
         close(values, found.gamma_space.values)
         close(constant, found.gamma_space.constant)
         rows, survival = judge.rows(s)
         if s.normalise == "paper":  # a row of little mass is rescaled, and its rounding with it
             mass = np.maximum(judge.rows(replace(s, normalise="none"))[0], 0.0).sum(axis=2)
-            most = np.linalg.norm(judge.decode_matrix(s), axis=1) * np.linalg.norm(values, axis=(1, 2))[:, None]
-            held = mass > 1e-9 * most
+            most = np.linalg.norm(judge.decode_matrix(s, rows.shape[1]), axis=1)
+            held = mass > 1e-9 * most * np.linalg.norm(values, axis=(1, 2))[:, None]
         else:
             held = np.ones(rows.shape[:2], dtype=bool)
-        close(rows[held], found.decoded.tau_space[held])
-        close(survival, found.decoded.survival)
+        close(rows[held], decoded.tau_space[:, : rows.shape[1]][held])
+        close(survival, decoded.survival[:, : rows.shape[1]])
+        assert not decoded.tau_space[:, rows.shape[1] :].any()
         by_step = judge._true_rows(world, state, s) @ found.world.reward_values
         close(by_step, found.truth.expected_reward)
-        weights = s.acting_gamma ** np.arange(s.steps)
-        weights = weights * soft(view.row + 1, s) if s.softness else weights * (np.arange(s.steps) <= view.row)
-        close(by_step @ weights, found.truth.horizon_values[:, view.row])
-        optimum = judge._optimum(world, state, s.acting_gamma, view.row + 1)
-        close(optimum, found.truth.optimum[:, view.row])
+        true = by_step @ weights_at(left, s)
+        close(true, found.truth.horizon_values[:, left])
+        optimum = judge._optimum(world, state, s.acting_gamma, left + 1)
+        close(optimum, found.truth.optimum[:, left])
         if held.all():
-            rewards = np.array([one[0] for one in judge._decoded(world, state, s)])
+            rewards = np.array([one[0] for one in judge._decoded(world, state, s, rows.shape[1])])
             least = 1e-6 * np.abs(rows).sum(axis=2).max() * np.abs(thetas).max()
-            np.testing.assert_allclose(rewards, found.decoded.expected_reward, rtol=0, atol=least)
-            expected = np.abs(found.decoded.horizon_values[:, view.row] - by_step @ weights).max()
-            scale = max(np.abs(by_step @ weights).max(), 1e-2 * np.abs(world.reward).max())
-            assert judge.judged.value_error == pytest.approx(expected / scale, rel=1e-4, abs=1e-4)
-            truth = np.abs(found.truth.optimum[:, view.row])
-            values = found.decoded.horizon_values[:, view.row]
+            np.testing.assert_allclose(rewards, decoded.expected_reward, rtol=0, atol=least)
+            values = decoded.horizon_values[:, read]
+            scale = max(np.abs(true).max(), 1e-2 * np.abs(world.reward).max())
+            assert judge.judged.value_error == pytest.approx(np.abs(values - true).max() / scale, rel=1e-4, abs=1e-4)
+            truth = np.abs(found.truth.optimum[:, left])
             if np.abs(values - values.max())[values < values.max()].min(initial=1.0) > 1e-5:
                 chosen = int(values.argmax())
                 assert judge.judged.chosen == chosen
-                lost = found.truth.optimum[:, view.row].max() - found.truth.optimum[chosen, view.row]
+                lost = found.truth.optimum[:, left].max() - found.truth.optimum[chosen, left]
                 assert (judge.judged.choice == "wrong") == (lost > 1e-9 * truth.max())
+
+
+def weights_at(column: int, s: Settings) -> np.ndarray:
+    """Discount times deadline of every whole step."""
+    weights = s.value_gamma ** np.arange(s.steps)
+    return weights * soft(column + 1, s) if s.softness else weights * (np.arange(s.steps) <= column)
 
 
 def soft(horizon: float, s: Settings) -> np.ndarray:
@@ -341,8 +435,27 @@ def close(found: np.ndarray, expected: np.ndarray) -> None:
 # --- the views ---
 
 
+def thrown(s: Settings) -> set[str]:
+    """The switches of the lens that are not as they are by default."""
+    found = {name for name in ("used", "fold", "shift", "clip", "paper_grid") if getattr(s, name)}
+    found |= {"value_gamma"} if s.value_gamma != s.acting_gamma else set()
+    return found | ({"horizon"} if s.horizon is not None else set())
+
+
+def test_without_a_switch_a_view_of_a_seed_is_what_it_was_before_there_were_switches(monkeypatch):
+    """Switches are drawn last, so that numbers of views that were written down still mean the same."""
+    every = [draw_view(np.random.default_rng([33, number])) for number in range(40)]
+    monkeypatch.setattr(views, "SWITCHED", 0.0)
+    for number, view in enumerate(every):
+        before = draw_view(np.random.default_rng([33, number]))
+        assert (before.row, before.action, before.world.name) == (view.row, view.action, view.world.name)
+        plain = {name: getattr(before.settings, name) for name in thrown(view.settings)}
+        assert replace(view.settings, **plain) == before.settings
+        assert not thrown(before.settings)
+
+
 def test_views_are_of_every_kind():
-    seen, choices = set(), {}
+    seen, choices, switched = set(), {}, 0
     for number in range(200):
         view = draw_view(np.random.default_rng([33, number]))
         s, world = view.settings, view.world
@@ -352,12 +465,16 @@ def test_views_are_of_every_kind():
         assert 5 <= s.gammas <= 40
         seen |= {s.normalise, s.policy, s.spacing, s.theta_spacing, round(s.time_step, 2), world.name, s.noise > 0}
         seen |= {("softness", s.softness > 0), ("actions", world.n_actions), ("source", bool(world.source))}
+        seen |= thrown(s)
+        switched += bool(thrown(s))
         choice = judge_view(view).choice
         choices[choice] = choices.get(choice, 0) + 1
     assert {"none", "paper", "survival", "shared", "per_gamma", "inverse-log", "log", "linear"} <= seen
     assert {"uniform", "gaussian", "asinh", 1.0, 0.5, 0.25, 0.33, False} <= seen
     assert {"layers", "tree", "cycles", "continuing", "long way", "decisions", "idle", "two_branch"} <= seen
     assert {("actions", n) for n in (1, 2, 3, 4)} <= seen
+    assert {"used", "value_gamma", "fold", "shift", "clip", "paper_grid", "horizon"} <= seen
+    assert 0.15 <= switched / 200 <= 0.35
     assert choices["wrong"] >= 20
     assert 0.4 <= (choices["wrong"] + choices["off"]) / 200 <= 0.7
 

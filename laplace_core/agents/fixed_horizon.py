@@ -88,7 +88,8 @@ class FixedHorizonAgent(Agent[FixedHorizonSettings]):
         times = torch.from_numpy(self.random.integers(1, self.horizon + 1, size=size))
         return times, self.targets(batch, times)
 
-    def losses(self, batch: Batch, times: Tensor, targets: Tensor) -> Tensor:  # type: ignore[override]  # takes what its own prepare() returns
+    # It takes what its own prepare() returns.
+    def losses(self, batch: Batch, times: Tensor, targets: Tensor) -> Tensor:  # type: ignore[override]
         outputs = self.values(self.network, batch.observations, times)
         outputs = outputs.gather(-1, batch.actions.expand_as(times).unsqueeze(-1)).squeeze(-1)
         # Over the discounted number of steps: half way between the scale of the values and that of the network.

@@ -94,7 +94,8 @@ class Peer(Agent[Chosen]):
         rewards, discounts = discounted(batch, self.settings.gamma)
         return rewards + discounts * later, masses
 
-    def losses(self, batch: Batch, locations: Tensor, masses: Tensor) -> Tensor:  # type: ignore[override]  # takes what its own prepare() returns
+    # It takes what its own prepare() returns.
+    def losses(self, batch: Batch, locations: Tensor, masses: Tensor) -> Tensor:  # type: ignore[override]
         outputs = self.network(batch.observations)[:, 0]  # (B, A, C)
         outputs = outputs.gather(1, batch.actions.unsqueeze(2).expand(-1, -1, outputs.shape[2]))[:, 0]
         # Over the scale: half way between that of the returns and that of the last layer.

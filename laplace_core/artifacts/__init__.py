@@ -56,7 +56,7 @@ def find_artefacts(
         InputError: an action that the study does not have.
     """
     study.check_view(action=action)
-    look = Look(study, action, horizon, searching)
+    look = Look(study, action, horizon, searching=searching)
     found = [artefact for measure in LISTED.values() if (artefact := measure(look)) is not None]
     if not searching:
         return found

@@ -9,6 +9,7 @@ from laplace_core.artifacts.model import VISIBLE, Artefact, Remedy
 from laplace_core.control import constant_horizon_loss
 from laplace_core.errors import InputError
 from laplace_core.pipeline import WorldStudy
+from laplace_core.trials import WHY
 
 
 def soft_deadline(look: Look) -> Artefact | None:
@@ -24,7 +25,7 @@ def soft_deadline(look: Look) -> Artefact | None:
         "soft deadline",
         size,
         f"a true value moves by up to {100 * size:.0f}% of the largest one",
-        "The soft deadline counts part of what comes after T and leaves out part of what comes before.",
+        WHY["soft deadline"],
         (Remedy("Set softness to 0", {"softness": 0.0}),),
     )
 

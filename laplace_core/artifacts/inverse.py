@@ -7,8 +7,9 @@ import numpy as np
 from laplace_core.artifacts.look import Look, largest_change, of_a_row
 from laplace_core.artifacts.model import VISIBLE, Artefact, Remedy
 from laplace_core.inverse import decode
+from laplace_core.trials import ALPHAS, WHY
 
-LEAST_ALPHA = 1e-9
+LEAST_ALPHA = ALPHAS[0]
 
 
 def over_smoothing(look: Look) -> Artefact | None:
@@ -52,7 +53,7 @@ def shifted_index(look: Look) -> Artefact | None:
         "shifted index",
         size,
         f"the shift of the index moves up to {of_a_row(size)}",
-        "Each discount is decoded by the row of the next one, so that no time has its own place.",
+        WHY["shifted index"],
         (Remedy("Undo the shift of the index", {"shift": False}),),
     )
 

@@ -42,7 +42,7 @@ class Look:
     horizon.
     """
 
-    def __init__(self, study: Study, action: int, horizon: float | None = None, searching: bool = True):
+    def __init__(self, study: Study, action: int, horizon: float | None = None, *, searching: bool = True):
         self.study, self.action, self.horizon, self.settings = study, action, horizon, study.settings
         self.searching = searching
         self.gammas = study.gamma_space.gammas

@@ -113,7 +113,7 @@ def _falls(look: Look) -> tuple[np.ndarray, np.ndarray]:
     return falls * most / np.maximum(errors, most), np.where(errors > most, falls, 0.0)
 
 
-def violations(look: Look, falls: np.ndarray | None = None, negative: bool = True) -> np.ndarray:
+def violations(look: Look, falls: np.ndarray | None = None, *, negative: bool = True) -> np.ndarray:
     """The least error, in size, that explains what no exact Z does, ``(G, B)``, in the units of Z.
 
     Z = sum_tau gamma^tau P is never negative and never falls with gamma. A fall between two discounts is shared

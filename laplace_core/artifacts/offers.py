@@ -33,7 +33,7 @@ def offered(
         trials: of the view; None where there is no truth to grade it against.
     """
     with_others = [
-        replace(each, remedies=tuple(r for r in each.remedies if _is_offered(each, r, look, measures, trials)))
+        replace(each, remedies=tuple(r for r in each.remedies if _is_offered(each, r, look, measures, trials=trials)))
         for each in found
     ]
     alpha = _alpha(found, look, measures, trials)
@@ -46,7 +46,7 @@ def offered(
 
 
 def _is_offered(
-    artefact: Artefact, remedy: Remedy, look: Look, measures: Mapping[str, Measure], trials: Trials | None
+    artefact: Artefact, remedy: Remedy, look: Look, measures: Mapping[str, Measure], *, trials: Trials | None
 ) -> bool:
     if "alpha" in remedy.changes:
         return False  # one for all, in the end

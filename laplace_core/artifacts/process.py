@@ -9,7 +9,7 @@ from laplace_core.artifacts.model import VISIBLE, Artefact, Remedy
 from laplace_core.horizon import horizon_values
 from laplace_core.inverse import MAX_STEPS, SURVIVAL_FLOOR
 from laplace_core.pipeline import MAX_VALUES
-from laplace_core.trials import more_rows
+from laplace_core.trials import WHY, more_rows
 from laplace_core.worlds import PRESETS
 
 
@@ -118,7 +118,7 @@ def folding(look: Look) -> Artefact | None:
         "folding",
         size,
         f"what comes after the last row moves up to {of_a_row(size)}",
-        "Gamma-space holds rewards that come after the last row; the inverse folds them into the rows that exist.",
+        WHY["folding"],
         (*remedies, *([Remedy(f"Decode {steps} rows", {"steps": steps})] if steps else [])),
     )
 

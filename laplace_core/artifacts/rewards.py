@@ -9,15 +9,12 @@ from laplace_core.artifacts.model import VISIBLE, Artefact, Remedy
 from laplace_core.artifacts.noise import propagated, violations
 from laplace_core.encoding import sigmoid
 from laplace_core.pipeline import WorldStudy
-from laplace_core.settings import SLOPE_TIMES_SPACING
-from laplace_core.trials import MOST_THETAS, wider
+from laplace_core.trials import STEEP, TAIL, softened_slope, steepened_slope, widened
 
 SEEN = 0.02
 """A reward that never gets this much of a row is not missed where it runs into another."""
 
-OVERHANG = 8.0
-"""In 1/slope: the sensitivities are widened to so far beyond the last reward."""
-NEGLIGIBLE = 1.05 * float(sigmoid(-OVERHANG))
+NEGLIGIBLE = 1.05 * float(sigmoid(-TAIL))
 """A reward that has less than this outside the sensitivities lies inside them: .00035, and hardly more than widening
 leaves."""
 
@@ -43,10 +40,8 @@ def edge_clipping(look: Look) -> Artefact | None:
     if isinstance(study, WorldStudy) and study.settings.clip:
         remedies = (Remedy("Begin the sensitivities below the rewards", {"clip": False}),)
     elif isinstance(study, WorldStudy):
-        rewards, chosen = study.world.reward_values, study.settings
-        over = max(0.2 * (rewards[-1] - rewards[0]), OVERHANG / chosen.slope)
-        low, high = min(chosen.theta_min, float(rewards[0] - over)), max(chosen.theta_max, float(rewards[-1] + over))
-        remedies = (Remedy("Widen the sensitivities", wider(chosen, low, high)),)
+        changes = widened(study.settings, study.world.reward_values)
+        remedies = (Remedy("Widen the sensitivities", changes),) if changes else ()
     return Artefact(
         "edge clipping",
         size,
@@ -75,15 +70,13 @@ def slope_blur(look: Look) -> Artefact | None:
     if size < VISIBLE:
         return None
     gap = float(gaps.min())
-    slope = float(f"{9.0 / gap:.2g}")  # leaves sigmoid(-4.5) = .011 on either side
-    thetas = int(np.ceil((s.theta_max - s.theta_min) * slope / SLOPE_TIMES_SPACING)) + 1
     return Artefact(
         "slope blur",
         size,
         f"{size:.2f} of a row's probability lands nearer to another reward; a reward is {4.4 / s.slope:.2g} wide where "
         f"the next lies {gap:.2g} away",
         "The activation is too gentle: neighbouring rewards run together.",
-        (Remedy("Steepen the slope", {"slope": slope, "thetas": min(MOST_THETAS, max(s.thetas, thetas))}),),
+        (Remedy("Steepen the slope", steepened_slope(s, gap)),),
     )
 
 
@@ -98,7 +91,7 @@ def reward_quantisation(look: Look) -> Artefact | None:
     rewards, chance = look.of_world.world.reward_values, look.timeline()
     spacing = np.diff(thetas)[np.clip(np.searchsorted(thetas, rewards) - 1, 0, thetas.size - 2)]
     inside = (rewards > thetas[0] + 6.0 / slope) & (rewards < thetas[-1] - 6.0 / slope)
-    inside &= (slope * spacing > 1.1 * SLOPE_TIMES_SPACING) & (chance.max(axis=0) > 1e-6)
+    inside &= (slope * spacing > STEEP) & (chance.max(axis=0) > 1e-6)
     if not inside.any():
         return None
     rewards, spacing, masses = rewards[inside], spacing[inside], look.masses[inside]
@@ -108,11 +101,10 @@ def reward_quantisation(look: Look) -> Artefact | None:
     if size < VISIBLE:
         return None
     worst = int(np.argmax(off * chance[:, inside].max(axis=0)))
-    gentle = float(f"{SLOPE_TIMES_SPACING / np.diff(thetas).max():.2g}")
     return Artefact(
         "reward quantisation",
         size,
         f"reward {rewards[worst]:g} counts as {proxy[worst]:.4g}, off by {off[worst]:.2f} of the spacing",
         "The slope is so steep for the spacing of the sensitivities that rewards are rounded towards the midpoints.",
-        (Remedy("Soften the slope", {"slope": gentle}),),
+        (Remedy("Soften the slope", softened_slope(thetas)),),
     )

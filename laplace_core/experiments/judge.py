@@ -16,6 +16,8 @@ Decisions where the definition leaves a choice:
 - A set of states in which nothing but 0 is ever paid and from which no episode can end, whatever is done, is the end:
   who enters it is over. In a start state of this kind one step is still counted.
 - Policies tie by the same rule as values do; the scale is the largest |Q| of the world at that discount.
+- The scale of decoded values is the largest sum of their terms, and at least the largest midpoint: those terms are made
+  of midpoints.
 - With time_step < 1 both sides of the timeline error are gathered by whole step and divided by time_step, so that this
   matters for the floor of 0.05 only. Rescaling by survival takes place before gathering, in both.
 - On a fresh seed a wrong choice is repaired if it is not wrong under the change and the error is smaller than that of
@@ -26,6 +28,13 @@ Decisions where the definition leaves a choice:
 - The steep slope never lowers thetas.
 - time_step 1 keeps as many steps as reach the last horizon of the finer rows.
 - Where nothing is to be repaired, nothing repairs.
+- With steps used, the best action, the true values and the decoded ones are those of the steps that are left; an agent
+  with a constant horizon still reads its values at T.
+- Rows that `fold` leaves out hold nothing: what truly comes there counts as misplaced in the timeline.
+- The discount of the values weighs decoded and true values. The error that a repair has to lower is against true values
+  at acting_gamma, as the best action is.
+- Under `clip` a reward occurs if it comes with a chance above 1e-9 at some step up to the last horizon, after some
+  action.
 """
 
 from __future__ import annotations
@@ -49,6 +58,7 @@ SOUND, SMEARED = 0.1, 1.0 / 3.0
 FRESH_SEEDS = tuple(1_600_000_033 + 7_919 * n for n in range(10))
 LEAST_HELD = 9
 MOST_STEPS, MOST_THETAS, MOST_GAMMAS, MOST_NUMBERS = 2_000, 2_000, 500, 50_000_000
+MOST_FOLDED = 200_000_000
 ALPHAS = tuple(float(f"{a:.2g}") for a in np.geomspace(1e-9, 10.0, 60))
 PAPER = (0.01, 0.108, 0.206, 0.304, 0.402, 0.5, 0.55, 0.6, 0.65, 0.7, 0.75, 0.81, 0.87, 0.93, 0.99)
 EPSILON = 2.0**-52
@@ -194,7 +204,7 @@ class Judge:
 
     def every_single_setting(self, *, until_one: bool = False) -> dict[Change, bool]:
         found: dict[Change, bool] = {}
-        for changes in single_settings(self.view):
+        for changes in single_settings(self.view, self._thetas(self.view.world, self.view.settings)):
             found[tuple(sorted(changes.items()))] = repaired = self.repairs(changes)
             if repaired and until_one:
                 break
@@ -203,16 +213,17 @@ class Judge:
     # --- the numbers of a view ---
 
     def _judge(self, s: ResolvedForWorld, horizon: float) -> Judged:
-        _check(s)
+        _check(s, self.view.world.n_actions)
         world = self._world(s)
         dense = self._dense(world)
         state = world.state_index(s.state)
         horizons = _horizons(s)
-        column = int(np.argmin(np.abs(horizons - horizon)))
-        weights = _deadline(s, horizons[column], s.softness)
-        hard = _deadline(s, horizons[column], 0.0)
+        read, left = _columns(s, horizon)
+        weights = _deadline(s, horizons[read], s.softness, s.value_gamma)
+        true_weights = _deadline(s, horizons[left], s.softness, s.value_gamma)
+        hard = _deadline(s, horizons[left], 0.0, s.acting_gamma)
         true_rows = self._true_rows(world, state, s)
-        decoded = self._decoded(world, state, s)
+        decoded = self._decoded(world, state, s, read + 1 if s.fold else s.steps)
         each_value, sizes, errors = [], [], []
         for action in range(world.n_actions):
             rewards, by_reward = decoded[action]
@@ -221,9 +232,11 @@ class Judge:
             errors.append(self._timeline_error(world, s, by_reward, true_rows[action]))
         values = np.array(each_value)
         true_rewards = true_rows @ dense.rewards
-        true, hard_true = true_rewards @ weights, true_rewards @ hard
-        optimum = self._optimum(world, state, s.acting_gamma, max(1, round(float(horizons[column]))))
-        chosen = _first_best(values, max(sizes))
+        true, hard_true = true_rewards @ true_weights, true_rewards @ hard
+        optimum = self._optimum(world, state, s.acting_gamma, max(1, round(float(horizons[left]))))
+        thetas = self._thetas(world, s)
+        largest = float(np.abs((thetas[:-1] + thetas[1:]) / 2.0).max())
+        chosen = _first_best(values, max(*sizes, largest))
         best = _first_best(optimum, float(np.abs(optimum).max()))
         wrong = optimum[chosen] < optimum.max() - _tie(optimum.max(), np.abs(optimum).max())
         error = float(np.abs(values - hard_true).max())
@@ -337,7 +350,7 @@ class Judge:
         return self._gamma_space(world, world.state_index(s.state), s)
 
     def _gamma_space(self, world: World, state: int, s: ResolvedForWorld) -> tuple[np.ndarray, np.ndarray]:
-        gammas, thetas = discounts(s), sensitivities(s)
+        gammas, thetas = discounts(s), self._thetas(world, s)
         basis = self._basis(world, state, tuple(gammas), s)
         values = basis @ sigmoid(s.slope * np.subtract.outer(self._dense(world).rewards, thetas))
         constant = basis.sum(axis=2)
@@ -351,47 +364,79 @@ class Judge:
             constant = constant + deviation * drawn[values.size :].reshape(constant.shape)
         return values, constant
 
-    def decode_matrix(self, s: ResolvedForWorld) -> np.ndarray:
-        """V diag(s / (s^2 + alpha^2)) U^T, ``(K, G)``, without the components that are rounding."""
-        gammas = discounts(s)
+    def _thetas(self, world: World, s: ResolvedForWorld) -> np.ndarray:
+        """The thresholds, ``(H,)``; under ``clip`` they begin at the lowest reward that occurs, if there is room."""
+        if not s.clip:
+            return sensitivities(s)
+        lowest = self._lowest_reward(world, s)
+        if lowest is None or not s.theta_min < lowest < s.theta_max:
+            return sensitivities(s)
+        return sensitivities(replace(s, theta_min=lowest))
+
+    def _lowest_reward(self, world: World, s: ResolvedForWorld) -> float | None:
+        """The lowest reward that comes with a chance above 1e-9 at some step; None if there is none."""
+        dense, state = self._dense(world), world.state_index(s.state)
+
+        def compute() -> float | None:
+            moves, pays = dense.under(self._policy(world, s.acting_gamma))
+            occurs: set[float] = set()
+            for action in range(world.n_actions):
+                paid, where = dense.pays[action][state], dense.moves[action][state]
+                for _ in range(math.ceil(_horizons(s)[-1] - 1e-9)):
+                    occurs |= {float(r) for r, chance in zip(dense.rewards, paid, strict=True) if chance > 1e-9}
+                    paid, where = where @ pays, where @ moves
+            return min(occurs, default=None)
+
+        return self._once(("lowest", id(world), state, s.acting_gamma, s.steps, s.time_step), compute)
+
+    def decode_matrix(self, s: ResolvedForWorld, rows: int | None = None) -> np.ndarray:
+        """V diag(s / (s^2 + alpha^2)) U^T, ``(rows, G)``, without the components that are rounding."""
+        gammas, rows = discounts(s), s.steps if rows is None else rows
 
         def factors() -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-            transform = np.array([[gamma ** (row * s.time_step) for row in range(s.steps)] for gamma in gammas])
+            transform = np.array([[gamma ** (row * s.time_step) for row in range(rows)] for gamma in gammas])
             return np.linalg.svd(transform, full_matrices=False)
 
-        U, sizes, Vt = self._once(("svd", tuple(gammas), s.steps, s.time_step), factors)
-        kept = sizes > max(len(gammas), s.steps) * EPSILON * sizes[0]
+        U, sizes, Vt = self._once(("svd", tuple(gammas), rows, s.time_step), factors)
+        kept = sizes > max(len(gammas), rows) * EPSILON * sizes[0]
         back = np.array(
             [size / (size**2 + s.alpha**2) if keep else 0.0 for size, keep in zip(sizes, kept, strict=True)]
         )
         return Vt.T @ np.diag(back) @ U.T
 
     def rows(self, s: ResolvedForWorld) -> tuple[np.ndarray, np.ndarray]:
-        """Tau-space as it is drawn, ``(A, K, H-1)``, and the decoded survival, ``(A, K)``."""
-        values, constant = self.gamma_space(s)
-        inverse = self.decode_matrix(s)
+        """Tau-space and the decoded survival, ``(A, K, H-1)`` and ``(A, K)``: as many rows as are drawn."""
+        values, constant = (_shifted(each) if s.shift else each for each in self.gamma_space(s))
+        inverse = self.decode_matrix(s, _columns(s, self.horizon)[0] + 1 if s.fold else s.steps)
         drawn = [
             _normalised(inverse, q[:, :-1] - q[:, 1:], inverse @ c, s) for q, c in zip(values, constant, strict=True)
         ]
         return np.array(drawn), np.array([inverse @ c for c in constant])
 
-    def _decoded(self, world: World, state: int, s: ResolvedForWorld) -> list[tuple[np.ndarray, np.ndarray]]:
+    def _decoded(
+        self, world: World, state: int, s: ResolvedForWorld, rows: int | None = None
+    ) -> list[tuple[np.ndarray, np.ndarray]]:
         """Of each action the expected reward a row, ``(K,)``, and the rows gathered by reward, ``(K, V)``.
 
-        Rows that are not clipped are gathered before they are decoded, which is the same and far less work.
+        Only the first ``rows`` are decoded, the others are 0. Rows that are not clipped are gathered before they are
+        decoded, which is the same and far less work.
         """
-        thetas = sensitivities(s)
+        thetas = self._thetas(world, s)
         midpoints = (thetas[:-1] + thetas[1:]) / 2.0
         gathering = np.column_stack([midpoints, self._nearest(world, thetas)])
         values, constant = self._gamma_space(world, state, s)
-        inverse, found = self.decode_matrix(s), []
+        if s.shift:
+            values, constant = _shifted(values), _shifted(constant)
+        inverse, found = self.decode_matrix(s, rows), []
         for q, c in zip(values, constant, strict=True):
             differences = q[:, :-1] - q[:, 1:]
             if s.normalise == "paper":
                 read = _normalised(inverse, differences, inverse @ c, s) @ gathering
             else:
                 read = _normalised(inverse, differences @ gathering, inverse @ c, s)
-            found.append((read[:, 0], read[:, 1:]))
+            whole = np.zeros((s.steps, read.shape[1]))
+            whole[: len(read)] = read
+            found.append((whole[:, 0], whole[:, 1:]))
         return found
 
     def _nearest(self, world: World, thetas: np.ndarray) -> np.ndarray:
@@ -402,8 +447,10 @@ class Judge:
         gathering[np.arange(midpoints.size), np.abs(midpoints[:, None] - rewards).argmin(axis=1)] = 1.0
         return gathering
 
-    def _timeline_error(self, world: World, s: ResolvedForWorld, by_reward: np.ndarray, true: np.ndarray) -> float:
-        thetas = sensitivities(s)
+    def _timeline_error(
+        self, world: World, s: ResolvedForWorld, by_reward: np.ndarray, true: np.ndarray
+    ) -> float:  # fmt: skip
+        thetas = self._thetas(world, s)
         tails = sigmoid(s.slope * np.subtract.outer(self._dense(world).rewards, thetas))
         seeing = (tails[:, :-1] - tails[:, 1:]) @ self._nearest(world, thetas)
         if (true @ seeing).sum() < 0.05 * true.sum():  # the picture lies beside what comes
@@ -460,7 +507,7 @@ def _idle_for_ever(states: int, table: list[tuple[int, int, float, int, float]])
 
 def discounts(s: ResolvedForWorld) -> list[float]:
     """The discounts of resolved settings, in increasing order."""
-    if s.spacing == "paper":
+    if s.spacing == "paper" or s.paper_grid:
         return list(PAPER)
     n, low, high = s.gammas, s.gamma_min, s.gamma_max
     if not 0.0 < low < high < 1.0:
@@ -508,14 +555,34 @@ def _horizons(s: ResolvedForWorld) -> np.ndarray:
     return np.array([row * s.time_step + (1.0 + s.time_step) / 2.0 for row in range(s.steps)])
 
 
-def _deadline(s: ResolvedForWorld, horizon: float, softness: float) -> np.ndarray:
+def _columns(s: ResolvedForWorld, horizon: float) -> tuple[int, int]:
+    """The column whose value is read for a horizon T, and that of the steps that are left of it."""
+    horizons = _horizons(s)
+    left = _nearest_column(horizons, max(0.0, horizon - s.used))
+    return (_nearest_column(horizons, horizon) if s.deadline == "constant" else left), left
+
+
+def _nearest_column(horizons: np.ndarray, horizon: float) -> int:
+    """The first of the columns whose horizons are nearest to one."""
+    return min(range(len(horizons)), key=lambda column: abs(float(horizons[column]) - horizon))
+
+
+def _shifted(values: np.ndarray) -> np.ndarray:
+    """Values of every action at the discount before it, ``(A, G, ...)``; nothing at the first."""
+    found = np.zeros_like(values)
+    for g in range(1, values.shape[1]):
+        found[:, g] = values[:, g - 1]
+    return found
+
+
+def _deadline(s: ResolvedForWorld, horizon: float, softness: float, gamma: float) -> np.ndarray:
     """Discount times deadline on every row, ``(K,)``; hard: the rows whose time lies before T - 1/2."""
     times = np.array([row * s.time_step for row in range(s.steps)])
     if softness == 0.0:
         counted = (times < horizon - 0.5 - 1e-9).astype(float)
     else:
         counted = sigmoid((horizon - 0.5 - times) / (softness * horizon))
-    return counted * s.acting_gamma**times
+    return counted * gamma**times
 
 
 def _normalised(inverse: np.ndarray, differences: np.ndarray, survival: np.ndarray, s: ResolvedForWorld) -> np.ndarray:
@@ -551,7 +618,7 @@ def _first_best(values: np.ndarray, scale: float) -> int:
     return int(np.flatnonzero(values >= values.max() - _tie(values.max(), scale))[0])
 
 
-def _check(s: ResolvedForWorld) -> None:
+def _check(s: ResolvedForWorld, actions: int) -> None:
     """Refuses what no study holds.
 
     Raises:
@@ -559,16 +626,26 @@ def _check(s: ResolvedForWorld) -> None:
     """
     if s.steps > MOST_STEPS or s.thetas > MOST_THETAS or s.gammas > MOST_GAMMAS:
         raise InputError(f"a study holds at most {MOST_STEPS} steps, {MOST_THETAS} thetas and {MOST_GAMMAS} gammas.")
+    if s.fold:
+        columns = actions * (s.thetas if s.normalise == "paper" else 2)
+        if s.steps**2 * (len(discounts(s)) ** 2 + columns) > MOST_FOLDED:
+            raise InputError(f"the inverses of all horizons may hold at most {MOST_FOLDED:,} numbers.")
 
 
 # --- the single settings ---
 
 
-def single_settings(view: View) -> Iterator[dict[str, Any]]:
-    """Every change of one setting that is tried, the cheap ones first; changes that change nothing are left out."""
+def single_settings(view: View, thetas: np.ndarray | None = None) -> Iterator[dict[str, Any]]:
+    """Every change of one setting that is tried, the cheap ones first; changes that change nothing are left out.
+
+    Args:
+        thetas: the thresholds of the view, ``(H,)``, where they are not those of its settings alone.
+    """
     s, world = view.settings, view.world
     simple = (
         ("normalise", "none"), ("policy", "shared"), ("noise", 0.0), ("softness", 0.0), ("theta_spacing", "uniform"),
+        ("fold", False), ("shift", False), ("clip", False), ("value_gamma", s.acting_gamma),
+        *((("deadline", "time_to_go"),) if s.used else ()),
     )  # fmt: skip
     for name, value in simple:
         if getattr(s, name) != value:
@@ -576,26 +653,26 @@ def single_settings(view: View) -> Iterator[dict[str, Any]]:
     preset = PRESETS.get(world.source)
     if preset and any(p.name == "auxiliary" for p in preset.parameters) and not dict(s.params).get("auxiliary", False):
         yield {"param:auxiliary": True}
-    yield from _reward_axis(s, np.unique(world.reward))
+    yield from _reward_axis(s, np.unique(world.reward), sensitivities(s) if thetas is None else thetas)
     yield from _discount_axis(s)
     if s.time_step < 1.0:
         yield {"time_step": 1.0, "steps": math.ceil(_horizons(s)[-1] - 1e-9)}
     for alpha in ALPHAS:
         if alpha != s.alpha:
             yield {"alpha": alpha}
-    for steps in dict.fromkeys(min(MOST_STEPS, s.steps * 2**doublings) for doublings in range(1, 12)):
+    for steps in () if s.fold else dict.fromkeys(min(MOST_STEPS, s.steps * 2**doublings) for doublings in range(1, 12)):
         most = world.n_actions * s.thetas * max(s.gammas, steps)
         if steps > s.steps and most <= MOST_NUMBERS:
             yield {"steps": steps}
 
 
-def _reward_axis(s: ResolvedForWorld, rewards: np.ndarray) -> Iterator[dict[str, Any]]:
+def _reward_axis(s: ResolvedForWorld, rewards: np.ndarray, grid: np.ndarray) -> Iterator[dict[str, Any]]:
     over = max(0.2 * float(rewards[-1] - rewards[0]), 8.0 / s.slope)
     low, high = min(s.theta_min, float(rewards[0]) - over), max(s.theta_max, float(rewards[-1]) + over)
     if low < s.theta_min or high > s.theta_max:
         thetas = math.ceil((s.thetas - 1) * (high - low) / (s.theta_max - s.theta_min) - 1e-9) + 1
         yield {"theta_min": low, "theta_max": high, "thetas": min(MOST_THETAS, max(s.thetas, thetas))}
-    gentle = 2.35 / float(np.diff(sensitivities(s)).max())
+    gentle = 2.35 / float(np.diff(grid).max())
     if s.slope > 1.1 * gentle:
         yield {"slope": gentle}
     if rewards.size > 1:
@@ -606,6 +683,9 @@ def _reward_axis(s: ResolvedForWorld, rewards: np.ndarray) -> Iterator[dict[str,
 
 
 def _discount_axis(s: ResolvedForWorld) -> Iterator[dict[str, Any]]:
+    if s.paper_grid:
+        yield {"paper_grid": False}
+        return
     for spacing in ("inverse-log", "log", "linear", "paper"):
         if spacing != s.spacing:
             yield {"spacing": spacing}

@@ -8,18 +8,23 @@ of another kind.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
+from laplace_core.horizon import row_horizons
 from laplace_core.learning import finite_horizon_optimum
 from laplace_core.parameters import Parameter
 from laplace_core.settings import ResolvedForWorld, Settings, resolve
 from laplace_core.worlds import END, PRESETS, Outcome, World, load_world
 
 MOST_ROWS = 200
+SWITCHED = 0.25
+"""Share of the views with one to three of the lens's switches thrown."""
+VALUE_GAMMAS = (0.5, 0.8, 0.9, 0.95, 0.99, 0.999)
 
 
 @dataclass(frozen=True, eq=False)
@@ -49,7 +54,7 @@ def draw_view(rng: np.random.Generator) -> View:
     else:
         row = int(rng.integers(settings.steps if kind == 1 else reached))
     action = None if rng.random() < 0.7 else int(rng.integers(world.n_actions))
-    return View(world, settings, row, action)
+    return View(world, _switched(rng, settings, row), row, action)
 
 
 def _closest_decision(world: World, settings: ResolvedForWorld, rows: int) -> int:
@@ -150,6 +155,36 @@ def _log_uniform(rng: np.random.Generator, low: float, high: float) -> float:
 
 def _two_digits(x: float) -> float:
     return float(f"{x:.2g}")
+
+
+def _switched(rng: np.random.Generator, settings: ResolvedForWorld, row: int) -> ResolvedForWorld:
+    """The same settings, a quarter of them with one to three of the lens's switches thrown.
+
+    Drawn after all else, so that the other views of a seed are what they were before there were switches.
+    """
+    if rng.random() >= SWITCHED:
+        return settings
+    horizon = float(row_horizons(settings.steps, settings.time_step)[row])
+    switches: tuple[dict[str, Any], ...] = (
+        {"used": _used(rng, horizon)},
+        {"value_gamma": float(rng.choice([gamma for gamma in VALUE_GAMMAS if gamma != settings.acting_gamma]))},
+        {"fold": True},
+        {"shift": True},
+        {"clip": True},
+        {"paper_grid": True},
+        {"horizon": horizon},
+    )
+    chosen = rng.choice(len(switches), int(rng.integers(1, 4)), replace=False)
+    changes = {name: value for i in sorted(chosen) for name, value in switches[i].items()}
+    return replace(settings, **changes)
+
+
+def _used(rng: np.random.Generator, horizon: float) -> float:
+    """Steps of the episode that are over: whole ones, or a part of the horizon; some are left."""
+    whole = math.ceil(horizon) - 1
+    if whole >= 1 and rng.random() < 0.8:
+        return float(rng.integers(1, whole + 1))
+    return _two_digits(horizon * float(rng.uniform(0.1, 0.9)))
 
 
 # --- worlds: each comes with a length, about how many steps matter in it ---

@@ -126,7 +126,7 @@ def parse_learned(content: bytes, name: str = "the file", limit: int = MAX_BYTES
     shapes = {key: (_DTYPES.get(key, "F32"), shape) for key, shape in table_shapes(settings, world).items()}
     tensors = file.load(tuple(_NUMPY), shapes)
     low, high = bounds_of(world, settings) if settings.peers else (0.0, 0.0)
-    _check_ranges(tensors, world, settings, low, high)
+    _check_ranges(tensors, world, settings, low=low, high=high)
     basis, acting_values = tensors.pop("basis"), tensors.pop("acting_values")
     peers = PeerTables(**tensors, low=low, high=high) if settings.peers else None
     return Learned(world, settings, basis, acting_values, curves, metadata["finished"], peers)
@@ -194,7 +194,7 @@ def _curves(entry: object, settings: ResolvedLearning) -> tuple[Mapping[str, np.
 
 
 def _check_ranges(
-    tensors: Mapping[str, np.ndarray], world: World, settings: ResolvedLearning, low: float, high: float
+    tensors: Mapping[str, np.ndarray], world: World, settings: ResolvedLearning, *, low: float, high: float
 ) -> None:
     """Refuse what no learner can hold: every update is an average, and so stays within the bounds of what it learns."""
     for name, array in tensors.items():

@@ -6,22 +6,18 @@ preset, lines of progress, and a snapshot that is always whole.
 
 from __future__ import annotations
 
-import contextlib
 import json
 import os
-import subprocess
-import sys
 import threading
 from pathlib import Path
 
-from laplace_core import supervise
 from laplace_core.errors import InputError
 from laplace_core.learned.files import read_learned
 from laplace_core.learned.model import Learned
 from laplace_core.learned.settings import LEARN_SCHEMA, LearnSettings, resolve_learning
 from laplace_core.parameters import as_text
 from laplace_core.settings import flag
-from laplace_core.supervise import last_line, refusal_in
+from laplace_core.supervise import Worker, command
 from laplace_core.worlds import World, dump_world, load_world, parse_world
 
 PATIENCE = 0.7
@@ -49,12 +45,12 @@ def start(world: World | str, settings: LearnSettings, folder: str | Path) -> Ru
             words = [str(folder / "world.json")]
         for parameter in LEARN_SCHEMA:
             words += [flag(parameter), as_text(getattr(settings, parameter.name))]
-        files = [folder / name for name in ("learned.safetensors", "progress.jsonl", "errors.txt")]
-        words += ["--out", str(files[0]), "--progress", str(files[1]), "--parent", str(os.getpid())]
-        process = supervise.start([sys.executable, "-m", "laplace_core", "learn", *words], files[2])
+        learned, progress = folder / "learned.safetensors", folder / "progress.jsonl"
+        words += ["--out", str(learned), "--progress", str(progress), "--parent", str(os.getpid())]
+        worker = Worker.start(folder, command("learn", *words))
     except OSError as error:
         raise InputError(f"learning cannot start: {(error.strerror or 'unknown error').lower()}.") from None
-    return Run(process, *files)
+    return Run(worker, learned, progress)
 
 
 def _is_named(world: World) -> bool:
@@ -74,8 +70,8 @@ def _param(name: str, value: object) -> list[str]:
 class Run:
     """A learning process and what it has written so far; every method returns at once but ``cancel``."""
 
-    def __init__(self, process: subprocess.Popen[bytes], learned: Path, progress: Path, errors: Path):
-        self._process, self._learned, self._progress, self._errors = process, learned, progress, errors
+    def __init__(self, worker: Worker, learned: Path, progress: Path):
+        self._worker, self._learned, self._progress = worker, learned, progress
         self._lock = threading.Lock()  # a page may be drawn twice at a time
         self._seen: tuple[tuple[int, ...], Learned] | None = None
         self._lines: list[dict[str, object]] = []
@@ -85,7 +81,7 @@ class Run:
     @property
     def finished(self) -> bool:
         """Whether the process has ended, for whatever reason."""
-        return self._process.poll() is not None
+        return self._worker.ended
 
     @property
     def cancelled(self) -> bool:
@@ -94,11 +90,12 @@ class Run:
     @property
     def error(self) -> str | None:
         """One sentence if the process ended by itself without finishing."""
-        status = self._process.poll()
-        if status in (None, 0) or self._cancelled:
+        end = self._worker.end
+        if end is None or end.status == 0 or self._cancelled:
             return None
-        return refusal_in(last_line(self._errors)) or (
-            f"learning ended unexpectedly, with status {status}; start it again, with fewer seeds if memory was short."
+        return end.refusal or (
+            f"learning ended unexpectedly, with status {end.status}; "
+            "start it again, with fewer seeds if memory was short."
         )
 
     def history(self) -> list[dict[str, object]]:
@@ -137,6 +134,4 @@ class Run:
         if self.finished:
             return
         self._cancelled = True
-        supervise.Process.of(self._process.pid).end(PATIENCE)
-        with contextlib.suppress(subprocess.TimeoutExpired):
-            self._process.wait(PATIENCE)
+        self._worker.stop(PATIENCE)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import re
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
@@ -12,7 +11,7 @@ from laplace_core.agents.settings import LoopSettings
 from laplace_core.atomic import write_whole
 from laplace_core.errors import InputError
 from laplace_core.strict_json import parse_json
-from laplace_core.supervise import last_line, read_small, refusal_in
+from laplace_core.supervise import read_small
 from laplace_core.training.run_folder import RUN_NAME, settings_from_json
 
 _MOST_CONFIG = 100_000  # bytes
@@ -47,18 +46,6 @@ def read_job(path: Path) -> Job:
 
 def write_job(path: Path, job: Job) -> None:
     write_whole(path / "job.json", json.dumps(vars(job)).encode())
-
-
-def error_in(path: Path) -> str | None:
-    """The last line of what the process complained about, as one sentence; None if it did not end by an error."""
-    last = last_line(path / "errors.txt")
-    if refused := refusal_in(last):
-        return refused
-    fault = re.match(r"[A-Za-z_][\w.]*(Error|Exception)\b(: )?", last)
-    if not fault:
-        return None
-    words = last[fault.end() :].rstrip(".") or "a fault of the program"
-    return f"training broke off: {words}; errors.txt in the run's folder says more."
 
 
 def run_folders(folder: Path) -> list[Path]:

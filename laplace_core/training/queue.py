@@ -11,9 +11,6 @@ import contextlib
 import errno
 import os
 import shutil
-import signal
-import subprocess
-import sys
 import threading
 import time
 from collections.abc import Iterator
@@ -24,10 +21,9 @@ from filelock import FileLock
 
 from laplace_core.agents.settings import LoopSettings
 from laplace_core.errors import InputError
-from laplace_core.supervise import Process, read_process, start, write_process
-from laplace_core.supervise.process import PATIENCE
+from laplace_core.supervise import End, Worker, command, end_in, read_process
 from laplace_core.training.command import name_of
-from laplace_core.training.job import Job, born_at, error_in, is_run, read_job, run_folders, settings_in, write_job
+from laplace_core.training.job import Job, born_at, is_run, read_job, run_folders, settings_in, write_job
 from laplace_core.training.run_folder import RUN_NAME, new_run
 
 MOST_TRAINING = 2
@@ -35,7 +31,6 @@ MOST_WAITING = 20
 EVERY = 0.4
 """Seconds between two looks at the runs, while one trains or waits."""
 _MOST_BUFFER = 2_000_000_000
-_ASKED_TO_END = (-signal.SIGTERM, -signal.SIGINT, 128 + signal.SIGTERM, 128 + signal.SIGINT)
 
 WAITING, TRAINING, FINISHED, STOPPED, FAILED = "waiting", "training", "finished", "stopped", "failed"
 
@@ -73,7 +68,7 @@ class Queue:
 
     def __init__(self, folder: str | Path, most: int = MOST_TRAINING):
         self.folder, self._most = Path(folder), most
-        self._children: dict[str, subprocess.Popen[bytes]] = {}
+        self._workers: dict[str, Worker] = {}
         self._new = True
         self._turn = threading.RLock()
         self._thread: threading.Thread | None = None
@@ -176,13 +171,11 @@ class Queue:
             run = self.get(name)
             if run.going:
                 write_job(run.folder, Job("stop", 0))
-            process = read_process(run.folder)
-        if process is not None:
-            process.end()
-        child = self._children.pop(name, None)
-        if child is not None:
-            with contextlib.suppress(subprocess.TimeoutExpired):
-                child.wait(PATIENCE)
+            # Ours, and the one that another server has started since.
+            workers = [self._workers.pop(name, None), Worker.noted(run.folder)]
+        for worker in workers:
+            if worker is not None:
+                worker.stop()
         self.wake()
 
     def remove(self, name: str) -> None:
@@ -234,37 +227,43 @@ class Queue:
 
     def _settle(self, path: Path) -> None:
         """Note the end of a process: failed by itself, or, where nobody watched, cut off and to be begun again."""
-        child = self._children.get(path.name)
-        status = None if child is None else child.poll()
-        if child is not None and status is not None:
-            self._children.pop(path.name, None)
+        worker = self._workers.get(path.name)
+        end = None if worker is None else worker.end
+        if end is not None:
+            del self._workers[path.name]
         run, job = self._look(path)
         if job.wanted == "later" and self._new:
             write_job(path, Job("run", job.ticket))
         if run.state != WAITING or not job.begun:
             return
-        if child is not None and status is None:
+        if worker is not None and end is None:
             return  # it is ending: its note of itself goes before it does
-        if status in _ASKED_TO_END:
+        end = end or end_in(path)
+        if end.asked:
             write_job(path, Job("later", job.ticket))
             return
-        error = error_in(path)
-        if child is not None:
-            if error is None and status is not None and status < 0:
-                error = f"its process was killed (signal {-status}); resume it, smaller if memory was short."
-            error = error or f"its process ended too early, with status {status}; resume it."
+        error = _why(end)
         write_job(path, Job("run", job.ticket) if error is None else Job("fail", 0, error=error))
 
     def _start(self, run: Run) -> None:
         write_job(run.folder, Job("run", read_job(run.folder).ticket, begun=True))
-        child = start(_command(run.folder.resolve()), run.folder / "errors.txt")
-        self._children[run.name] = child
-        write_process(run.folder, Process.of(child.pid))
+        self._workers[run.name] = Worker.start(run.folder, _command(run.folder.resolve()))
 
 
 def _command(folder: Path) -> list[str]:
     """To resume a run that has not begun is to begin it."""
-    return [sys.executable, "-m", "laplace_core", "train", "--resume", str(folder)]
+    return command("train", "--resume", str(folder))
+
+
+def _why(end: End) -> str | None:
+    """Why a run broke off, as one sentence; None if it was cut off unseen and complained about nothing."""
+    if end.refusal:
+        return end.refusal
+    if end.fault:
+        return f"training broke off: {end.fault}; errors.txt in the run's folder says more."
+    if end.signal is not None:
+        return f"its process was killed (signal {end.signal}); resume it, smaller if memory was short."
+    return None if end.status is None else f"its process ended too early, with status {end.status}; resume it."
 
 
 def check_trainable(settings: LoopSettings) -> None:

@@ -10,6 +10,7 @@ import io
 import json
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -139,7 +140,7 @@ def said_along(agent: Agent, rollout: Rollout) -> dict[str, np.ndarray]:
     """
     if isinstance(agent, HasTimeToGo):
         names: tuple[str, ...] = ("horizon_values",)
-        read: Callable[[np.ndarray], tuple[np.ndarray, ...]] = lambda some: (agent.action_values(some),)  # noqa: E731
+        read: Callable[[np.ndarray], tuple[np.ndarray, ...]] = partial(_horizon_values, agent)
     elif isinstance(agent, HasReturnDistribution):
         names, read = ("locations", "masses"), agent.return_distributions
     else:
@@ -151,6 +152,10 @@ def said_along(agent: Agent, rollout: Rollout) -> dict[str, np.ndarray]:
     parts = [read(rollout.observations[i : min(i + _AT_ONCE, len(rollout))]) for i in starts]
     columns = zip(*parts, strict=True)
     return {name: np.concatenate(each).astype(np.float32) for name, each in zip(names, columns, strict=True)}
+
+
+def _horizon_values(agent: Agent, observations: np.ndarray) -> tuple[np.ndarray, ...]:
+    return (agent.action_values(observations),)
 
 
 def return_quantiles(said: Mapping[str, np.ndarray], actions: np.ndarray) -> np.ndarray | None:
