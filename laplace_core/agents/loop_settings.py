@@ -9,14 +9,9 @@ from typing import Any, ClassVar
 
 import numpy as np
 
+from laplace_core.environments import ENVIRONMENTS
 from laplace_core.errors import InputError
 from laplace_core.parameters import Schema, choice, parse_named, schema_of, setting, switch
-from laplace_core.worlds import PRESETS, TOY_TEXT
-
-GYMNASIUM_ENVIRONMENTS = ("CartPole-v1", "Acrobot-v1", "LunarLander-v3", "MountainCar-v0", "CartPole-v0")
-"""What gymnasium brings along with discrete actions and numbers, not pixels, as observations."""
-ENVIRONMENTS = (*GYMNASIUM_ENVIRONMENTS, *PRESETS, *(f"gym:{name}" for name in TOY_TEXT))
-"""Every environment that can be trained on and that a checkpoint may name: no others are ever built."""
 
 
 @dataclass(frozen=True)

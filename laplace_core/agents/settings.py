@@ -7,7 +7,7 @@ schema of each class.
 from __future__ import annotations
 
 from laplace_core.agents.laplace_settings import LaplaceSettings
-from laplace_core.agents.loop_settings import ENVIRONMENTS, GYMNASIUM_ENVIRONMENTS, LOOP_SCHEMA, LoopSettings
+from laplace_core.agents.loop_settings import LOOP_SCHEMA, LoopSettings
 from laplace_core.agents.peer_settings import (
     C51Settings,
     DqnSettings,
@@ -15,9 +15,10 @@ from laplace_core.agents.peer_settings import (
     FixedHorizonSettings,
     QrdqnSettings,
 )
+from laplace_core.environments import ENVIRONMENTS
 
 __all__ = [
-    "ENVIRONMENTS", "GYMNASIUM_ENVIRONMENTS", "LOOP_SCHEMA", "SETTINGS", "C51Settings", "DqnSettings",
+    "ENVIRONMENTS", "LOOP_SCHEMA", "SETTINGS", "C51Settings", "DqnSettings",
     "ExpectileSettings", "FixedHorizonSettings", "LaplaceSettings", "LoopSettings", "QrdqnSettings",
 ]  # fmt: skip
 

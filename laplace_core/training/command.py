@@ -16,13 +16,12 @@ import numpy as np
 
 from laplace_core.agents.capabilities import HasAtoms
 from laplace_core.agents.settings import (
-    ENVIRONMENTS,
-    GYMNASIUM_ENVIRONMENTS,
     SETTINGS,
     LaplaceSettings,
     LoopSettings,
 )
 from laplace_core.encoding import PAPER_GAMMAS
+from laplace_core.environments import ENVIRONMENTS, GYMNASIUM_ENVIRONMENTS
 from laplace_core.errors import InputError
 from laplace_core.learned.returns import return_bounds
 from laplace_core.parameters import as_text
