@@ -150,7 +150,7 @@ def sides(control: Control) -> tuple[str, str]:
         return left, right
     if control.left.algorithm == control.right.algorithm:
         return f"{left}, other agent", right
-    codes = (checkpoints.ALGORITHMS[side.algorithm] for side in (control.left, control.right))
+    codes = (side.settings.TITLE for side in (control.left, control.right))
     left_code, right_code = codes
     return f"{left_code}: {left}", f"{right_code}: {right}"
 
