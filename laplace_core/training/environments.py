@@ -65,9 +65,10 @@ def make(name: str, *, pictures: bool = False, limited: bool = True) -> gymnasiu
     try:
         if listed.module:
             importlib.import_module(listed.module)
-        mode = "rgb_array" if pictures and _draws(name) else None
+        # An environment that draws nothing need not know the word render_mode.
+        drawing = {"render_mode": "rgb_array"} if pictures and _draws(name) else {}
         most = (limited and listed.time_limit) or -1  # gymnasium's word for no limit
-        return gymnasium.make(name, disable_env_checker=True, render_mode=mode, max_episode_steps=most)
+        return gymnasium.make(name, disable_env_checker=True, max_episode_steps=most, **drawing)
     except gymnasium.error.DependencyNotInstalled:
         how = "see what its package asks for" if listed.module else "pip install 'gymnasium[box2d]'"
         raise InputError(f"{name} needs packages that are not installed: {how}.") from None
@@ -79,7 +80,8 @@ def _draws(name: str) -> bool:
     """Whether an environment of gymnasium makes pictures; those that say nothing of it make none."""
     entry = gymnasium.spec(name).entry_point
     creator = load_env_creator(entry) if isinstance(entry, str) else entry
-    return "rgb_array" in getattr(creator, "metadata", {}).get("render_modes", ())
+    metadata = getattr(creator, "metadata", None)
+    return isinstance(metadata, dict) and "rgb_array" in metadata.get("render_modes", ())
 
 
 def spec(name: str) -> Spec:
