@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import inspect
 import json
 import shutil
 
@@ -82,6 +83,32 @@ def assert_in_the_recipe(files):
     recipes = (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8")
     for file in files:
         assert file in recipes or f"{file.rpartition('/')[0]}/NAME.py" in recipes, file
+
+
+LAST_ENTRY = '    "last": Rule(last_action, lambda agent: agent.n_actions > 1),\n'
+LAST_WORDS = '    "last": ("for T: always the last action", "last action"),\n'
+
+
+def test_a_rule_of_control_in_its_two_files(workshop):
+    rules = "laplace_core/training/rules.py"
+    workshop.insert(rules, "@dataclass(frozen=True)\nclass Rule:", f"{inspect.getsource(last_action)}\n\n")
+    workshop.insert(rules, '    "own": Rule(', LAST_ENTRY)
+    workshop.insert("app/rolled.py", '    "random": (', LAST_WORDS)
+    assert workshop.touched() == ["app/rolled.py", rules]
+    assert_in_the_recipe(workshop.touched())
+
+    (workshop.root / "checkpoints").mkdir()
+    path = workshop.root / "checkpoints" / "laplace_two_branch.safetensors"
+    save_checkpoint(path, laplace(), 0, None)
+    said = json.loads(workshop.laplace("evaluate", str(path), "--rule", "last", "--horizon", "3", "--json"))
+    assert said["rule"] == "last"
+    episode, race = workshop.pages(
+        ("agents", {"checkpoint": path.stem, "r.shown": "yes", "r.rule": "last"}),
+        ("race", {"checkpoint": path.stem, "d.right": "last", "d.T": "3"}),
+    )
+    assert "for T: always the last action" in episode["options"]["r.rule"]
+    assert any("player" in name for name in episode["components"])
+    assert any("last action" in words for words in race["verdict"])
 
 
 SWITCH_PACKAGE = """
