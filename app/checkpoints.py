@@ -16,17 +16,13 @@ from app import training_runs
 from app.sources import Observed
 from laplace_core import InputError
 from laplace_core.agents.capabilities import HasGammaSpace
-from laplace_core.agents.settings import ENVIRONMENTS, SETTINGS
+from laplace_core.agents.settings import ENVIRONMENTS, SETTINGS, algorithm_title
 from laplace_core.experiments.shipping import TrainingCurve, curves_of, manifest
 from laplace_core.interpolation import with_added
 from laplace_core.training.checkpoint import Loaded, load_checkpoint
 
 SHIPPED = Path(__file__).resolve().parent.parent / "checkpoints"
 RUN = "run:"  # prefix of the names of those that were trained here
-ALGORITHMS = {
-    "laplace": "Laplace", "c51": "C51", "qrdqn": "QR-DQN", "expectile": "expectile", "dqn": "DQN",
-    "fixed_horizon": "fixed horizon",
-}  # fmt: skip
 
 
 @cache
@@ -46,7 +42,8 @@ def _place(name: str) -> tuple[int, int, str]:
 
 
 def _parts(name: str) -> tuple[str, str]:
-    algorithm = next((each for each in SETTINGS if name.startswith(f"{each}_")), "")
+    # The longest, because the name of one algorithm may begin with that of another.
+    algorithm = max((each for each in SETTINGS if name.startswith(f"{each}_")), key=len, default="")
     return algorithm, name.removeprefix(f"{algorithm}_")
 
 
@@ -57,11 +54,11 @@ def title(name: str) -> str:
     if name.startswith(RUN):
         return f"run: {name.removeprefix(RUN).replace('_', ' ')}"
     algorithm, environment = _parts(name)
-    return f"{plain(environment)} · {ALGORITHMS.get(algorithm, algorithm)}"
+    return f"{plain(environment)} · {algorithm_title(algorithm)}"
 
 
 def titled(loaded: Loaded) -> str:
-    return f"{plain(loaded.environment)} · {ALGORITHMS[loaded.algorithm]}"
+    return f"{plain(loaded.environment)} · {loaded.settings.TITLE}"
 
 
 def plain(environment: str) -> str:

@@ -12,7 +12,7 @@ from app.rolled import name_of
 from laplace_core import InputError, Settings
 from laplace_core.agents.agent import Agent
 from laplace_core.agents.capabilities import HasDiscounts
-from laplace_core.agents.settings import GYMNASIUM_ENVIRONMENTS
+from laplace_core.environments import GYMNASIUM_ENVIRONMENTS
 from laplace_core.parameters import Parameter
 from laplace_core.settings import resolve
 from laplace_core.training import environments, rules
@@ -30,13 +30,6 @@ FIRST_AGENT = "laplace_LunarLander-v3"
 """What a visitor without a link sees: an environment in which a deadline matters."""
 USUAL_HORIZON, USUAL_COUNT = 50, 100
 _STOPS = (1, 2, 3, 4, 5, 6, 8, 10, 15, 20, 25, 30, 40, 50, 60, 80, 100, 125, 150, 200, 250, 300, 400, 500, 700, 1000)
-
-REMARKS = {
-    "CartPole-v1": "Every step pays 1 while the pole stands: what is best hardly depends on the deadline.",
-    "Acrobot-v1": "Every step costs 1 until the tip is up: the fastest way is best for any deadline that it makes.",
-}
-REMARKS["CartPole-v0"] = REMARKS["CartPole-v1"]
-REMARKS["MountainCar-v0"] = "Every step costs 1 until the flag: the fastest way is best for any deadline that it makes."
 
 
 def opening() -> dict[str, Any]:
@@ -157,7 +150,7 @@ def sides(control: Control) -> tuple[str, str]:
         return left, right
     if control.left.algorithm == control.right.algorithm:
         return f"{left}, other agent", right
-    codes = (checkpoints.ALGORITHMS[side.algorithm] for side in (control.left, control.right))
+    codes = (side.settings.TITLE for side in (control.left, control.right))
     left_code, right_code = codes
     return f"{left_code}: {left}", f"{right_code}: {right}"
 

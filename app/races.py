@@ -8,7 +8,7 @@ from typing import Any
 from app.background import Told, Work
 from app.shelf import Shelf
 from app.track.payload import payload
-from laplace_core.agents.settings import GYMNASIUM_ENVIRONMENTS
+from laplace_core.environments import GYMNASIUM_ENVIRONMENTS
 from laplace_core.training.checkpoint import Loaded
 from laplace_core.training.race import Entrant, Race, Races, race, races
 

@@ -9,21 +9,19 @@ from app.background import Told, Work
 from app.shelf import Shelf
 from laplace_core.agents.agent import Agent
 from laplace_core.training.checkpoint import Loaded
-from laplace_core.training.return_laws import SimulatedReturns, has_return_law, simulate_returns
+from laplace_core.training.return_laws import SimulatedReturns, has_return_law, says_more_than_a_mean, simulate_returns
 from laplace_core.training.rollout import Rollout
 
 MOST_KEPT = 16
 """Comparisons, of a few kilobytes each."""
-BESIDE = ("laplace", "c51", "qrdqn", "expectile")
-"""Algorithms whose shipped agents stand beside the opened one: those that say more than a mean."""
 
 Returned = Work[tuple[SimulatedReturns, ...]]
 _kept: Shelf[Returned] = Shelf(MOST_KEPT)
 
 
 def beside(loaded: Loaded) -> list[Loaded]:
-    """The opened agent, and then those that ship for its environment."""
-    others = [other for other in checkpoints.same_environment(loaded) if other.algorithm in BESIDE]
+    """The opened agent, and then those that ship for its environment and say more than a mean."""
+    others = [other for other in checkpoints.same_environment(loaded) if says_more_than_a_mean(other.agent)]
     own = [loaded] if has_return_law(loaded.agent) else []
     return own + [other for other in others if not _same(other, loaded)]
 

@@ -9,7 +9,7 @@ import numpy as np
 from app.background import Told, Work
 from app.player.payload import payload
 from app.shelf import Shelf
-from laplace_core.agents.settings import GYMNASIUM_ENVIRONMENTS
+from laplace_core.environments import GYMNASIUM_ENVIRONMENTS
 from laplace_core.training.checkpoint import Loaded
 from laplace_core.training.return_laws import said_along
 from laplace_core.training.rollout import Rollout, longest, roll_out

@@ -15,7 +15,7 @@ from app.observations import Scene, scene_of
 from app.query import VIEW
 from app.sources import View
 from laplace_core import InputError, Settings, load_world
-from laplace_core.agents.settings import GYMNASIUM_ENVIRONMENTS
+from laplace_core.environments import GYMNASIUM_ENVIRONMENTS
 from laplace_core.parameters import Parameter
 from laplace_core.settings import BY_NAME, ENCODING_NAMES, resolve, resolve_for_gamma_space
 from laplace_core.training.checkpoint import Loaded

@@ -33,19 +33,6 @@ _BY_NAME = {parameter.name: parameter for parameter in FORM}
 _SHOWN_OWN = 8  # settings that only this algorithm has, the grids first: what a run is about
 _SHOWN_LOOP = ("steps", "learning_rate")
 
-ALGORITHMS = {
-    "laplace": "Laplace DQN",
-    "dqn": "DQN",
-    "c51": "C51",
-    "qrdqn": "QR-DQN",
-    "expectile": "Expectile DQN",
-    "fixed_horizon": "Fixed horizons",
-}
-
-
-def algorithm_title(name: str) -> str:
-    return ALGORITHMS.get(name, name.replace("_", " "))
-
 
 def fields(algorithm: str) -> tuple[list[Parameter], list[Parameter]]:
     """The settings of an algorithm: the handful that matter, and all others; seed and environment in neither."""

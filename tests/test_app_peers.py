@@ -10,7 +10,7 @@ from streamlit.testing.v1 import AppTest
 
 from app import checkpoints, returned
 from laplace_core import InputError
-from laplace_core.agents.settings import SETTINGS
+from laplace_core.agents.settings import SETTINGS, algorithm_title
 from laplace_core.experiments.shipping import TrainingCurve
 from laplace_core.training.checkpoint import load_checkpoint, new_agent, save_checkpoint
 from laplace_core.training.return_laws import return_laws, simulate_returns
@@ -66,9 +66,9 @@ def test_all_that_ships_is_listed_those_with_many_discounts_first(shipped):
     )  # fmt: skip
     page = opened()
     assert page.selectbox(key="checkpoint").options[:3] == [
-        "CartPole · Laplace", "two_branch · Laplace", "CartPole · QR-DQN",
+        "CartPole · Laplace DQN", "two_branch · Laplace DQN", "CartPole · QR-DQN",
     ]  # fmt: skip
-    assert page.selectbox(key="checkpoint").options[-1] == "two_branch · fixed horizon"
+    assert page.selectbox(key="checkpoint").options[-1] == "two_branch · Fixed-horizon DQN"
 
 
 @pytest.mark.parametrize("algorithm", PEERS)
@@ -76,7 +76,7 @@ def test_a_peer_has_its_card_its_player_and_what_it_has_learned(shipped, algorit
     page = rolled_out(checkpoint=f"{algorithm}_{WORLD}", **{"r.shown": "yes", "r.seed": "2"})
     assert not page.error
     assert not page.warning
-    assert checkpoints.ALGORITHMS[algorithm] in words(page)
+    assert algorithm_title(algorithm) in words(page)
     assert "21.5 over 20 episodes" in words(page)
     assert told(page, "player")["at"] == 0
     drawn = charts(page)
@@ -97,8 +97,8 @@ def test_a_peer_has_its_card_its_player_and_what_it_has_learned(shipped, algorit
     # The four that say more than a mean, and the opened one where it says anything of the whole return.
     panels = [note["text"] for note in drawn["codes"]["layout"]["annotations"]]
     assert len(panels) == (5 if algorithm == "dqn" else 4)
-    assert "<b>Laplace, if steps were independent</b>" in panels
-    assert "<b>expectile, imputed</b>" in panels
+    assert "<b>Laplace DQN, if steps were independent</b>" in panels
+    assert "<b>Expectile DQN, imputed</b>" in panels
 
 
 def test_without_a_rollout_a_state_is_edited(shipped):
@@ -150,7 +150,7 @@ def test_where_nothing_is_by_chance_one_line_says_all(shipped):
 def test_a_laplace_agent_has_the_codes_under_its_lens(shipped):
     page = rolled_out(checkpoint="laplace_CartPole-v1", **{"r.shown": "yes", "alpha": "0.1"})
     panels = [note["text"] for note in charts(page)["codes"]["layout"]["annotations"]]
-    assert panels == ["<b>Laplace, if steps were independent</b>", "<b>QR-DQN</b>"]
+    assert panels == ["<b>Laplace DQN, if steps were independent</b>", "<b>QR-DQN</b>"]
     assert "at α 0.1" in words(page)
 
 
@@ -165,7 +165,7 @@ def test_a_file_of_a_peer_is_opened_and_stands_beside_what_ships(shipped, tmp_pa
     assert page.selectbox(key="checkpoint").options[-1] == "opened file: CartPole · QR-DQN"
     assert "not evaluated" in words(page)
     panels = [note["text"] for note in charts(page)["codes"]["layout"]["annotations"]]
-    assert panels == ["<b>QR-DQN (opened)</b>", "<b>Laplace, if steps were independent</b>", "<b>QR-DQN</b>"]
+    assert panels == ["<b>QR-DQN (opened)</b>", "<b>Laplace DQN, if steps were independent</b>", "<b>QR-DQN</b>"]
 
 
 @pytest.mark.parametrize(

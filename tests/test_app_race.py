@@ -149,7 +149,7 @@ def test_another_agent_can_be_the_left_side(shipped):
     gammas = load_checkpoint(shipped / "laplace_CartPole-v1.safetensors").agent.gammas
     assert told(page)[0]["names"][0] == f"greedy (γ {gammas[abs(gammas - 0.5).argmin()]:.3g})"
     box = next(box for box in page.selectbox if box.label == "Agent of the left side")
-    assert box.options == ["the same agent", "CartPole-v1_other · Laplace"]
+    assert box.options == ["the same agent", "CartPole-v1_other · Laplace DQN"]
     box.set_value("laplace_CartPole-v1_other")
     settled(page)
     assert link(page) == {"checkpoint": "laplace_CartPole-v1", "d.T": "30", "d.against": "laplace_CartPole-v1_other"}
@@ -163,15 +163,15 @@ def test_another_agent_can_be_the_left_side(shipped):
 def test_an_agent_without_a_gamma_space_races_on_either_side(shipped, algorithm):
     saved(shipped / f"{algorithm}_CartPole-v1.safetensors", SETTINGS[algorithm](hidden=8))
     checkpoints.shipped.cache_clear()
-    name, rule = {"c51": ("C51", "greedy"), "fixed_horizon": ("fixed horizon", "own")}[algorithm]
+    name, rule = {"c51": ("C51", "greedy"), "fixed_horizon": ("Fixed-horizon DQN", "own")}[algorithm]
     page = opened(checkpoint="laplace_CartPole-v1", d_T="9", d_against=f"{algorithm}_CartPole-v1", d_left=rule)
     words = {"greedy": "greedy", "own": "learned values"}[rule]
-    assert told(page)[0]["names"] == [f"{name}: {words}", "Laplace: fading deadline"]
+    assert told(page)[0]["names"] == [f"{name}: {words}", "Laplace DQN: fading deadline"]
     left, right = (load_checkpoint(shipped / f"{one}_CartPole-v1.safetensors").agent for one in (algorithm, "laplace"))
     wanted = race("CartPole-v1", Entrant(left, rule), Entrant(right, "fading"), 0, horizon=9, pictures=True)
     assert told(page)[1] == payload(wanted)
     page = opened(checkpoint=f"{algorithm}_CartPole-v1", d_T="9", d_against="laplace_CartPole-v1")
-    assert told(page)[0]["names"] == ["Laplace: greedy", f"{name}: {words}"]
+    assert told(page)[0]["names"] == ["Laplace DQN: greedy", f"{name}: {words}"]
 
 
 def test_an_agent_of_a_world_races_as_far_as_suits_it(shipped):

@@ -162,6 +162,7 @@ def test_the_values_of_a_peer_stand_against_what_came_at_its_one_discount(runs):
 def test_an_algorithm_without_many_discounts_has_one_picture_and_opens_as_well(runs, monkeypatch):
     class PlainSettings(LoopSettings):
         ALGORITHM = "plain"
+        TITLE = "Plain"
 
     monkeypatch.setitem(SETTINGS, "plain", PlainSettings)
     made(runs, "one", settings=PlainSettings())

@@ -11,7 +11,7 @@ from laplace_core.agents.settings import C51Settings, LaplaceSettings
 from laplace_core.cli import main
 from laplace_core.errors import InputError
 from laplace_core.training.checkpoint import new_agent, save_checkpoint
-from laplace_core.training.command import command_of, settings_of, unheard
+from laplace_core.training.command import command_of, settings_of
 from laplace_core.training.rules import RULES, Options
 from tests.hostile import assert_refused
 
@@ -118,7 +118,7 @@ def test_a_setting_of_training_that_changes_nothing_is_refused(capsys, tmp_path,
 def test_the_command_of_a_run_never_holds_a_setting_that_changes_nothing():
     usual = settings_of("laplace", "two_branch", {})
     settings = usual.parse(usual.as_dict() | {"spacing": "paper", "gammas": 9, "priority_exponent": 0.1, "steps": 99})
-    assert {"gammas", "priority_exponent"} < set(unheard(settings))
+    assert {"gammas", "priority_exponent"} < set(settings.unheard())
     words = command_of(settings, "run")
     assert "--steps" in words
     assert "--gammas" not in words

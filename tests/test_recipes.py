@@ -1,21 +1,29 @@
-"""The recipe that stands in the place to be extended, followed with a toy example, is all that it takes."""
+"""Each recipe of CONTRIBUTING.md, followed with a toy example, is all that it takes."""
 
 from __future__ import annotations
 
+import inspect
 import json
+import shutil
 
 import numpy as np
 import pytest
 
 from app import raced, rolled
-from laplace_core.agents import LaplaceSettings
+from laplace_core.agents import SETTINGS, LaplaceSettings
 from laplace_core.agents.peer_settings import C51Settings
+from laplace_core.agents.registry import AGENTS
 from laplace_core.cli import main
 from laplace_core.training.checkpoint import load_checkpoint, new_agent, save_checkpoint
 from laplace_core.training.continuations import steps_known
 from laplace_core.training.race import race
 from laplace_core.training.rollout import roll_out
 from laplace_core.training.rules import RULES, Rule, rules_of, suited
+from tests.workshop import ROOT, Workshop
+
+SMALL = ("--steps", "400", "--hidden", "8", "--learning-starts", "50", "--buffer", "300", "--batch", "8",
+         "--evaluate-every", "200", "--evaluate-episodes", "2")  # fmt: skip
+"""Settings of a training that takes no time."""
 
 
 def last_action(agent, length, options):
@@ -63,3 +71,183 @@ def test_a_rule_of_control(toy, tmp_path, capsys):
 
 def test_no_rule_is_chosen_by_itself_but_those_that_suit(toy):
     assert suited(laplace(), 3) == "fading"
+
+
+@pytest.fixture
+def workshop(tmp_path):
+    return Workshop(tmp_path)
+
+
+def assert_in_the_recipe(files):
+    """Every file that was touched is one that CONTRIBUTING.md names, or new in a folder that it names."""
+    recipes = (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8")
+    for file in files:
+        assert file in recipes or f"{file.rpartition('/')[0]}/NAME.py" in recipes, file
+
+
+LAST_ENTRY = '    "last": Rule(last_action, lambda agent: agent.n_actions > 1),\n'
+LAST_WORDS = '    "last": ("for T: always the last action", "last action"),\n'
+
+
+def test_a_rule_of_control_in_its_two_files(workshop):
+    rules = "laplace_core/training/rules.py"
+    workshop.insert(rules, "@dataclass(frozen=True)\nclass Rule:", f"{inspect.getsource(last_action)}\n\n")
+    workshop.insert(rules, '    "own": Rule(', LAST_ENTRY)
+    workshop.insert("app/rolled.py", '    "random": (', LAST_WORDS)
+    assert workshop.touched() == ["app/rolled.py", rules]
+    assert_in_the_recipe(workshop.touched())
+
+    (workshop.root / "checkpoints").mkdir()
+    path = workshop.root / "checkpoints" / "laplace_two_branch.safetensors"
+    save_checkpoint(path, laplace(), 0, None)
+    said = json.loads(workshop.laplace("evaluate", str(path), "--rule", "last", "--horizon", "3", "--json"))
+    assert said["rule"] == "last"
+    episode, race = workshop.pages(
+        ("agents", {"checkpoint": path.stem, "r.shown": "yes", "r.rule": "last"}),
+        ("race", {"checkpoint": path.stem, "d.right": "last", "d.T": "3"}),
+    )
+    assert "for T: always the last action" in episode["options"]["r.rule"]
+    assert any("player" in name for name in episode["components"])
+    assert any("last action" in words for words in race["verdict"])
+
+
+SWITCH_PACKAGE = """
+import gymnasium
+import numpy as np
+from gymnasium.spaces import Box, Discrete
+
+
+class Switch(gymnasium.Env):
+    observation_space, action_space = Box(0.0, 1.0, (2,), np.float32), Discrete(2)
+
+    def reset(self, *, seed=None, options=None):
+        super().reset(seed=seed)
+        self.on = 0
+        return np.array([0.0, 1.0], np.float32), {}
+
+    def step(self, action):
+        self.on ^= int(action)
+        return np.array([self.on, 1 - self.on], np.float32), float(self.on), False, False, {}
+
+
+gymnasium.register("Switch-v0", Switch)
+"""
+
+SWITCH_ENTRY = """    "Switch-v0": Environment(
+        "Switch: keep the light on; reward 1 a step",
+        (Component("lit", "", 0.0, 1.0), Component("dark", "", 0.0, 1.0, 1.0)),
+        ("stay", "switch"),
+        time_limit=12,
+        module="toy_switch",
+    ),
+"""
+
+
+def test_an_environment(workshop):
+    (workshop.packages / "toy_switch.py").write_text(SWITCH_PACKAGE)
+    workshop.insert("laplace_core/environments.py", '    "CartPole-v0": replace(', SWITCH_ENTRY)
+    assert workshop.touched() == ["laplace_core/environments.py"]
+    assert_in_the_recipe(workshop.touched())
+
+    # Trained and evaluated by the command line.
+    workshop.laplace(
+        "train", "laplace", "Switch-v0", "--run", "runs/lights", "--gammas", "4", "--features", "4", *SMALL
+    )
+    said = json.loads(workshop.laplace("evaluate", "runs/lights/best.safetensors", "--episodes", "3", "--json"))
+    assert said["environment"] == "Switch-v0"
+    assert len(said["returns"]) == 3
+    assert max(said["returns"]) <= 12
+
+    # Offered by the form, opened, rolled out and raced on the pages.
+    agent = {"checkpoint": "run:lights"}
+    form, card, episode, race = workshop.pages(
+        ("train", {"environment": "Switch-v0"}), ("agents", agent), ("agents", agent | {"r.shown": "yes"}),
+        ("race", agent | {"d.T": "5"}),
+    )  # fmt: skip
+    assert "Switch-v0" in form["options"]["environment"]
+    assert "Switch: keep the light on; reward 1 a step" in card["captions"]
+    assert card["sliders"][:2] == ["lit", "dark"]
+    assert any("player" in name for name in episode["components"])
+    assert any("track" in name for name in race["components"])
+
+
+HUBER_AGENT = '''"""DQN with Huber's loss in place of the square."""
+
+from typing import ClassVar
+
+from torch import Tensor
+from torch.nn.functional import huber_loss
+
+from laplace_core.agents.dqn import DqnAgent
+from laplace_core.agents.peer_settings import HuberSettings
+
+
+class HuberAgent(DqnAgent):
+    settings_class: ClassVar[type[HuberSettings]] = HuberSettings
+
+    def loss(self, outputs: Tensor, locations: Tensor, masses: Tensor) -> Tensor:
+        errors = huber_loss(outputs.expand_as(locations), locations, reduction="none", delta=self.settings.delta)
+        return (masses * errors).sum(-1)
+'''
+
+HUBER_SETTINGS = '''@dataclass(frozen=True)
+class HuberSettings(DqnSettings):
+    """Settings of Huber DQN."""
+
+    delta: float = setting(1.0, 1e-3, 1e6, "Error from which on the loss grows linearly.")
+
+    ALGORITHM: ClassVar[str] = "dqn_huber"
+    TITLE: ClassVar[str] = "Huber DQN"
+
+    def numbers(self) -> str:
+        return f"the return up to errors of {self.delta:g}"
+
+
+'''
+
+
+HUBER_IMPORT = "from laplace_core.agents.huber import HuberAgent\n"
+
+
+def test_an_algorithm(workshop):
+    agents = "laplace_core/agents"
+    (workshop.root / agents / "huber.py").write_text(HUBER_AGENT)
+    workshop.insert(f"{agents}/peer_settings.py", "PEERS: tuple[", HUBER_SETTINGS)
+    workshop.insert(f"{agents}/peer_settings.py", "C51Settings, QrdqnSettings, Exp", "HuberSettings, ")
+    workshop.insert(f"{agents}/registry.py", "from laplace_core.agents.laplace", HUBER_IMPORT)
+    workshop.insert(f"{agents}/registry.py", "LaplaceAgent, C51Agent", "HuberAgent, ")
+    assert workshop.touched() == [f"{agents}/{name}.py" for name in ("huber", "peer_settings", "registry")]
+    assert_in_the_recipe(workshop.touched())
+
+    # Trained and evaluated by the command line, with a setting of its own.
+    workshop.laplace("train", "dqn_huber", "two_branch", "--run", "runs/mine", "--delta", "0.5", *SMALL)
+    said = json.loads(workshop.laplace("evaluate", "runs/mine/best.safetensors", "--episodes", "3", "--json"))
+    assert said["algorithm"] == "dqn_huber"
+    assert len(said["returns"]) == 3
+
+    # Offered by the form with that setting, listed, opened and raced by its title.
+    (workshop.root / "checkpoints").mkdir()
+    shutil.copy(
+        workshop.runs / "mine" / "best.safetensors", workshop.root / "checkpoints" / "dqn_huber_two_branch.safetensors"
+    )
+    form, card, race = workshop.pages(
+        ("train", {"algorithm": "dqn_huber", "run": "mine"}), ("agents", {"checkpoint": "run:mine", "r.shown": "yes"}),
+        ("race", {"checkpoint": "run:mine"}),
+    )  # fmt: skip
+    assert "Huber DQN" in form["options"]["algorithm"]
+    assert form["numbers"]["t.delta"] == 1.0
+    assert "two_branch · Huber DQN" in card["options"]["checkpoint"]
+    assert any(words.startswith("Huber DQN, seed 0") for words in card["captions"])
+    assert any("Outputs: the return up to errors of 0.5, discount 0.99." in words for words in card["captions"])
+    assert any("player" in name for name in card["components"])
+    assert any("track" in name for name in race["components"])
+
+
+def test_every_algorithm_says_for_itself_what_it_is_called():
+    """A class that only inherits them would go by the words of another."""
+    assert set(AGENTS) == set(SETTINGS)
+    for name, kind in SETTINGS.items():
+        assert AGENTS[name].settings_class is kind
+        assert {"ALGORITHM", "TITLE"} <= set(vars(kind))
+        assert kind().describe()
+    assert len({kind.TITLE for kind in SETTINGS.values()}) == len(SETTINGS)

@@ -7,7 +7,6 @@ import pytest
 
 from app import compute
 from app.checkpoints import checkpoint, observe
-from app.parts.card import _outputs
 from app.sources import Exact, FromFile, Learner, Subject, View, shipped_agent, state_in
 from laplace_core import GammaSpace, InputError, Settings, Study, load_world, study, study_of_gamma_space
 from laplace_core.learned.reading import study_settings
@@ -86,7 +85,8 @@ def test_an_agent_without_a_gamma_space_cannot_be_observed():
 
 def test_the_card_counts_what_the_network_gives():
     agent = checkpoint(LAPLACE).agent
-    words = _outputs(checkpoint(LAPLACE))
+    words = checkpoint(LAPLACE).settings.describe()
     assert words.startswith(f"{len(agent.gammas)} discounts to ")
     assert f" {len(agent.thetas)} sensitivities, " in words
-    assert _outputs(checkpoint("c51_CartPole-v1")).startswith(f"{checkpoint('c51_CartPole-v1').settings.atoms} atoms")
+    peer = checkpoint("c51_CartPole-v1").settings
+    assert peer.describe().startswith(f"{peer.atoms} atoms")

@@ -16,6 +16,7 @@ from laplace_core.agents.laplace import LaplaceAgent
 from laplace_core.agents.settings import ENVIRONMENTS, C51Settings
 from laplace_core.cli import main
 from laplace_core.encoding import discount_grid
+from laplace_core.environments import WORLD_TIME_LIMIT
 from laplace_core.errors import InputError
 from laplace_core.inverse import decode
 from laplace_core.learning import proxy_gamma_space, target_policies
@@ -72,7 +73,7 @@ def test_frozen_lake_lasts_as_long_as_gymnasium_lets_it():
 @pytest.mark.parametrize("name", [name for name in ENVIRONMENTS if name.startswith("gym:")])
 def test_gymnasiums_own_time_limits_hold(name):
     own = gymnasium.spec(name.removeprefix("gym:")).max_episode_steps
-    assert environments.spec(name).time_limit == (own or environments.WORLD_TIME_LIMIT)
+    assert environments.spec(name).time_limit == (own or WORLD_TIME_LIMIT)
     env = environments.make(name)
     env.reset(seed=0)
     env.unwrapped._state = 0

@@ -16,6 +16,7 @@ from app.rolled import title_of
 from app.track import track
 from laplace_core import InputError
 from laplace_core.agents.capabilities import HasDiscounts
+from laplace_core.environments import environment_of
 from laplace_core.training.frames import animation, side_by_side
 from laplace_core.training.race import FIRST_START, MOST_RACES, MOST_START, Race
 from laplace_core.training.race_file import race_npz
@@ -146,7 +147,7 @@ def show(control: Control, racing: races.Racing) -> None:
     """The verdict and the track."""
     race, packed = racing.result()
     said(*raced.verdict(race, control))
-    remark = raced.REMARKS.get(control.environment)
+    remark = environment_of(control.environment).remark
     if remark:
         st.caption(remark)
     last = max(len(race.left), len(race.right))

@@ -9,7 +9,7 @@ from html import escape
 import numpy as np
 import streamlit as st
 
-from app import checkpoints, figures, returned
+from app import figures, returned
 from app.chart import chart
 from app.figures.returns import ReturnRow, rows_height
 from app.returned import Returned
@@ -17,7 +17,15 @@ from app.trained import DEFAULTS
 from laplace_core import InputError
 from laplace_core.training import environments
 from laplace_core.training.checkpoint import Loaded
-from laplace_core.training.return_laws import COUNT, ReturnLaw, SimulatedReturns, laws_npz, return_laws
+from laplace_core.training.return_laws import (
+    COUNT,
+    INDEPENDENT,
+    LEARNED,
+    ReturnLaw,
+    SimulatedReturns,
+    laws_npz,
+    return_laws,
+)
 from laplace_core.training.rollout import Rollout
 
 LOOK_EVERY = 0.5  # seconds between two looks at a simulation in the making
@@ -43,7 +51,7 @@ def section(
     came = _offered(agents, rollout, step, action, name=name, found=found)
     rows = [
         ReturnRow(
-            _title(each, told_apart=each is loaded and len(agents) > len({a.algorithm for a in agents})),
+            _title(each, law, told_apart=each is loaded and len(agents) > len({a.algorithm for a in agents})),
             law,
             came[i] if came else None,
         )
@@ -55,7 +63,7 @@ def section(
         chart(figures.to_json(figures.returns_side_by_side(rows)), "codes", alt, rows_height(len(rows)))
     with right:
         st.html(_table(rows))
-        st.caption(_notes(agents, observation, action, alphas))
+        st.caption(_notes(agents, laws, observation, action=action, alphas=alphas))
         st.download_button(
             "Save returns (NPZ)", lambda: laws_npz([each.algorithm for each in agents], laws, came), on_click="ignore",
             file_name=f"returns_{loaded.environment.replace(':', '-')}_step_{step}.npz",
@@ -118,21 +126,25 @@ def law_of(loaded: Loaded, observation: tuple[float, ...], action: int, alpha: f
     return return_laws(loaded.agent, np.array(observation), [action], alpha)[0]
 
 
-def _title(loaded: Loaded, *, told_apart: bool) -> str:
-    name = checkpoints.ALGORITHMS[loaded.algorithm] + (" (opened)" if told_apart else "")
-    notes = {"laplace": ", if steps were independent", "expectile": ", imputed", "dqn": ", a mean"}
-    return name + notes.get(loaded.algorithm, "")
+def _title(loaded: Loaded, law: ReturnLaw, *, told_apart: bool) -> str:
+    """The algorithm, and where what is drawn is not what was learned, what it is."""
+    name = loaded.settings.TITLE + (" (opened)" if told_apart else "")
+    note = loaded.settings.RETURN_LAW or ("" if law.kind == LEARNED else law.kind)
+    return f"{name}, {note}" if note else name
 
 
-def _notes(agents: Sequence[Loaded], observation: tuple[float, ...], action: int, alphas: Sequence[float]) -> str:
+def _notes(
+    agents: Sequence[Loaded], laws: Sequence[ReturnLaw], observation: tuple[float, ...], *, action: int,
+    alphas: Sequence[float],
+) -> str:  # fmt: skip
     """What the table's numbers mean, and why a stand-in's mean is not the agent's value."""
     words = ["All in discounted reward; ± is one standard error; by chance: W1 of as many draws from their own law."]
-    for each, alpha in zip(agents, alphas, strict=True):
-        if each.algorithm == "laplace":
+    for each, law, alpha in zip(agents, laws, alphas, strict=True):
+        if law.kind == INDEPENDENT:
             value = each.agent.action_values(np.array(observation)[None], each.agent.acting_head)[0, action]
             words.append(
-                "Laplace knows the rewards of each step and not how they hang together: its law is a stand-in, whose "
-                f"mean is what the inverse at α {alpha:g} leaves of its value {value:.4g}."
+                f"{each.settings.TITLE} knows the rewards of each step and not how they hang together: its law is a "
+                f"stand-in, whose mean is what the inverse at α {alpha:g} leaves of its value {value:.4g}."
             )
             break
     return " ".join(words)

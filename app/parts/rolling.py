@@ -17,6 +17,7 @@ from app.sources import View
 from app.trained import OBSERVED
 from laplace_core import InputError
 from laplace_core.agents.capabilities import HasDiscounts
+from laplace_core.environments import environment_of
 from laplace_core.training import environments
 from laplace_core.training.checkpoint import Loaded
 from laplace_core.training.frames import animation
@@ -24,7 +25,6 @@ from laplace_core.training.rollout import MOST_SEED, Rollout
 from laplace_core.training.rollout_file import rollout_npz
 
 LOOK_EVERY = 0.4  # seconds between two looks at a rollout in the making
-_SECONDS = {"CartPole-v1": 0.02, "CartPole-v0": 0.02, "LunarLander-v3": 0.02, "Acrobot-v1": 1 / 15}  # a step, in life
 _SLOWEST = 0.05  # seconds for a step on the screen, where life is faster
 
 
@@ -118,7 +118,7 @@ def _files(rollout: Rollout) -> None:
     )  # fmt: skip
     if rollout.frames:
         right.download_button(
-            "GIF", lambda: animation(rollout.frames, _SECONDS.get(rollout.environment, _SLOWEST)),
+            "GIF", lambda: animation(rollout.frames, environment_of(rollout.environment).seconds),
             file_name=f"{name}.gif", mime="image/gif", width="stretch", on_click="ignore", help="The episode, moving.",
         )  # fmt: skip
 
@@ -163,7 +163,7 @@ def show(rolling: Rolling, scene: Scene, view: View | None = None) -> None:
         state.choose(AT, min(step, len(rollout) - 1))
 
     names = [(part.name, part.unit) for part in scene.components]
-    seconds = max(_SLOWEST, _SECONDS.get(rollout.environment, _SLOWEST))
+    seconds = max(_SLOWEST, environment_of(rollout.environment).seconds)
     player(
         rolling.packed(),
         at,

@@ -14,8 +14,9 @@ from app.controls import world_title
 from app.copy import copy_button
 from app.figures.theme import NEUTRAL
 from app.parts.run_pictures import colour_of
-from app.training_form import algorithm_title, changed
+from app.training_form import changed
 from laplace_core import InputError
+from laplace_core.agents.settings import algorithm_title
 from laplace_core.training.command import command_of
 from laplace_core.training.curves import Curves, metrics_csv
 from laplace_core.training.progress import Progress, read_progress

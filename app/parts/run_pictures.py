@@ -11,8 +11,9 @@ from app.chart import chart
 from app.controls import world_title
 from app.figures.theme import ACTION_COLOURS, action_colour, to_json
 from app.figures.training import TALL, Band, Line, discount_errors, learning_curves, shipped_curves, values_by_discount
-from app.training_form import ALGORITHMS, MOST_AT_ONCE, NOTHING, algorithm_title, names_in
+from app.training_form import MOST_AT_ONCE, NOTHING, names_in
 from app.training_runs import settings_of
+from laplace_core.agents.settings import SETTINGS, algorithm_title
 from laplace_core.training.queue import Run
 
 _MOST_OFFERED = 24
@@ -38,7 +39,7 @@ def colour_of(runs: Sequence[Run], run: Run) -> str:
 
 def shipped_colour(algorithm: str) -> str:
     """From the end of the colours, which runs have from the beginning."""
-    return action_colour(len(ACTION_COLOURS) - 1 - list(ALGORITHMS).index(algorithm))
+    return action_colour(len(ACTION_COLOURS) - 1 - list(SETTINGS).index(algorithm))
 
 
 def label(run: Run) -> str:

@@ -8,9 +8,9 @@ import streamlit as st
 
 from app import state, training_runs
 from app.controls import number, world_title
-from app.training_form import FORM, OPENING, TRAIN, algorithm_title, fields, suited, wanted
+from app.training_form import FORM, OPENING, TRAIN, fields, suited, wanted
 from laplace_core import InputError
-from laplace_core.agents.settings import ENVIRONMENTS, LOOP_SCHEMA, SETTINGS, LoopSettings
+from laplace_core.agents.settings import ENVIRONMENTS, LOOP_SCHEMA, SETTINGS, LoopSettings, algorithm_title
 from laplace_core.parameters import Parameter
 
 _REFUSED = "_training_refused"

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import Any, ClassVar
 
 import numpy as np
 
@@ -19,7 +19,8 @@ from laplace_core.encoding import (
 from laplace_core.errors import InputError
 from laplace_core.learning import TARGET_POLICIES
 from laplace_core.parameters import choice, setting
-from laplace_core.settings import SLOPE_TIMES_SPACING
+from laplace_core.settings import SLOPE_TIMES_SPACING, Settings, resolve
+from laplace_core.worlds import load_world
 
 NETWORKS = ("trunk", "network", "multiplexer")
 PARAMETRISATIONS = ("softmax", "accumulated", "clipped", "free")
@@ -56,6 +57,7 @@ class LaplaceSettings(LoopSettings):
     head_exploration: float = exploring_heads()
 
     ALGORITHM: ClassVar[str] = "laplace"
+    TITLE: ClassVar[str] = "Laplace DQN"
 
     def check(self) -> None:
         super().check()
@@ -65,6 +67,35 @@ class LaplaceSettings(LoopSettings):
             raise InputError("prioritised replay needs shared experience.")
         if self.theta_min >= 0 or self.theta_max <= 0:
             raise InputError("the sensitivities must reach beyond reward 0 on both sides: theta_min < 0 < theta_max.")
+
+    def describe(self) -> str:
+        grid = f"{self.n_discounts} discounts to {self.gamma_max:g}, {self.thetas} sensitivities"
+        return f"{grid}, {self.network}, {self.parametrisation}"
+
+    def unheard(self) -> dict[str, str]:
+        found = super().unheard()
+        if self.consistency == 0:
+            found["consistency_exponent"] = "at consistency 0"
+        if self.theta_spacing == "uniform":
+            found["theta_scale"] = "beside theta_spacing=uniform"
+        if self.own_experience:
+            found["envs"] = "where every discount has an environment of its own (experience=per_discount)"
+        if self.spacing == "paper":
+            paper = {"gammas": len(PAPER_GAMMAS), "gamma_min": PAPER_GAMMAS[0], "gamma_max": PAPER_GAMMAS[-1]}
+            differ = [name for name, value in paper.items() if getattr(self, name) != value]
+            found |= dict.fromkeys(differ, "beside spacing=paper, which has its own fifteen discounts")
+        elif self.gammas == 1:
+            found |= dict.fromkeys(
+                ("spacing", "gamma_min", "acting_gamma"), "for a single discount, which is gamma_max"
+            )
+        return found
+
+    @classmethod
+    def suited_to(cls, world: str) -> dict[str, Any]:
+        """Sensitivities that reach beyond the world's rewards."""
+        suited = resolve(Settings(world=world), load_world(world))
+        low, high = min(suited.theta_min, -0.5), max(suited.theta_max, 0.5)
+        return super().suited_to(world) | {"theta_min": low, "theta_max": high, "thetas": 41, "consistency": 0.0}
 
     def discounts(self) -> np.ndarray:
         """The discount grid, ``(G,)``."""

@@ -1,4 +1,8 @@
-"""Settings that every algorithm has: the environment, the loop, the replay buffer and the optimiser."""
+"""Settings that every algorithm has: the environment, the loop, the replay buffer and the optimiser.
+
+The class of an algorithm's settings also says, once, what the algorithm is called and what its outputs are: the
+command line, the pages and the pictures take these words from here.
+"""
 
 from __future__ import annotations
 
@@ -9,14 +13,9 @@ from typing import Any, ClassVar
 
 import numpy as np
 
+from laplace_core.environments import ENVIRONMENTS
 from laplace_core.errors import InputError
 from laplace_core.parameters import Schema, choice, parse_named, schema_of, setting, switch
-from laplace_core.worlds import PRESETS, TOY_TEXT
-
-GYMNASIUM_ENVIRONMENTS = ("CartPole-v1", "Acrobot-v1", "LunarLander-v3", "MountainCar-v0", "CartPole-v0")
-"""What gymnasium brings along with discrete actions and numbers, not pixels, as observations."""
-ENVIRONMENTS = (*GYMNASIUM_ENVIRONMENTS, *PRESETS, *(f"gym:{name}" for name in TOY_TEXT))
-"""Every environment that can be trained on and that a checkpoint may name: no others are ever built."""
 
 
 @dataclass(frozen=True)
@@ -56,6 +55,11 @@ class LoopSettings:
     threads: int = setting(1, 1, 64, "Threads of torch; another number may change the last digits.")
 
     ALGORITHM: ClassVar[str]
+    """The name that commands, files and checkpoints give the algorithm."""
+    TITLE: ClassVar[str]
+    """What a person calls it."""
+    RETURN_LAW: ClassVar[str] = ""
+    """What must be said beside a distribution of the return drawn from its outputs; nothing where they are one."""
     SCHEMA = Schema()  # no annotation: a dataclass would ask for its value before there are fields
     """The parameters of each class, those of every algorithm first."""
 
@@ -76,6 +80,24 @@ class LoopSettings:
             raise InputError("epsilon_final must not exceed epsilon_first.")
         if self.learning_starts > self.buffer:
             raise InputError("learning_starts must not exceed the buffer.")
+
+    def describe(self) -> str:
+        """What the network gives for an action, in a few words."""
+        return "the value of every action"
+
+    def unheard(self) -> dict[str, str]:
+        """Settings that the others make meaningless, by name, and where that is so."""
+        found: dict[str, str] = {}
+        if not self.prioritised:
+            found |= dict.fromkeys(("priority_exponent", "priority_correction"), "without prioritised=true")
+        if self.epsilon_first == self.epsilon_final:
+            found["exploration"] = "where epsilon_first and epsilon_final are the same"
+        return found
+
+    @classmethod
+    def suited_to(cls, world: str) -> dict[str, Any]:
+        """Settings, by name, that suit a tabular world for which there is no file; the others have their defaults."""
+        return {"epsilon_final": 0.2}
 
     @property
     def own_experience(self) -> bool:

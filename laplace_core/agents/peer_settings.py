@@ -1,15 +1,18 @@
-"""Settings of the peers."""
+"""Settings of the peers, and what each is called; :data:`PEERS` is the list of them."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import Any, ClassVar
 
 import numpy as np
 
 from laplace_core.agents.loop_settings import LoopSettings, exploring_heads
 from laplace_core.errors import InputError
+from laplace_core.learned.returns import return_bounds
 from laplace_core.parameters import setting
+from laplace_core.pipeline import policies_of
+from laplace_core.worlds import load_world
 
 
 @dataclass(frozen=True)
@@ -19,6 +22,14 @@ class DqnSettings(LoopSettings):
     gamma: float = setting(0.99, 1e-6, 0.9999, "Discount of the return.")
 
     ALGORITHM: ClassVar[str] = "dqn"
+    TITLE: ClassVar[str] = "DQN"
+
+    def describe(self) -> str:
+        return f"{self.numbers()}, discount {self.gamma:g}"
+
+    def numbers(self) -> str:
+        """The outputs of an action, but for their discount."""
+        return "the mean return"
 
     def discounts(self) -> np.ndarray:
         return np.array([self.gamma])
@@ -33,6 +44,18 @@ class C51Settings(DqnSettings):
     v_max: float = setting(100.0, -1e6, 1e6, "Largest of them, in discounted reward.")
 
     ALGORITHM: ClassVar[str] = "c51"
+    TITLE: ClassVar[str] = "C51"
+
+    def numbers(self) -> str:
+        return f"{self.atoms} atoms from {self.v_min:g} to {self.v_max:g}"
+
+    @classmethod
+    def suited_to(cls, world: str) -> dict[str, Any]:
+        """Atoms that reach beyond the best returns of the world."""
+        built, gamma = load_world(world), cls().gamma
+        (policy,) = policies_of(built, np.array([gamma]), "shared", gamma)
+        low, high = return_bounds(built, policy, gamma)
+        return super().suited_to(world) | {"v_min": low, "v_max": high}
 
     def check(self) -> None:
         super().check()
@@ -49,6 +72,10 @@ class QrdqnSettings(DqnSettings):
     quantiles: int = setting(51, 1, 1000, "Number of quantiles of the return.")
 
     ALGORITHM: ClassVar[str] = "qrdqn"
+    TITLE: ClassVar[str] = "QR-DQN"
+
+    def numbers(self) -> str:
+        return f"{self.quantiles} quantiles"
 
 
 @dataclass(frozen=True)
@@ -58,6 +85,11 @@ class ExpectileSettings(DqnSettings):
     expectiles: int = setting(11, 3, 101, "Number of expectiles of the return, an odd one.")
 
     ALGORITHM: ClassVar[str] = "expectile"
+    TITLE: ClassVar[str] = "Expectile DQN"
+    RETURN_LAW: ClassVar[str] = "imputed"
+
+    def numbers(self) -> str:
+        return f"{self.expectiles} expectiles"
 
     def check(self) -> None:
         super().check()
@@ -74,7 +106,17 @@ class FixedHorizonSettings(DqnSettings):
     head_exploration: float = exploring_heads()
 
     ALGORITHM: ClassVar[str] = "fixed_horizon"
+    TITLE: ClassVar[str] = "Fixed-horizon DQN"
+
+    def numbers(self) -> str:
+        return f"a mean for every T to {self.horizon}"
 
     def discounts(self) -> np.ndarray:
         """None: the returns that it values end with the time to go."""
         return np.zeros(0)
+
+
+PEERS: tuple[type[LoopSettings], ...] = (
+    C51Settings, QrdqnSettings, ExpectileSettings, DqnSettings, FixedHorizonSettings,
+)  # fmt: skip
+"""In the order in which forms and pictures list them."""

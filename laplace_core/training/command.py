@@ -15,24 +15,15 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from laplace_core.agents.capabilities import HasAtoms
-from laplace_core.agents.settings import (
-    ENVIRONMENTS,
-    GYMNASIUM_ENVIRONMENTS,
-    SETTINGS,
-    LaplaceSettings,
-    LoopSettings,
-)
-from laplace_core.encoding import PAPER_GAMMAS
+from laplace_core.agents.settings import SETTINGS, LoopSettings
+from laplace_core.environments import ENVIRONMENTS, GYMNASIUM
 from laplace_core.errors import InputError
-from laplace_core.learned.returns import return_bounds
 from laplace_core.parameters import as_text
-from laplace_core.pipeline import policies_of
-from laplace_core.settings import Settings, flag, resolve
+from laplace_core.settings import flag
 from laplace_core.training.events import Checkpoint, Episode, Evaluation, Resumed, Step
 from laplace_core.training.progress import ProgressFile
 from laplace_core.training.run_folder import read_config
 from laplace_core.words import add_parameters, checked_number
-from laplace_core.worlds import load_world
 
 if TYPE_CHECKING:  # these bring torch along
     from laplace_core.agents.agent import Agent
@@ -131,7 +122,7 @@ def command_of(settings: LoopSettings, folder: str) -> list[str]:
     words = ["train", settings.ALGORITHM, settings.environment]
     for parameter in settings.SCHEMA:
         value = getattr(settings, parameter.name)
-        if value != usual[parameter.name] and parameter.name not in unheard(settings):
+        if value != usual[parameter.name] and parameter.name not in settings.unheard():
             words += [flag(parameter), as_text(value)]
     return [*words, "--run", folder]
 
@@ -152,55 +143,14 @@ def settings_of(algorithm: str | None, environment: str | None, given: dict[str,
     if given.get("environment", environment) != environment:
         raise InputError("the environment is named once, behind the algorithm: it is no setting besides.")
     kind = SETTINGS[algorithm]
-    suits = tuned_settings(algorithm, environment) or _of_world(kind, environment)
+    suits = tuned_settings(algorithm, environment)
+    if not suits and environment not in GYMNASIUM:
+        suits = kind.suited_to(environment)
     settings = kind.parse(suits | given | {"environment": environment})
-    for name, reason in unheard(settings).items():
+    for name, reason in settings.unheard().items():
         if name in given:
             raise InputError(f"{name} changes nothing {reason}: leave it out.")
     return settings
-
-
-def unheard(settings: LoopSettings) -> dict[str, str]:
-    """Settings that the others make meaningless, by name, and where that is so."""
-    found: dict[str, str] = {}
-    if not settings.prioritised:
-        found |= dict.fromkeys(("priority_exponent", "priority_correction"), "without prioritised=true")
-    if settings.epsilon_first == settings.epsilon_final:
-        found["exploration"] = "where epsilon_first and epsilon_final are the same"
-    if not isinstance(settings, LaplaceSettings):
-        return found
-    if settings.consistency == 0:
-        found["consistency_exponent"] = "at consistency 0"
-    if settings.theta_spacing == "uniform":
-        found["theta_scale"] = "beside theta_spacing=uniform"
-    if settings.experience == "per_discount":
-        found["envs"] = "where every discount has an environment of its own (experience=per_discount)"
-    if settings.spacing == "paper":
-        paper = {"gammas": len(PAPER_GAMMAS), "gamma_min": PAPER_GAMMAS[0], "gamma_max": PAPER_GAMMAS[-1]}
-        differ = [name for name, value in paper.items() if getattr(settings, name) != value]
-        found |= dict.fromkeys(differ, "beside spacing=paper, which has its own fifteen discounts")
-    elif settings.gammas == 1:
-        found |= dict.fromkeys(("spacing", "gamma_min", "acting_gamma"), "for a single discount, which is gamma_max")
-    return found
-
-
-def _of_world(kind: type[LoopSettings], environment: str) -> dict[str, Any]:
-    """For a tabular world without a file of its own: what reaches beyond its rewards, or beyond its best returns."""
-    if environment in GYMNASIUM_ENVIRONMENTS:
-        return {}
-    names = {parameter.name for parameter in kind.SCHEMA}
-    found: dict[str, Any] = {"epsilon_final": 0.2}
-    world = load_world(environment)
-    if "thetas" in names:
-        suited = resolve(Settings(world=environment), world)
-        low, high = min(suited.theta_min, -0.5), max(suited.theta_max, 0.5)
-        found |= {"theta_min": low, "theta_max": high, "thetas": 41, "consistency": 0.0}
-    if "v_min" in names:
-        usual: Any = kind()  # of a peer: one with a discount of its own
-        gamma = usual.gamma
-        (policy,) = policies_of(world, np.array([gamma]), "shared", gamma)
-        found["v_min"], found["v_max"] = return_bounds(world, policy, gamma)
-    return found
 
 
 class _Json:

@@ -1,4 +1,6 @@
-"""The environments that agents are trained in: a fixed list, side by side, and their inner state for a resume point.
+"""The environments that agents are trained in, stepped side by side, and their inner state for a resume point.
+
+Which there are, and what is known of each, stands in :mod:`laplace_core.environments`.
 
 gymnasium resets an environment on the step AFTER its episode ended and ignores that step's action. Such a step is no
 transition: :class:`Environments` marks it, and hands out the true final observation of an episode before it.
@@ -6,26 +8,21 @@ transition: :class:`Environments` marks it, and hands out the true final observa
 
 from __future__ import annotations
 
+import importlib
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
 import gymnasium
 import numpy as np
+from gymnasium.envs.registration import load_env_creator
 from gymnasium.spaces import Box, Discrete
 from gymnasium.vector import AutoresetMode, SyncVectorEnv
 from gymnasium.wrappers import TimeLimit
 
-from laplace_core.agents.settings import ENVIRONMENTS, GYMNASIUM_ENVIRONMENTS
+from laplace_core.environments import GYMNASIUM, environment_of
 from laplace_core.errors import InputError
-from laplace_core.worlds import load_world, toy_text_limit
+from laplace_core.worlds import load_world
 from laplace_core.worlds.env import TabularEnv
-
-WORLD_TIME_LIMIT = 200
-"""Steps after which an episode in a preset world is truncated, and in one of gymnasium's that sets no limit itself."""
-
-_POLE = ("state", "steps_beyond_terminated")
-_INNER = {"CartPole-v1": _POLE, "CartPole-v0": _POLE, "Acrobot-v1": ("state",), "MountainCar-v0": ("state",)}
-"""Attributes that are all of an environment's inner state besides its random numbers and its time."""
 
 
 class OneHot(gymnasium.ObservationWrapper):
@@ -61,51 +58,41 @@ def make(name: str, *, pictures: bool = False, limited: bool = True) -> gymnasiu
     Raises:
         InputError: a name that is not on it, or one whose physics is not installed.
     """
-    _check_listed(name)
-    if name not in GYMNASIUM_ENVIRONMENTS:
-        world = OneHot(TabularEnv(load_world(name)))
-        return TimeLimit(world, _world_limit(name)) if limited else world
-    mode = "rgb_array" if pictures else None
+    listed = environment_of(name)
+    if name not in GYMNASIUM:
+        world: gymnasium.Env = OneHot(TabularEnv(load_world(name)))
+        return TimeLimit(world, listed.time_limit) if limited and listed.time_limit else world
     try:
-        return gymnasium.make(
-            name, disable_env_checker=True, render_mode=mode, max_episode_steps=None if limited else -1
-        )
+        if listed.module:
+            importlib.import_module(listed.module)
+        # An environment that draws nothing need not know the word render_mode.
+        drawing = {"render_mode": "rgb_array"} if pictures and _draws(name) else {}
+        most = (limited and listed.time_limit) or -1  # gymnasium's word for no limit
+        return gymnasium.make(name, disable_env_checker=True, max_episode_steps=most, **drawing)
     except gymnasium.error.DependencyNotInstalled:
-        raise InputError(f"{name} needs packages that are not installed: pip install 'gymnasium[box2d]'.") from None
+        how = "see what its package asks for" if listed.module else "pip install 'gymnasium[box2d]'"
+        raise InputError(f"{name} needs packages that are not installed: {how}.") from None
+    except ModuleNotFoundError as missing:
+        raise InputError(f"{name} needs a package that is not installed: {missing.name}.") from None
 
 
-_SPECS = {
-    "CartPole-v1": Spec(observation=4, actions=2, time_limit=500),
-    "Acrobot-v1": Spec(observation=6, actions=3, time_limit=500),
-    "LunarLander-v3": Spec(observation=8, actions=4, time_limit=1000),
-    "MountainCar-v0": Spec(observation=2, actions=3, time_limit=200),
-    "CartPole-v0": Spec(observation=4, actions=2, time_limit=200),
-}  # written down, so that a checkpoint can be opened where the physics is not installed
+def _draws(name: str) -> bool:
+    """Whether an environment of gymnasium makes pictures; those that say nothing of it make none."""
+    entry = gymnasium.spec(name).entry_point
+    creator = load_env_creator(entry) if isinstance(entry, str) else entry
+    metadata = getattr(creator, "metadata", None)
+    return isinstance(metadata, dict) and "rgb_array" in metadata.get("render_modes", ())
 
 
 def spec(name: str) -> Spec:
-    """Sizes of an environment of the list, without building it."""
-    _check_listed(name)
-    if name in _SPECS:
-        return _SPECS[name]
-    world = load_world(name)
-    return Spec(world.n_states, world.n_actions, _world_limit(name))
-
-
-def _world_limit(name: str) -> int:
-    """Steps to truncation in a tabular world: gymnasium's own where there is one."""
-    return (toy_text_limit(name.removeprefix("gym:")) if name.startswith("gym:") else None) or WORLD_TIME_LIMIT
+    """Sizes of an environment of the list, without building it: its physics need not be installed."""
+    listed = environment_of(name)
+    return Spec(len(listed.states or listed.components), len(listed.actions), listed.time_limit)
 
 
 def chance(name: str) -> bool:
     """Whether the same action in the same state may lead to different things."""
-    _check_listed(name)
-    return name not in _INNER
-
-
-def _check_listed(name: str) -> None:
-    if name not in ENVIRONMENTS:
-        raise InputError(f"environment {str(name)[:40]!r} is none of {', '.join(ENVIRONMENTS)}.")
+    return environment_of(name).chance
 
 
 class Stepped(NamedTuple):
@@ -183,7 +170,12 @@ class Environments:
 
 
 def _savable(env: gymnasium.Env) -> bool:
-    return isinstance(env.unwrapped, TabularEnv) or (env.spec is not None and env.spec.id in _INNER)
+    return isinstance(env.unwrapped, TabularEnv) or _inner_names(env) is not None
+
+
+def _inner_names(env: gymnasium.Env) -> tuple[str, ...] | None:
+    """Attributes that are all of the inner state of one of gymnasium's environments; None where there is more to it."""
+    return GYMNASIUM[env.spec.id].inner if env.spec is not None and env.spec.id in GYMNASIUM else None
 
 
 def _time_limit(env: gymnasium.Env) -> TimeLimit | None:
@@ -201,7 +193,7 @@ def _inner_state(env: gymnasium.Env) -> dict[str, Any]:
         kept["steps"] = limit._elapsed_steps
     if isinstance(inner, TabularEnv):
         return kept | {"_state": inner._state}
-    values = {name: getattr(inner, name) for name in _INNER[env.spec.id if env.spec else ""]}
+    values = {name: getattr(inner, name) for name in _inner_names(env) or ()}
     return kept | {
         name: {"dtype": str(value.dtype), "values": value.tolist()} if isinstance(value, np.ndarray) else value
         for name, value in values.items()

@@ -104,6 +104,13 @@ def has_return_law(agent: Agent) -> bool:
     return isinstance(agent, HasReturnDistribution | HasGammaSpace)
 
 
+def says_more_than_a_mean(agent: Agent) -> bool:
+    """Whether it knows how the return is spread, and not only its mean."""
+    if isinstance(agent, HasReturnDistribution):
+        return agent.return_distribution(np.zeros(agent.n_observations))[0].shape[1] > 1
+    return isinstance(agent, HasGammaSpace)
+
+
 def steps_until_cut(gamma: float) -> int:
     """K, the first step at which gamma^K is at most ``CUT``; at most as many as can be simulated."""
     return int(min(MOST, np.ceil(np.log(CUT) / np.log(gamma))))
