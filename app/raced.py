@@ -103,11 +103,13 @@ def parameters(loaded: Loaded, other: Loaded | None = None) -> dict[str, Paramet
 
 
 def _is_rival(values: Values) -> None:
+    """The other agent is one of the same environment, and can be opened."""
     if AGAINST not in values or AGENT not in values:
         return
     environment = checkpoints.checkpoint(str(values[AGENT])).environment
     if values[AGAINST] not in rivals(str(values[AGENT]), environment):
         raise InputError(f"{str(values[AGAINST])[:40]!r} is no other agent of {environment}.")
+    checkpoints.checkpoint(str(values[AGAINST]))
 
 
 def _of_race(values: Values) -> dict[str, Parameter]:

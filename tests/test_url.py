@@ -12,6 +12,7 @@ from app import query, raced, trained, training_form
 from app.url import LEFT_OUT, Check, Entries, Old, Schema, Values, by_name, query_of
 from laplace_core import InputError
 from laplace_core.parameters import Parameter
+from tests.train_page import made
 
 APP = Path(__file__).resolve().parent.parent / "app"
 SHELVES = {"low": 2, "high": 5}
@@ -97,6 +98,19 @@ def test_an_older_version_is_understood(link, books):
 
 def test_the_sentence_stands_in_one_place():
     assert [path.name for path in APP.rglob("*.py") if LEFT_OUT in path.read_text(encoding="utf-8")] == ["url.py"]
+
+
+def test_a_rival_that_cannot_be_opened_is_left_out(runs):
+    """A run of the same environment is a rival by its settings; its checkpoint is read when it is asked for."""
+    made(runs, "one", checkpoint=True)
+    folder = made(runs, "two", checkpoint=True)
+    link = {"checkpoint": "run:one", "d.against": "run:two"}
+    assert raced.LINK.read(link) == (link, [])
+    (folder / "best.safetensors").write_bytes(b"")
+    values, notes = raced.LINK.read(link)
+    assert values == {"checkpoint": "run:one"}
+    assert len(notes) == 1
+    assert notes[0].startswith(LEFT_OUT)
 
 
 WORDS = st.text(max_size=20) | st.sampled_from(
