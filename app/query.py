@@ -102,35 +102,39 @@ def _file_is_open(values: Values) -> None:
         raise InputError(sources.DATA_IS_GONE)
 
 
+_ENTRIES = (
+    Entries(by_name(*WORLD)),
+    Check(_is_listed, lead=""),
+    Entries(
+        lambda values: by_name(*parameters_of(values["world"])),
+        prefix=PARAM,
+        owner=lambda values: str(values["world"]),
+    ),
+    Entries({**BY_NAME, **by_name(*VIEW)}),
+    Entries(by_name(*LEARN_SCHEMA), prefix=LEARN),
+)
+_CHECKS = (
+    Check(_agent_is_here, drops=("agent",)),
+    Check(_was_brought_whole),
+    Check(_can_be_made, drops=(f"{PARAM}*",)),
+    Check(_has_state, drops=("state",)),
+    Check(_has_action, drops=("action",)),
+    Check(_grids_fit, drops=("gamma*", "theta*")),
+)
 PINNED = Schema(
     opening=lambda: OPENING,
     assumed=lambda: {"world": OPENING["world"]},
     old=OLD_SWITCHES,
-    steps=(
-        Entries(by_name(*WORLD)),
-        Check(_is_listed, lead=""),
-        Entries(
-            lambda values: by_name(*parameters_of(values["world"])),
-            prefix=PARAM,
-            owner=lambda values: str(values["world"]),
-        ),
-        Entries({**BY_NAME, **by_name(*VIEW)}),
-        Entries(by_name(*LEARN_SCHEMA), prefix=LEARN),
-        Check(_agent_is_here, drops=("agent",)),
-        Check(_was_brought_whole),
-        Check(_can_be_made, drops=(f"{PARAM}*",)),
-        Check(_has_state, drops=("state",)),
-        Check(_has_action, drops=("action",)),
-        Check(_grids_fit, drops=("gamma*", "theta*")),
-    ),
+    steps=(*_ENTRIES, *_CHECKS),
 )
-"""A view that is pinned: all but another pinned view."""
+"""A view that is pinned: it holds no other pinned view."""
 
 LINK = replace(
     PINNED,
     steps=(
-        *PINNED.steps,
+        *_ENTRIES,
         Entries(by_name(PIN)),
+        *_CHECKS,
         Check(_pin_holds, drops=("pin",)),
         Check(_file_is_open, lead=""),  # a link carries no file: it has to be open in this session
     ),

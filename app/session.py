@@ -1,8 +1,8 @@
 """What this server keeps for one session, a tab of a browser: one record, under one key of Streamlit's.
 
-Streamlit's other keys are those of widgets. No other module puts anything into ``st.session_state`` by a name of its
-own; what a part of a page has to remember, and nobody else asks for, is a dataclass of that part (:func:`part`). This
-module knows no page.
+Streamlit's other keys are those of widgets. No other module puts anything into ``st.session_state`` under a name of
+its own (the page of its own in ``demo.py`` aside). What one part of a page has to remember, and nobody else asks for,
+is a dataclass of that part (:func:`part`). This module knows no page.
 """
 
 from __future__ import annotations
@@ -90,8 +90,8 @@ def part(kind: type[Kind]) -> Kind:
     parts = current().parts
     if kind not in parts:
         parts[kind] = kind()
-    found: Kind = parts[kind]
-    return found
+    held: Kind = parts[kind]
+    return held
 
 
 def channel(widget: str) -> Channel:

@@ -21,6 +21,7 @@ Values = dict[str, Any]
 Known = Mapping[str, Parameter]
 
 LEFT_OUT = "Left out of the link: "
+_UNKNOWN = "The link has an entry {!r} that means nothing here."
 _MOST_QUOTED = 40  # characters of a name that a note repeats
 
 
@@ -117,12 +118,15 @@ class Schema:
         query = self._translated(query)
         values, left = dict((self.assumed or self.opening)()), dict(query)
         notes: list[str] = []
-        for step in self.steps:
+        last = max(place for place, step in enumerate(self.steps) if isinstance(step, Entries))
+        for place, step in enumerate(self.steps):
             if isinstance(step, Entries):
                 taken, refused, names = step.take(left, values)
                 left = {name: text for name, text in left.items() if name not in names}
                 values |= taken
                 notes += refused
+                if place == last:
+                    notes += [_UNKNOWN.format(name[:_MOST_QUOTED]) for name in left]
                 continue
             try:
                 step.test(values)
@@ -132,7 +136,6 @@ class Schema:
                     return dict(self.opening()), notes
                 for name in step.dropped(values):
                     del values[name]
-        notes += [f"The link has an entry {name[:_MOST_QUOTED]!r} that means nothing here." for name in left]
         order = {name: place for place, name in enumerate(query)}
         return {name: values[name] for name in sorted(values, key=lambda name: order.get(name, -1))}, notes
 

@@ -58,9 +58,9 @@ CASES = list(product(VALUES, (False, True), (False, True)))
 
 
 def row_of(reports: str, *, by_hand: bool, others: bool) -> Row:
-    found = [row for row in table() if row.reports == reports and by_hand in row.by_hand and others in row.others]
-    assert len(found) == 1, "the table has one row for every case"
-    return found[0]
+    rows = [row for row in table() if row.reports == reports and by_hand in row.by_hand and others in row.others]
+    assert len(rows) == 1, "the table has one row for every case"
+    return rows[0]
 
 
 @pytest.mark.parametrize(("reports", "by_hand", "others"), CASES)

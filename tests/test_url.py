@@ -82,6 +82,21 @@ def test_a_check_leaves_out_what_it_names():
     assert notes == [f"{LEFT_OUT}the books are too wide."]
 
 
+def test_what_is_known_by_then_is_said_of_a_link_that_is_given_up():
+    def _never(values: Values) -> None:
+        raise InputError("it is late.")
+
+    link = Schema(LINK.opening, (*LINK.steps, Check(_never, lead="")))
+    assert link.read({"nonsense": "1", "books": "x"}) == (
+        LINK.opening(),
+        [
+            f"{LEFT_OUT}books must be a whole number from 0 to 10, not 'x'.",
+            "The link has an entry 'nonsense' that means nothing here.",
+            "it is late.",
+        ],
+    )
+
+
 def test_a_check_that_drops_nothing_gives_up_the_link():
     values, notes = LINK.read({"shelf": "none", "books": "5", "nonsense": "1"})
     assert values == LINK.opening()
