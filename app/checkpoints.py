@@ -3,22 +3,23 @@ of one observation."""
 
 from __future__ import annotations
 
-import hashlib
 import re
 import tempfile
+from collections.abc import Mapping
 from functools import cache, lru_cache
 from pathlib import Path
 
 import numpy as np
-import streamlit as st
 
-from app import training_runs
+from app import session, training_runs
 from app.sources import Observed
+from app.url import Check, Entries, Values, by_name
 from laplace_core import InputError
 from laplace_core.agents.capabilities import HasGammaSpace
 from laplace_core.agents.settings import ENVIRONMENTS, SETTINGS, algorithm_title
 from laplace_core.experiments.shipping import TrainingCurve, curves_of, manifest
 from laplace_core.interpolation import with_added
+from laplace_core.parameters import Parameter
 from laplace_core.training.checkpoint import Loaded, load_checkpoint
 
 SHIPPED = Path(__file__).resolve().parent.parent / "checkpoints"
@@ -119,9 +120,9 @@ def _trained(path: Path, written: int) -> Loaded:
     return load_checkpoint(path)
 
 
-def opened() -> dict[str, Loaded]:
+def opened() -> Mapping[str, Loaded]:
     """The checkpoint that this session has opened from a file, by digest; one at a time."""
-    return st.session_state.setdefault("_opened_checkpoints", {})
+    return session.opened(Loaded)
 
 
 def names() -> tuple[str, ...]:
@@ -139,9 +140,7 @@ def open_checkpoint(name: str, data: bytes) -> str:
         path = Path(folder) / (Path(name).name[-80:] or "upload.safetensors")
         path.write_bytes(data)
         loaded = load_checkpoint(path)
-    digest = hashlib.sha256(data).hexdigest()[:12]
-    st.session_state["_opened_checkpoints"] = {digest: loaded}
-    return digest
+    return session.keep_opened(loaded, data)
 
 
 def checkpoint(name: str) -> Loaded:
@@ -162,6 +161,15 @@ def checkpoint(name: str) -> Loaded:
         listed = ", ".join(shipped()) or "none"
         raise InputError(f"no checkpoint {name[:40]!r} comes with the workbench; there are: {listed}.")
     return _shipped(name)
+
+
+def _is_here(values: Values) -> None:
+    if "checkpoint" in values:
+        checkpoint(str(values["checkpoint"]))
+
+
+NAMED = (Entries(by_name(Parameter("checkpoint", None, help="The agent.", kind=str))), Check(_is_here))
+"""How the link of a page that shows an agent begins: its name. Without such an agent nothing else has a meaning."""
 
 
 @lru_cache(maxsize=64)

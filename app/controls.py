@@ -7,7 +7,7 @@ from typing import Any
 
 import streamlit as st
 
-from app import sources, state
+from app import sources, state, world_actions
 from laplace_core import PRESETS, World
 from laplace_core.parameters import Parameter
 from laplace_core.settings import BY_NAME, Resolved
@@ -36,10 +36,12 @@ _MOST_NAMES = 1000
 
 def world_group() -> None:
     """World and its parameters."""
-    key = state.show("world", state.world_name())
-    here = state.world_name()
+    key = state.show("world", world_actions.world_name())
+    here = world_actions.world_name()
     brought = [name for name in sources.BROUGHT if name != sources.DATA or here == sources.DATA]
-    st.selectbox("World", (*sources.WORLDS, *brought), key=key, on_change=state.choose_world, format_func=world_title)
+    st.selectbox(
+        "World", (*sources.WORLDS, *brought), key=key, on_change=world_actions.choose_world, format_func=world_title
+    )
     if here in PRESETS:
         st.caption(PRESETS[here].summary)
     parameters = parameters_of(here)

@@ -8,7 +8,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 import streamlit as st
 
 from app.lens import Released, checked, lens, payload, presets_for, state_of, structure
-from app.query import parse_query
+from app.query import LINK
 from app.sources import view_of
 from laplace_core import World, study
 from laplace_core.settings import Resolved
@@ -20,7 +20,7 @@ def packed(_world: World, settings: Resolved) -> bytes:
 
 
 st.set_page_config(layout="wide")
-values = parse_query(dict(st.query_params))[0]
+values = LINK.read(dict(st.query_params))[0]
 view = view_of(values)
 assert view.world is not None  # its links show worlds
 found = study(view.world, view.settings)

@@ -1,6 +1,20 @@
 """What an in-browser component is sent: a small JSON with every answer, and a payload once.
 
-The browser keeps the last few payloads by name; Python counts along, and hears when it was wrong.
+What is seen has two owners, the server and the hand in the browser, and this is how they keep from undoing each other:
+
+1. **Payloads.** A message names its payload, and carries it only where the browser does not hold it. The browser keeps
+   the last few (``HELD`` in ``lens/entry.js`` and ``cursor/cursor.js``), and :attr:`Channel.held` mirrors which. Where
+   the two differ, after a reload say, the browser answers ``missing``; then Python forgets what it believed and sends
+   the payload with its next message.
+2. **Revisions.** A message has a revision. A component takes over the state of a message only if the revision differs
+   from that of the last message; else the state on its screen stays, which a hand may have changed since.
+3. **Releases.** When a hand lets go, the browser reports the state. Python takes it over (:meth:`Channel.release`) and
+   does not raise the revision for it: the browser has it already. A state that Python itself sets (a remedy, Back,
+   another step) differs from what was released or sent last, and raises the revision.
+4. **Mounting anew.** Streamlit may take a component off a page and put it back with its last message. The lens
+   therefore remembers in the browser what was let go of last under which payload and revision (``released`` in
+   ``lens/entry.js``), so that its message need not change with a release (:meth:`Channel.show`). A cursor does not
+   remember; its message always holds the step (:meth:`Channel.place`).
 """
 
 from __future__ import annotations
@@ -8,7 +22,8 @@ from __future__ import annotations
 import hashlib
 import json
 import struct
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from typing import Any
 
 
@@ -24,8 +39,53 @@ def pack(told: Mapping[str, Any], data: bytes) -> bytes:
     return struct.pack("<I", len(text)) + text + data
 
 
-def held(before: Sequence[str], name: str, answer: object, most: int) -> list[str]:
-    """Names of the payloads that a browser holds, the last one used first, after an answer to ``name``."""
-    if isinstance(answer, Mapping) and "missing" in answer:
-        return []
-    return [name, *(each for each in before if each != name)][:most]
+@dataclass
+class Channel:
+    """What Python knows of one component in one browser; the rule is that of :mod:`app.message`.
+
+    Attributes:
+        revision: of the last message.
+        held: names of the payloads that the browser holds, the last one used first.
+        payload: name of the payload of the last message.
+        sent: the state of the last message.
+        released: the state that a hand let go of since; None if the server has set another one since, or none came.
+    """
+
+    revision: int = 0
+    held: list[str] = field(default_factory=list)
+    payload: str | None = None
+    sent: Any = None
+    released: Any = None
+
+    def show(self, payload: str, state: Mapping[str, Any]) -> dict[str, Any]:
+        """The state to send to the lens, which keeps its place beside another payload: only a state moves it."""
+        if (self.sent if self.released is None else self.released) != dict(state):
+            self.revision, self.released = self.revision + 1, None
+        if payload != self.payload or self.released is None:
+            self.payload, self.sent = payload, dict(state)
+        sent: dict[str, Any] = self.sent
+        return sent
+
+    def place(self, payload: str, step: int) -> None:
+        """This step is sent to a cursor, which another payload puts there as well."""
+        if payload != self.payload or step != (self.sent if self.released is None else self.released):
+            self.revision += 1
+        self.payload, self.sent, self.released = payload, step, None
+
+    def release(self, state: object) -> None:
+        """A hand has let go at this state."""
+        self.released = state
+
+    def answered(self, name: str, answer: object, most: int) -> bool:
+        """Note that the browser answered a message with the payload ``name``; whether it holds that payload.
+
+        Args:
+            most: payloads that the browser keeps.
+        """
+        missing = isinstance(answer, Mapping) and "missing" in answer
+        self.held = [] if missing else [name, *(each for each in self.held if each != name)][:most]
+        return not missing
+
+    def due(self, name: str, data: bytes) -> bytes:
+        """The payload, if it has to be sent."""
+        return b"" if name in self.held else data

@@ -1,17 +1,17 @@
-"""The state of a page as URL values, and back: a typed whitelist, never trusted."""
+"""What the link of the Worlds page may hold, and the view that is pinned in it."""
 
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
-from typing import Any
+from dataclasses import replace
 
 from app import sources
-from app.link import translated, unpack
+from app.link import unpack
 from app.sources import LEARN, PARAM
+from app.url import Check, Entries, Old, Schema, Values, by_name
 from laplace_core import InputError, Settings
 from laplace_core.learned import LEARN_SCHEMA
-from laplace_core.parameters import Parameter, as_text, parse_named
+from laplace_core.parameters import Parameter
 from laplace_core.pipeline import grids
 from laplace_core.settings import BY_NAME, resolve
 from laplace_core.worlds import parameters_of
@@ -19,13 +19,17 @@ from laplace_core.worlds import parameters_of
 OPENING = {"world": sources.FIRST_WORLD, "normalise": "paper"}
 """The paper's Fig. 4c: what a visitor without a link sees."""
 
+WORLD = (
+    Parameter("world", OPENING["world"], help="What is looked at.", kind=str),
+    Parameter(sources.OWN, None, help="Your own world, packed.", kind=str),
+    Parameter(sources.TIMELINE, None, help="Your own timeline, packed.", kind=str),
+    Parameter(sources.DATA, None, help="Your own gamma-space, by the digest of its file.", kind=str),
+)
+"""What decides which other entries there are."""
+
 VIEW = (
     Parameter("action", None, help="Action whose spaces are shown.", kind=str),
     Parameter("look", "heatmap", help="How the spaces are drawn.", choices=("heatmap", "surface")),
-    Parameter("own", None, help="Your own world, packed.", kind=str),
-    Parameter("timeline", None, help="Your own timeline, packed.", kind=str),
-    Parameter("data", None, help="Your own gamma-space, by the digest of its file.", kind=str),
-    Parameter("pin", None, help="The view pinned as A, packed.", kind=str),
     Parameter(
         "compare", "tau-space", help="Which space A and B are compared in.", choices=("tau-space", "gamma-space")
     ),
@@ -35,72 +39,109 @@ VIEW = (
     Parameter("learner", "mean", help="The learner shown, or the mean of all.", choices=("mean", *"01234567")),
     Parameter("edit", "no", help="Whether the world is open as a table.", choices=("no", "yes")),
 )
-"""What is looked at, beside the settings of the study."""
+"""How it is looked at, beside the settings of the study."""
+
+PIN = Parameter("pin", None, help="The view pinned as A, packed.", kind=str)
+
+YES_NO = {"yes": "true", "no": "false"}
+OLD_SWITCHES = tuple(Old(name, name, YES_NO) for name in ("fold", "shift", "clip", "paper_grid"))
+"""Switches of the lens, of which version 0.2 said yes and no."""
 
 
-def parse_query(query: Mapping[str, str]) -> tuple[dict[str, Any], list[str]]:
-    """State and notes from URL values; the values are checked as strictly as those of the command line."""
-    found: dict[str, Any] = {}
-    notes: list[str] = []
-    query = translated(query)
-    world = query.get("world", OPENING["world"])
-    if world not in (*sources.WORLDS, *sources.BROUGHT) or (world in sources.BROUGHT and world not in query):
-        notes.append(f"The link asks for an unknown world, {world[:40]!r}; this is the opening view instead.")
-        return dict(OPENING), notes
-    found["world"] = world
-    known = {**BY_NAME, **{parameter.name: parameter for parameter in VIEW}}
-    known |= {LEARN + parameter.name: parameter for parameter in LEARN_SCHEMA}
-    for name, text in query.items():
-        try:
-            if name.startswith(PARAM):
-                bare = name.removeprefix(PARAM)
-                found[name] = parse_named(world, parameters_of(world), {bare: text})[bare]
-            elif name in known:
-                found[name] = known[name].parse(text)
-            elif name != "world":
-                notes.append(f"The link has an entry {name[:40]!r} that means nothing here.")
-        except InputError as error:
-            notes.append(f"Left out of the link: {error}")
-    if "agent" in found:
-        try:
-            sources.agent(str(found["agent"]))
-        except InputError as error:
-            notes.append(f"Left out of the link: {error}")
-            del found["agent"]
-    if "pin" in found:
-        try:
-            unpinned(found["pin"])
-        except InputError as error:
-            del found["pin"]
-            notes.append(f"Left out of the link: {error}")
-    if world == sources.DATA:
-        return found, notes
-    try:
-        built = sources.world_of(found)
-    except InputError as error:
-        notes.append(f"Left out of the link: {error}")
-        if world in sources.BROUGHT:
-            return dict(OPENING), notes
-        found = {name: value for name, value in found.items() if not name.startswith(PARAM)}
-        built = sources.world_of(found)
-    assert built is not None  # only a gamma-space from a file has no world
-    for name, members in (("state", built.states), ("action", built.actions)):
-        if name in found and found[name] not in members:
-            notes.append(f"Left out of the link: {name} {str(found.pop(name))[:40]!r} is not in {world}.")
-    try:
-        values = {name: value for name, value in found.items() if name in BY_NAME}
-        grids(resolve(Settings(world=world, **values), built))
-    except InputError as error:
-        notes.append(f"Left out of the link: {error}")
-        found = {name: value for name, value in found.items() if not name.startswith(("gamma", "theta"))}
-    return found, notes
+def _is_listed(values: Values) -> None:
+    world = str(values["world"])
+    if world not in (*sources.WORLDS, *sources.BROUGHT) or (world in sources.BROUGHT and world not in values):
+        raise InputError(f"The link asks for an unknown world, {world[:40]!r}; this is the opening view instead.")
 
 
-def query_of(values: Mapping[str, Any]) -> dict[str, str]:
-    return {name: as_text(value) for name, value in values.items()}
+def _was_brought_whole(values: Values) -> None:
+    if values["world"] in sources.BROUGHT:
+        sources.world_of(values)
 
 
-def unpinned(word: str) -> dict[str, Any]:
+def _can_be_made(values: Values) -> None:
+    sources.world_of(values)
+
+
+def _agent_is_here(values: Values) -> None:
+    if "agent" in values:
+        sources.agent(str(values["agent"]))
+
+
+def _pin_holds(values: Values) -> None:
+    if "pin" in values:
+        unpinned(values["pin"])
+
+
+def _has_state(values: Values) -> None:
+    world = sources.world_of(values)
+    if world is not None:
+        _is_one_of("state", world.states, values)
+
+
+def _has_action(values: Values) -> None:
+    world = sources.world_of(values)
+    if world is not None:
+        _is_one_of("action", world.actions, values)
+
+
+def _is_one_of(name: str, members: tuple[str, ...], values: Values) -> None:
+    if name in values and values[name] not in members:
+        raise InputError(f"{name} {str(values[name])[:40]!r} is not in {values['world']}.")
+
+
+def _grids_fit(values: Values) -> None:
+    world = sources.world_of(values)
+    if world is not None:
+        given = {name: value for name, value in values.items() if name in BY_NAME}
+        grids(resolve(Settings(world=values["world"], **given), world))
+
+
+def _file_is_open(values: Values) -> None:
+    if "data" in values and values["data"] not in sources.gamma_space_files():
+        raise InputError(sources.DATA_IS_GONE)
+
+
+_ENTRIES = (
+    Entries(by_name(*WORLD)),
+    Check(_is_listed, lead=""),
+    Entries(
+        lambda values: by_name(*parameters_of(values["world"])),
+        prefix=PARAM,
+        owner=lambda values: str(values["world"]),
+    ),
+    Entries({**BY_NAME, **by_name(*VIEW)}),
+    Entries(by_name(*LEARN_SCHEMA), prefix=LEARN),
+)
+_CHECKS = (
+    Check(_agent_is_here, drops=("agent",)),
+    Check(_was_brought_whole),
+    Check(_can_be_made, drops=(f"{PARAM}*",)),
+    Check(_has_state, drops=("state",)),
+    Check(_has_action, drops=("action",)),
+    Check(_grids_fit, drops=("gamma*", "theta*")),
+)
+PINNED = Schema(
+    opening=lambda: OPENING,
+    assumed=lambda: {"world": OPENING["world"]},
+    old=OLD_SWITCHES,
+    steps=(*_ENTRIES, *_CHECKS),
+)
+"""A view that is pinned: it holds no other pinned view."""
+
+LINK = replace(
+    PINNED,
+    steps=(
+        *_ENTRIES,
+        Entries(by_name(PIN)),
+        *_CHECKS,
+        Check(_pin_holds, drops=("pin",)),
+        Check(_file_is_open, lead=""),  # a link carries no file: it has to be open in this session
+    ),
+)
+
+
+def unpinned(word: str) -> Values:
     """The values of a pinned view.
 
     Raises:
@@ -110,15 +151,7 @@ def unpinned(word: str) -> dict[str, Any]:
         query = {str(name): str(value) for name, value in json.loads(unpack(word)).items() if name != "pin"}
     except (ValueError, AttributeError, RecursionError):
         raise InputError("the link holds no pinned view; copy it again in full.") from None
-    found, notes = parse_query(query)
+    values, notes = PINNED.read(query)
     if notes:
         raise InputError(f"the pinned view does not hold: {notes[0]}")
-    return found
-
-
-def read_link(query: Mapping[str, str]) -> tuple[dict[str, Any], list[str]]:
-    """:func:`parse_query`, and what this session lacks: a file that a link cannot carry."""
-    found, notes = parse_query(query)
-    if "data" in found and found["data"] not in sources.gamma_space_files():
-        return dict(OPENING), [*notes, sources.DATA_IS_GONE]
-    return found, notes
+    return values

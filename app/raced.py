@@ -6,9 +6,9 @@ from collections.abc import Mapping
 from typing import Any
 
 from app import checkpoints, training_runs
-from app.link import read_values
 from app.races import Control
 from app.rolled import name_of
+from app.url import Check, Entries, Schema, Values, by_name
 from laplace_core import InputError, Settings
 from laplace_core.agents.agent import Agent
 from laplace_core.agents.capabilities import HasDiscounts
@@ -32,7 +32,7 @@ USUAL_HORIZON, USUAL_COUNT = 50, 100
 _STOPS = (1, 2, 3, 4, 5, 6, 8, 10, 15, 20, 25, 30, 40, 50, 60, 80, 100, 125, 150, 200, 250, 300, 400, 500, 700, 1000)
 
 
-def opening() -> dict[str, Any]:
+def opening() -> Values:
     listed = checkpoints.names()
     return {AGENT: FIRST_AGENT if FIRST_AGENT in listed else listed[0]} if listed else {}
 
@@ -95,27 +95,32 @@ def parameters(loaded: Loaded, other: Loaded | None = None) -> dict[str, Paramet
     return {parameter.name: parameter for parameter in found}
 
 
-def parse_query(query: Mapping[str, str]) -> tuple[dict[str, Any], list[str]]:
-    """State and notes from URL values."""
-    found, notes = dict(opening()), []
-    try:
-        if AGENT in query:
-            checkpoints.checkpoint(query[AGENT])
-            found[AGENT] = query[AGENT]
-    except InputError as error:
-        return found, [f"Left out of the link: {error}"]
-    if AGENT not in found:
-        return {}, []
-    loaded, other = checkpoints.checkpoint(str(found[AGENT])), None
-    if AGAINST in query:
-        if query[AGAINST] in rivals(str(found[AGENT]), loaded.environment):
-            found[AGAINST] = query[AGAINST]
-            other = checkpoints.checkpoint(query[AGAINST])
-        else:
-            notes.append(f"Left out of the link: {query[AGAINST][:40]!r} is no other agent of {loaded.environment}.")
-    known = parameters(loaded, other)
-    values, more = read_values(query, known, (AGENT, AGAINST))
-    return found | values, notes + more
+def _is_rival(values: Values) -> None:
+    """The other agent is one of the same environment, and can be opened."""
+    if AGAINST not in values or AGENT not in values:
+        return
+    environment = checkpoints.checkpoint(str(values[AGENT])).environment
+    if values[AGAINST] not in rivals(str(values[AGENT]), environment):
+        raise InputError(f"{str(values[AGAINST])[:40]!r} is no other agent of {environment}.")
+    checkpoints.checkpoint(str(values[AGAINST]))
+
+
+def _of_race(values: Values) -> dict[str, Parameter]:
+    if AGENT not in values:
+        return {}
+    other = checkpoints.checkpoint(str(values[AGAINST])) if AGAINST in values else None
+    return parameters(checkpoints.checkpoint(str(values[AGENT])), other)
+
+
+LINK = Schema(
+    opening=opening,
+    steps=(
+        *checkpoints.NAMED,
+        Entries(by_name(Parameter(AGAINST, None, help="Another agent, for the left side.", kind=str))),
+        Check(_is_rival, drops=(AGAINST,)),
+        Entries(_of_race),
+    ),
+)
 
 
 def control_of(values: Mapping[str, Any]) -> Control:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
 import json
 import re
 from collections.abc import Hashable, Mapping
@@ -12,8 +11,8 @@ from pathlib import Path
 from typing import Any, Protocol
 
 import numpy as np
-import streamlit as st
 
+from app import session
 from app.link import pack, unpack
 from laplace_core import (
     PRESETS,
@@ -103,9 +102,9 @@ class GammaSpaceFile:
     states: int
 
 
-def gamma_space_files() -> dict[str, GammaSpaceFile]:
+def gamma_space_files() -> Mapping[str, GammaSpaceFile]:
     """The gamma-space that this session has opened, by digest; one at a time."""
-    return st.session_state.setdefault("_gamma_space_files", {})
+    return session.opened(GammaSpaceFile)
 
 
 def open_gamma_space(name: str, data: bytes) -> str:
@@ -115,9 +114,7 @@ def open_gamma_space(name: str, data: bytes) -> str:
         InputError: not such a file.
     """
     read_gamma_space(data, name=name)
-    digest = hashlib.sha256(data).hexdigest()[:12]
-    st.session_state["_gamma_space_files"] = {digest: GammaSpaceFile(name, data, states_of(data, name=name))}
-    return digest
+    return session.keep_opened(GammaSpaceFile(name, data, states_of(data, name=name)), data)
 
 
 class Subject(Hashable, Protocol):
@@ -274,9 +271,9 @@ def shipped_agent(name: str) -> Learned:
     return read_learned(SHIPPED / f"{name}.safetensors")
 
 
-def opened_agents() -> dict[str, Learned]:
+def opened_agents() -> Mapping[str, Learned]:
     """The agent that this session has opened from a file, by digest; one at a time."""
-    return st.session_state.setdefault("_opened_agents", {})
+    return session.opened(Learned)
 
 
 def open_agent(name: str, data: bytes) -> str:
@@ -285,10 +282,7 @@ def open_agent(name: str, data: bytes) -> str:
     Raises:
         InputError: not such a file.
     """
-    found = parse_learned(data, name)
-    digest = hashlib.sha256(data).hexdigest()[:12]
-    st.session_state["_opened_agents"] = {digest: found}
-    return digest
+    return session.keep_opened(parse_learned(data, name), data)
 
 
 def agent(name: str) -> Learned:

@@ -10,11 +10,11 @@ import numpy as np
 
 from app import checkpoints, rolled
 from app.lens.state import ADDED
-from app.link import read_values, translated
 from app.observations import Scene, scene_of
-from app.query import VIEW
+from app.query import OLD_SWITCHES, VIEW
 from app.sources import View
-from laplace_core import InputError, Settings, load_world
+from app.url import Entries, Old, Schema, Values
+from laplace_core import Settings, load_world
 from laplace_core.environments import GYMNASIUM_ENVIRONMENTS
 from laplace_core.parameters import Parameter
 from laplace_core.settings import BY_NAME, ENCODING_NAMES, resolve, resolve_for_gamma_space
@@ -23,41 +23,44 @@ from laplace_core.training.checkpoint import Loaded
 OBSERVED = "o."  # prefix of the components of an observation
 # A network's gamma-space is known to a hundredth or so: less regularisation shows its error and not its timeline.
 DEFAULTS = {"alpha": 1.0}
-_READING = {name: parameter for name, parameter in BY_NAME.items() if name not in ENCODING_NAMES}
+_READING = {name: parameter for name, parameter in BY_NAME.items() if name not in (*ENCODING_NAMES, "state")}
 _LOOKING = {parameter.name: parameter for parameter in VIEW if parameter.name in ("action", "look")}
 _LOOKING["added"] = ADDED
+_IDLE = ("clip", "paper_grid")
 
 
-def opening() -> dict[str, Any]:
+def opening() -> Values:
     return {"checkpoint": checkpoints.shipped()[0]} if checkpoints.shipped() else {}
 
 
-def parse_query(query: Mapping[str, str]) -> tuple[dict[str, Any], list[str]]:
-    """State and notes from URL values."""
-    notes: list[str] = []
-    found = dict(opening())
-    # The lens of version 0.2 wrote these here as well, where they never did anything.
-    query = {name: text for name, text in translated(query).items() if name not in ("clip", "paper_grid")}
-    try:
-        if "checkpoint" in query:
-            checkpoints.checkpoint(query["checkpoint"])
-            found["checkpoint"] = query["checkpoint"]
-    except InputError as error:
-        return found, [f"Left out of the link: {error}"]
-    if "checkpoint" not in found:
-        return {}, []
-    loaded = checkpoints.checkpoint(str(found["checkpoint"]))
+def _of_agent(values: Values) -> dict[str, Parameter]:
+    """What a link may say of the agent that it names, and of what this agent observes."""
+    if "checkpoint" not in values:
+        return {}
+    loaded = checkpoints.checkpoint(str(values["checkpoint"]))
     scene = scene_of(loaded.environment)
-    known = {**_READING, **_LOOKING, **rolled.parameters(loaded.agent)}
-    known |= {
-        f"{OBSERVED}{i}": Parameter(component.name, component.start, component.low, component.high, "", float)
+    states = Parameter("state", None, help="State that is observed.", kind=str, choices=scene.states)
+    own = {"state": states} if scene.states else {}
+    return {**_READING, **_LOOKING, **rolled.parameters(loaded.agent), **own}
+
+
+def _components(values: Values) -> dict[str, Parameter]:
+    """The components of an observation, by their places."""
+    if "checkpoint" not in values:
+        return {}
+    scene = scene_of(checkpoints.checkpoint(str(values["checkpoint"])).environment)
+    return {
+        str(i): Parameter(component.name, component.start, component.low, component.high, "", float)
         for i, component in enumerate(scene.components)
     }
-    known.pop("state")
-    if scene.states:
-        known["state"] = Parameter("state", None, help="State that is observed.", kind=str, choices=scene.states)
-    values, more = read_values(query, known, ("checkpoint",))
-    return found | values, notes + more
+
+
+LINK = Schema(
+    opening=opening,
+    # The lens of version 0.2 wrote these two here as well, where they never did anything.
+    old=(*(each for each in OLD_SWITCHES if each.name not in _IDLE), *(Old(name, None) for name in _IDLE)),
+    steps=(*checkpoints.NAMED, Entries(_of_agent), Entries(_components, prefix=OBSERVED)),
+)
 
 
 def action_of(scene: Scene, values: Mapping[str, Any]) -> int:
@@ -86,7 +89,7 @@ def view_of(
     """
     seen, added = observation or observation_of(scene, values), int(values.get("added", 0))
     observed = checkpoints.observe(loaded, seen, scene.actions, added)
-    given = {name: value for name, value in values.items() if name in _READING and name != "state"}
+    given = {name: value for name, value in values.items() if name in _READING}
     usual = DEFAULTS | _steps(loaded.environment)
     settings = resolve_for_gamma_space(
         Settings(world=loaded.environment, **(usual | given)), loaded.settings.discounts()

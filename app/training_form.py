@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from functools import lru_cache
 from typing import Any
 
+from app.url import Check, Entries, Schema, Values, by_name
 from laplace_core import InputError
 from laplace_core.agents.settings import ENVIRONMENTS, LOOP_SCHEMA, SETTINGS, LoopSettings
 from laplace_core.parameters import Parameter
@@ -29,7 +30,6 @@ FORM = (
     Parameter("beside", None, help="Names of the runs that are drawn beside it.", kind=str),
     Parameter("ships", None, help="Algorithms whose shipped agents are drawn behind it.", kind=str),
 )
-_BY_NAME = {parameter.name: parameter for parameter in FORM}
 _SHOWN_OWN = 8  # settings that only this algorithm has, the grids first: what a run is about
 _SHOWN_LOOP = ("steps", "learning_rate")
 
@@ -71,31 +71,34 @@ def _word(name: str, values: Mapping[str, Any]) -> str:
     return str(values.get(name, OPENING[name]))
 
 
-def parse_query(query: Mapping[str, str]) -> tuple[dict[str, Any], list[str]]:
-    """State and notes from URL values."""
-    found: dict[str, Any] = {}
-    notes: list[str] = []
-    for name in sorted(query, key=lambda name: name.startswith(TRAIN)):  # what is trained decides what can be set
-        try:
-            if name in _BY_NAME:
-                found[name] = _checked(name, _BY_NAME[name].parse(query[name]))
-                continue
-            schema = {TRAIN + p.name: p for p in SETTINGS[_word("algorithm", found)].SCHEMA if p.name != "environment"}
-            if name in schema:
-                found[name] = schema[name].parse(query[name])
-            else:
-                notes.append(f"The link has an entry {name[:40]!r} that means nothing here.")
-        except InputError as error:
-            notes.append(f"Left out of the link: {error}")
-    return found, notes
+def _names_runs(entry: str) -> Check:
+    def test(values: Values) -> None:
+        if not all(RUN_NAME.fullmatch(word) for word in names_in(values.get(entry))):
+            raise InputError(f"{entry} is no name of a run.")
+
+    return Check(test, drops=(entry,))
 
 
-def _checked(name: str, value: object) -> object:
-    if name in ("run", "beside") and not all(RUN_NAME.fullmatch(word) for word in names_in(value)):
-        raise InputError(f"{name} is no name of a run.")
-    if name == "ships" and not all(word in SETTINGS for word in names_in(value)):
-        raise InputError(f"{name} is no name of an algorithm.")
-    return value
+def _names_algorithms(values: Values) -> None:
+    if not all(word in SETTINGS for word in names_in(values.get("ships"))):
+        raise InputError("ships is no name of an algorithm.")
+
+
+def _settings(values: Values) -> dict[str, Parameter]:
+    """What is trained decides what can be set."""
+    return by_name(*(each for each in SETTINGS[_word("algorithm", values)].SCHEMA if each.name != "environment"))
+
+
+LINK = Schema(
+    opening=dict,
+    steps=(
+        Entries(by_name(*FORM)),
+        _names_runs("run"),
+        _names_runs("beside"),
+        Check(_names_algorithms, drops=("ships",)),
+        Entries(_settings, prefix=TRAIN),
+    ),
+)
 
 
 def names_in(word: object) -> list[str]:

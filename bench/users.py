@@ -22,8 +22,9 @@ from urllib.parse import parse_qsl, urlencode, urlsplit
 import numpy as np
 
 from app.link import pack
-from app.query import parse_query, query_of
+from app.query import LINK
 from app.sources import packed_timeline, view_of
+from app.url import query_of
 from bench.browser import FLAGS, ROOT, find_chromium, served
 from laplace_core import load_world, study
 from laplace_core.verdict import judge
@@ -119,7 +120,7 @@ def _alpha(chance: random.Random) -> dict[str, str]:
 
 def changed(wanted: dict[str, str], chance: random.Random) -> dict[str, str]:
     """The settings with one of them changed to something else that fits."""
-    view = view_of(parse_query(wanted)[0])
+    view = view_of(LINK.read(wanted)[0])
     horizons = study(view.world, view.settings).horizons
     options = {
         "alpha": _alpha(chance)["alpha"],
@@ -180,8 +181,8 @@ async def _choose_normalisation(user: User) -> None:
 
 async def check(user: User, what: str) -> None:
     """Hold the page against the library: its link, its tau-space and its verdict."""
-    user.wanted = query_of(parse_query(user.wanted)[0])  # numbers as the page writes them
-    view = view_of(parse_query(user.wanted)[0])
+    user.wanted = query_of(LINK.read(user.wanted)[0])  # numbers as the page writes them
+    view = view_of(LINK.read(user.wanted)[0])
     found = study(view.world, view.settings)
     row = len(found.horizons) - 1 if view.horizon is None else found.row_at(view.horizon)
     z = np.ascontiguousarray(found.decoded.tau_space[view.action], dtype="<f4")

@@ -16,7 +16,9 @@ from streamlit.delta_generator import DeltaGenerator
 from streamlit.testing.v1 import AppTest
 
 from app.link import pack
-from app.query import parse_query
+from app.query import LINK
+from app.runs import Runs
+from app.session import KEY, Session
 from app.sources import View, view_of
 from laplace_core import Study
 from tests.lens_reference import seen
@@ -34,6 +36,16 @@ def opened(*unfolded: str, screen: str | None = None, **query: str) -> AppTest:
     for name, value in query.items():
         page.query_params[name] = value
     return run(page)
+
+
+def session(page: AppTest) -> Session:
+    """What the server keeps for this session."""
+    return page.session_state[KEY]
+
+
+def runs_of(page: AppTest) -> Runs:
+    """The learners of this session."""
+    return session(page).parts[Runs]
 
 
 def run(page: AppTest) -> AppTest:
@@ -70,10 +82,12 @@ def verdict(page: AppTest) -> str:
 
 def choose(page: AppTest, **values: object) -> AppTest:
     """Set values as the lens does when something in it is let go of; None takes one back."""
-    kept = page.session_state["_pages"][page.session_state["_page"]]["chosen"]
+    record = session(page)
     for name, value in values.items():
-        kept.pop(name, None) if value is None else kept.update({name: value})
-    page.session_state["_touched"] = True
+        record.shown_page.chosen.pop(name, None)
+        if value is not None:
+            record.shown_page.chosen[name] = value
+    record.touched = True
     return run(page)
 
 
@@ -129,7 +143,7 @@ def downloads(monkeypatch) -> dict[str, object]:
 
 def shown(page: AppTest) -> View:
     """What the page's link stands for, by the same words but without the page; learned views are not exact."""
-    found, notes = parse_query(link(page))
+    found, notes = LINK.read(link(page))
     assert notes == []
     return view_of(found)
 

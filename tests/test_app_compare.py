@@ -32,6 +32,7 @@ from tests.pages import (
     pin,
     press,
     run,
+    runs_of,
     seen_on,
     shown,
     tau_space,
@@ -140,14 +141,14 @@ def test_a_learned_view_is_pinned_as_it_was_learned():
         np.testing.assert_allclose(drawn, expected, rtol=1e-5, atol=1e-6)
     # A link to it learns A again, from its seed.
     again = wait(opened(**link(page)), lambda page: set(MAPS) <= set(pictures(page)))
-    wait(again, lambda page: not page.session_state["_runs"].running)
+    wait(again, lambda page: not runs_of(page).running)
     assert pictures(run(again)) == pictures(page)
 
 
 def test_a_pinned_run_is_not_stopped_by_what_is_learned_beside_it():
     pinned = link(pin(learn(**{"p.slip": "0.2"})))["pin"]
     page = opened(pin=pinned, **QUICK | {"l.seed": "5"})
-    press(wait(page, lambda page: not page.session_state["_runs"].running), "Learn")
+    press(wait(page, lambda page: not runs_of(page).running), "Learn")
     wait(page, finished)
     a, b = (
         study_of(learned_here(params=params, episodes=60, seed=seed), Settings())

@@ -10,7 +10,7 @@ import pytest
 
 from app import sources
 from app.link import pack
-from app.query import parse_query
+from app.query import LINK
 from laplace_core import Settings, load_world, study
 from laplace_core.cli import main
 from laplace_core.control import episode_regret_of
@@ -40,6 +40,7 @@ from tests.pages import (
     pictures,
     press,
     run,
+    runs_of,
     tau_space,
     upload,
     verdict,
@@ -119,7 +120,7 @@ def test_other_settings_of_learning_show_no_stale_run():
 def test_cancel_ends_the_process_and_keeps_what_was_learned():
     page = press(opened(**ENDLESS), "Learn")
     wait(page, lambda page: "curve" in pictures(page))
-    watched = page.session_state["_runs"].get(link(page)["run"])
+    watched = runs_of(page).get(link(page)["run"])
     assert watched.running
     press(page, "Cancel")
     assert not watched.running
@@ -134,8 +135,8 @@ def test_cancel_ends_the_process_and_keeps_what_was_learned():
 def test_a_run_goes_with_its_session():
     page = press(opened(**ENDLESS), "Learn")
     wait(page, lambda page: "curve" in pictures(page))
-    watched = page.session_state["_runs"].get(link(page)["run"])
-    page.session_state["_runs"].__del__()
+    watched = runs_of(page).get(link(page)["run"])
+    runs_of(page).__del__()
     assert watched._run.finished
     assert not watched._folder.exists()
 
@@ -196,7 +197,7 @@ def test_every_setting_of_learning_can_be_set_and_travels_in_the_link():
     assert {name: link(page)[name] for name in ("l.starts", "l.seeds", "l.peers", "l.epsilon_first")} == {
         "l.starts": "world", "l.seeds": "2", "l.peers": "true", "l.epsilon_first": "0.5",
     }  # fmt: skip
-    assert parse_query(link(page))[1] == []
+    assert LINK.read(link(page))[1] == []
 
 
 def test_another_world_drops_the_run():

@@ -8,7 +8,7 @@ import pytest
 from streamlit.testing.v1 import AppTest
 
 from app import training_runs
-from app.training_form import fields, parse_query, wanted
+from app.training_form import LINK, fields, wanted
 from laplace_core.agents.settings import ENVIRONMENTS, SETTINGS
 from laplace_core.training.command import settings_of
 from laplace_core.training.queue import Queue
@@ -122,7 +122,7 @@ def test_a_bad_link_opens_with_a_note(runs, query):
 
 
 def test_settings_of_the_algorithm_are_known_whatever_the_order_of_the_link():
-    found, notes = parse_query({"t.gammas": "9", "environment": "two_branch", "algorithm": "laplace"})
+    found, notes = LINK.read({"t.gammas": "9", "environment": "two_branch", "algorithm": "laplace"})
     assert notes == []
     assert found == {"t.gammas": 9, "environment": "two_branch", "algorithm": "laplace"}
 

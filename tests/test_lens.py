@@ -24,7 +24,7 @@ from app.lens import (
     values_of,
 )
 from app.lens.payload import unpacked
-from app.query import parse_query
+from app.query import LINK
 from app.sources import view_of
 from laplace_core import PRESETS as WORLDS
 from laplace_core import Settings, load_world, study, study_of_gamma_space
@@ -195,7 +195,7 @@ def test_a_state_from_the_browser_is_not_trusted(heard):
 
 
 def test_every_preset_is_a_view():
-    view = view_of(parse_query({"world": "two_branch"})[0])
+    view = view_of(LINK.read({"world": "two_branch"})[0])
     found = {preset.name: preset for preset in presets_for(view)}
     assert list(found) == list(PRESETS)
     assert found["Fig. 4c"].here

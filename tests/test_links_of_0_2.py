@@ -15,8 +15,9 @@ import pytest
 
 from app import checkpoints, compute, trained
 from app.observations import scene_of
-from app.query import parse_query, query_of
+from app.query import LINK
 from app.sources import view_of
+from app.url import query_of
 
 LINKS = json.loads((Path(__file__).parent / "data" / "links_of_0_2.json").read_text(encoding="utf-8"))
 
@@ -26,9 +27,9 @@ def opened(link: str):
     path, _, text = link.partition("?")
     query = dict(parse_qsl(text))
     if path != "/agents":
-        values, notes = parse_query(query)
+        values, notes = LINK.read(query)
         return values, notes, view_of(values)
-    values, notes = trained.parse_query(query)
+    values, notes = trained.LINK.read(query)
     loaded = checkpoints.checkpoint(str(values["checkpoint"]))
     return values, notes, trained.view_of(loaded, scene_of(loaded.environment), values)
 
@@ -55,5 +56,5 @@ def test_a_link_of_0_2_opens_the_same_view(told):
         np.testing.assert_allclose(decoded.tau_space[view.action].sum(axis=-1)[:count], told["tau_space"], **within)
         np.testing.assert_allclose(decoded.expected_reward[view.action][:count], told["rewards"], **within)
         np.testing.assert_allclose(decoded.horizon_values[:, told["read_row"]], told["values"], **within)
-        again, more = parse_query(query_of(values))
+        again, more = LINK.read(query_of(values))
         assert (again, more) == (values, [])

@@ -10,18 +10,18 @@ from hypothesis import example, given
 from hypothesis import strategies as st
 
 from app.link import pack
-from app.query import OPENING, VIEW, parse_query, query_of, read_link, unpinned
+from app.query import LINK, OPENING, PIN, VIEW, WORLD, unpinned
 from app.sources import BROUGHT, FIRST_TIMELINE, LEARN, PARAM, packed_timeline, view_of
+from app.url import query_of
 from laplace_core import InputError
 from laplace_core.learned import LEARN_SCHEMA
 from laplace_core.settings import SCHEMA
 from tests.malformed_worlds import TEXT
 
 NAMES = [
-    *(parameter.name for parameter in (*SCHEMA, *VIEW)),
+    *(parameter.name for parameter in (*SCHEMA, *VIEW, *WORLD, PIN)),
     *(LEARN + parameter.name for parameter in LEARN_SCHEMA),
     *(PARAM + name for name in ("length", "slip", "auxiliary", "r1", "", "p.", "width")),
-    "world",
     "l.",
 ]
 _SNIPPETS = [
@@ -40,11 +40,11 @@ JSON = st.recursive(
 
 def assert_holds(query: dict[str, str]) -> None:
     """It is read without an error, every note is short and one line, and what was read says the same again."""
-    found, notes = read_link(query)
+    found, notes = LINK.read(query)
     for note in notes:
         assert len(note) < 600
         assert "\n" not in note
-    again, more = parse_query(query_of(found))
+    again, more = LINK.read(query_of(found))
     assert more == []
     assert again == found
     with contextlib.suppress(InputError):  # said on the page; anything else would be a crash
@@ -109,14 +109,14 @@ def test_a_pin_within_a_pin_is_dropped():
 def test_a_deep_text_is_refused_and_does_not_overflow():
     deep = pack("[" * 100_000)
     for query in ({"world": "own", "own": deep}, {"world": "timeline", "timeline": deep}, {"pin": deep}):
-        found, notes = parse_query(query)
+        found, notes = LINK.read(query)
         assert found.get("world") == "two_branch"
         assert len(notes) == 1
 
 
 @pytest.mark.parametrize("kind", BROUGHT)
 def test_what_was_brought_needs_its_content(kind):
-    found, notes = parse_query({"world": kind})
+    found, notes = LINK.read({"world": kind})
     assert found == OPENING
     assert len(notes) == 1
 
@@ -124,6 +124,6 @@ def test_what_was_brought_needs_its_content(kind):
 def test_a_learned_view_travels_whole():
     query = {"world": "two_branch", "source": "learned", "run": "0123456789", "learner": "1", "l.seeds": "3",
              "l.rate_first": "0.5", "l.starts": "world", "l.peers": "true"}  # fmt: skip
-    found, notes = parse_query(query)
+    found, notes = LINK.read(query)
     assert notes == []
     assert query_of(found) == query

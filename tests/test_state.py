@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from app.query import OPENING, parse_query
+from app.query import LINK, OPENING
 from app.sources import WORLDS
 from laplace_core.settings import BY_NAME, SCHEMA
 
@@ -21,7 +21,7 @@ def test_a_good_link_is_read_in_full():
         "horizon": "4",
         "look": "surface",
     }
-    found, notes = parse_query(query)
+    found, notes = LINK.read(query)
     assert notes == []
     assert found == {
         "world": "two_branch",
@@ -70,7 +70,7 @@ _ODD = [("p.length", "2.5"), ("p.length", "0"), ("p.slip", "0.7"), ("p.auxiliary
 
 @pytest.mark.parametrize(("name", "word"), _BAD_VALUES + _OUT_OF_RANGE + _FRACTIONS + _ODD)
 def test_a_bad_value_is_left_out_and_noted(name, word):
-    found, notes = parse_query({"world": "two_branch", name: word})
+    found, notes = LINK.read({"world": "two_branch", name: word})
     assert found == {"world": "two_branch"}
     assert len(notes) == 1
     assert len(notes[0]) < 300
@@ -85,26 +85,26 @@ def test_more_than_two_hundred_bad_values_were_tried():
 
 @pytest.mark.parametrize("world", ["", "nope", "../../etc/passwd", "gym:Ant-v5", "world.json", "gym:", "data.npz"])
 def test_only_listed_worlds_open_by_link(world):
-    found, notes = parse_query({"world": world, "alpha": "1"})
+    found, notes = LINK.read({"world": world, "alpha": "1"})
     assert found == OPENING
     assert len(notes) == 1
 
 
 def test_bounds_that_contradict_each_other_are_left_out_and_noted():
     query = {"gamma_min": "0.9", "gamma_max": "0.5", "alpha": "0.3"}
-    found, notes = parse_query({"world": "two_branch", **query})
+    found, notes = LINK.read({"world": "two_branch", **query})
     assert found == {"world": "two_branch", "alpha": 0.3}
     assert "gamma-min" in notes[0]
 
 
 def test_a_world_that_its_parameters_make_too_large_is_noted():
-    found, notes = parse_query({"world": "cliff_grid", "p.width": "200", "p.height": "200"})
+    found, notes = LINK.read({"world": "cliff_grid", "p.width": "200", "p.height": "200"})
     assert found == {"world": "cliff_grid"}
     assert "5,000" in notes[0]
 
 
 def test_good_values_survive_beside_bad_ones():
-    found, notes = parse_query({"alpha": "0.5", "steps": "-3"})
+    found, notes = LINK.read({"alpha": "0.5", "steps": "-3"})
     assert found == {"world": OPENING["world"], "alpha": 0.5}
     assert len(notes) == 1
 

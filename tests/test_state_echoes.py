@@ -2,17 +2,21 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+from itertools import product
+
 import pytest
 import streamlit as st
 
-from app import state
+from app import session, state, world_actions
+from app.echoes import Shown, is_echo
 
 
 @pytest.fixture(autouse=True)
-def session(monkeypatch):
+def alone(monkeypatch):
     """A session of one page, without a browser."""
-    monkeypatch.setattr(st, "session_state", {"_page": "worlds"})
-    return st.session_state
+    monkeypatch.setattr(st, "session_state", {})
+    session.current().page = "worlds"
 
 
 def report(**values: object) -> None:
@@ -20,6 +24,93 @@ def report(**values: object) -> None:
     for name, value in values.items():
         st.session_state[name] = value
         state.keep(name)
+
+
+@dataclass(frozen=True)
+class Row:
+    """One row of the table of :func:`is_echo`."""
+
+    reports: str
+    by_hand: frozenset[bool]
+    others: frozenset[bool]
+    dropped: bool
+
+
+def table() -> list[Row]:
+    """The table, as the docstring has it: cells are at least two blanks apart."""
+    assert is_echo.__doc__ is not None
+    lines = [line.strip() for line in is_echo.__doc__.splitlines()]
+    first, head, last = (place for place, line in enumerate(lines) if line.startswith("====="))
+    assert lines[first + 1 : head] == ["it reports              by hand      others report  it is     because"], (
+        "the columns that are read here"
+    )
+    words = {"no": frozenset({False}), "yes": frozenset({True}), "no or yes": frozenset({False, True})}
+    rows = []
+    for line in lines[head + 1 : last]:
+        reports, by_hand, others, outcome, _ = (cell.strip() for cell in line.split("  ") if cell)
+        rows.append(Row(reports, words[by_hand], words[others], {"dropped": True, "kept": False}[outcome]))
+    return rows
+
+
+SHOWN = Shown("now", "before")
+VALUES = {"what it shows": "now", "what it showed before": "before", "something else": "else"}
+CASES = list(product(VALUES, (False, True), (False, True)))
+
+
+def row_of(reports: str, *, by_hand: bool, others: bool) -> Row:
+    rows = [row for row in table() if row.reports == reports and by_hand in row.by_hand and others in row.others]
+    assert len(rows) == 1, "the table has one row for every case"
+    return rows[0]
+
+
+@pytest.mark.parametrize(("reports", "by_hand", "others"), CASES)
+def test_the_rule_is_its_table(reports, by_hand, others):
+    row = row_of(reports, by_hand=by_hand, others=others)
+    assert is_echo(VALUES[reports], SHOWN, by_hand=by_hand, others=others) == row.dropped
+
+
+def test_the_table_has_no_row_beside_these_cases():
+    assert {row.reports for row in table()} == set(VALUES)
+
+
+@pytest.mark.parametrize(("reports", "by_hand", "others"), CASES)
+def test_a_page_keeps_and_drops_by_the_table(reports, by_hand, others):
+    """The same through the page: a widget that the server changed, alone or beside one that a person touches."""
+    state.put("widget", "before")
+    if by_hand:
+        state.choose("widget", "now")
+    state.put("widget", "now")
+    state.show("other", 1)
+    report(widget=VALUES[reports], **({"other": 2} if others else {}))
+    expected = {"other": 2} if others else {}
+    if not row_of(reports, by_hand=by_hand, others=others).dropped:
+        expected["widget"] = VALUES[reports]
+    elif by_hand:
+        expected["widget"] = "now"
+    assert state.chosen() == expected
+
+
+@pytest.mark.parametrize("others", [False, True])
+def test_after_a_touch_nothing_was_shown_before(others):
+    """What a person changed showed nothing before: to go back to it by hand is no echo, whoever reports beside it."""
+    assert not is_echo("before", Shown("now"), by_hand=True, others=others)
+
+
+def test_a_widget_that_merely_shows_what_it_shows_is_no_other_one():
+    """The second row of others: beside widgets that nobody touched, to go back is a person's."""
+    state.put("normalise", "paper")
+    state.put("normalise", "none")
+    state.put("horizon", 40.0)
+    report(normalise="paper", horizon=40.0)
+    assert state.chosen() == {"normalise": "paper"}
+
+
+def test_the_last_report_of_a_widget_counts():
+    """The first of two events was not looked at, because a third thing ended the run of the page."""
+    state.show("alpha", 0.1)
+    report(alpha=0.2)
+    report(alpha=0.1)
+    assert state.chosen() == {}
 
 
 def test_a_touched_widget_is_kept():
@@ -63,7 +154,7 @@ def test_going_back_at_once_to_what_was_shown_counts():
 def test_parameters_of_a_world_that_was_left_stay_behind():
     st.session_state["world"] = "cliff_grid"
     state.show("p.early", 2)
-    state.choose_world()
+    world_actions.choose_world()
     report(**{"p.early": 2})
     assert state.chosen() == {"world": "cliff_grid"}
 

@@ -11,7 +11,7 @@ from typing import Any
 
 import streamlit as st
 
-from app import message
+from app import message, session
 
 _FILE = Path(__file__).resolve().parent / "cursor.js"
 HELD = 4
@@ -32,25 +32,21 @@ def under_cursor(
         on_step: called with the step at which the cursor came to rest, before the rerun, as a widget's callback.
     """
     widget = f"{kind} {key}"
-    known = st.session_state.setdefault(f"_{widget}", {"revision": 0, "held": []})
-    digest = message.name_of(data)
-    if known.get("id") != digest or known.get("at") != at:
-        known.update(id=digest, at=at, revision=known["revision"] + 1)
+    channel, digest = session.channel(widget), message.name_of(data)
+    channel.place(digest, at)
 
     def heard() -> None:
-        found = st.session_state[widget].rested
-        if not isinstance(found, Mapping):
+        answer = st.session_state[widget].rested
+        if not isinstance(answer, Mapping) or not channel.answered(digest, answer, HELD):
             return
-        known["held"] = message.held(known["held"], digest, found, HELD)
-        step = found.get("step")
+        step = answer.get("step")
         number = isinstance(step, int | float) and not isinstance(step, bool)
-        if step is not None and number and 0 <= step < 1e6 and found.get("id") == digest:
-            known["at"] = int(step)
+        if step is not None and number and 0 <= step < 1e6 and answer.get("id") == digest:
+            channel.release(int(step))
             if on_step is not None:
                 on_step(int(step))
 
-    sent = b"" if digest in known["held"] else data
-    packed = message.pack({"id": digest, "revision": known["revision"], "at": at, **told}, sent)
+    packed = message.pack({"id": digest, "revision": channel.revision, "at": at, **told}, channel.due(digest, data))
     component(key=widget, data=packed, on_rested_change=heard, height="content")
 
 

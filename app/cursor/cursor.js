@@ -1,4 +1,5 @@
 // A cursor over steps, dragged, stepped or played, over what the server sends once; Python hears where it comes to rest.
+// The rule of payloads and revisions is written down in app/message.py.
 import { element } from './controls.js';
 
 const REST = 250; // ms without a move before the server hears the step

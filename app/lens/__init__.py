@@ -16,7 +16,7 @@ from typing import Any
 
 import streamlit as st
 
-from app import chart, message
+from app import chart, message, session
 from app.lens.payload import Simulated, payload, structure
 from app.lens.presets import PRESETS, Preset, presets_for
 from app.lens.state import LIVE, checked, state_of, values_of
@@ -89,7 +89,7 @@ def lens(
 ) -> Released | None:
     """Draw the lens and return what was released just now, if anything; pass its state through :func:`checked`.
 
-    A state that equals what was released last is not sent again, nor is a payload: the browser has them.
+    What is sent, and what the browser makes of it, is a rule of its own: :mod:`app.message`.
 
     Args:
         data: from :func:`payload`.
@@ -103,20 +103,15 @@ def lens(
         lead: ``id`` and ``step`` of the episode whose player (:mod:`app.player`) the lens follows.
         followed: what came, to be drawn on the timeline; see :func:`app.rolled.followed`.
     """
-    known = st.session_state.setdefault(f"_lens {key}", {"revision": 0, "held": []})
-    digest = message.name_of(data)
-    # Only another state moves the lens: beside other data a hand may have changed it since, and has the last word.
-    if known.get("heard", known.get("shown")) != dict(state):
-        known.update(revision=known["revision"] + 1)
-        known.pop("heard", None)
-    if known.get("id") != digest or "heard" not in known:
-        known.update(id=digest, shown=dict(state))
+    widget, digest = f"lens {key}", message.name_of(data)
+    channel = session.channel(widget)
+    sent = channel.show(digest, state)
     told = {
         "name": key,
         "id": digest,
-        "revision": known["revision"],
-        "state": known["shown"],
-        "base": dict(base or known["shown"]),
+        "revision": channel.revision,
+        "state": sent,
+        "base": dict(base or sent),
         "presets": [{"name": each.name, "here": each.here, "state": dict(each.state)} for each in presets],
         "said": None if said is None else {**asdict(said), "state": dict(state)},
         "world": None if world is None else asdict(world),
@@ -126,20 +121,18 @@ def lens(
         "lead": None if lead is None else dict(lead),
         "followed": None if followed is None else dict(followed),
     }
-    widget = f"lens {key}"
 
     def heard() -> None:
-        found = st.session_state[widget].released
-        known["held"] = message.held(known["held"], digest, found, _HELD)
-        if not known["held"]:
+        answer = st.session_state[widget].released
+        if not channel.answered(digest, answer, _HELD):
             return
-        released = _released(found)
-        known["heard"] = released.state
+        released = _released(answer)
+        channel.release(released.state)
         if on_release is not None:
             on_release(released)
 
-    sent = b"" if digest in known["held"] else data
-    result = _component()(key=widget, data=message.pack(told, sent), on_released_change=heard, height="content")
+    packed = message.pack(told, channel.due(digest, data))
+    result = _component()(key=widget, data=packed, on_released_change=heard, height="content")
     return None if result.released is None else _released(result.released)
 
 

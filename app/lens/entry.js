@@ -1,4 +1,5 @@
-// The lens inside Streamlit: a message is a small JSON and, if the browser does not hold it yet, a payload.
+// The lens inside Streamlit: a message is a small JSON and, if the browser does not hold it yet, a payload. The rule
+// of payloads, revisions and releases is written down in app/message.py.
 import { element } from './controls.js';
 import { mount, shapeOf } from './lens.js';
 import { read } from './model.js';

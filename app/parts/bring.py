@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass, field
+
 import streamlit as st
 from streamlit.delta_generator import DeltaGenerator
 
-from app import sources, state
+from app import session, sources, state
 from app.link import pack
 from app.sources import View
+from app.world_actions import edit_world, go_to, world_name
 from laplace_core import InputError, World
 from laplace_core.worlds import (
     dump_world,
@@ -35,8 +38,8 @@ def open_group(world: World | None) -> None:
             help="A world file as in the README; arrays gamma_space (actions, discounts, thetas), gammas and thetas; "
             "or what Download agent saved.",
         )  # fmt: skip
-        if "_refused" in st.session_state:
-            st.error(st.session_state["_refused"])
+        if "upload" in session.current().refusals:
+            st.error(session.current().refusals["upload"])
         for name in sources.shipped_agents():
             st.button(
                 f"Open the learned {name.removesuffix('_td').replace('_', ' ')}",
@@ -44,23 +47,23 @@ def open_group(world: World | None) -> None:
                 args=(name,),
                 width="stretch",
             )
-        if world is not None and state.world_name() not in sources.BROUGHT:
-            st.button("Edit this world as a table", on_click=state.edit_world, args=(world,), width="stretch")
-        if state.world_name() != sources.TIMELINE:
+        if world is not None and world_name() not in sources.BROUGHT:
+            st.button("Edit this world as a table", on_click=edit_world, args=(world,), width="stretch")
+        if world_name() != sources.TIMELINE:
             st.button("Draw a timeline", on_click=_draw, width="stretch")
 
 
 def _open_agent(name: str) -> None:
-    state.go_to(**sources.world_values(sources.agent(name).world), source="learned", agent=name)
+    go_to(**sources.world_values(sources.agent(name).world), source="learned", agent=name)
 
 
 def _draw() -> None:
-    state.go_to(world=sources.TIMELINE, timeline=sources.FIRST_TIMELINE, edit="yes")
+    go_to(world=sources.TIMELINE, timeline=sources.FIRST_TIMELINE, edit="yes")
 
 
 def _uploaded() -> None:
     """Callback: an uploaded file replaces the view, or says in one sentence why it cannot."""
-    st.session_state.pop("_refused", None)
+    session.current().refusals.pop("upload", None)
     file = st.session_state["upload"]
     if file is None:
         return
@@ -69,18 +72,18 @@ def _uploaded() -> None:
         if ending == "json":
             text = world_text(file.getvalue(), file.name)
             parse_world(text)
-            state.go_to(world=sources.OWN, own=pack(text))
+            go_to(world=sources.OWN, own=pack(text))
         elif ending == "safetensors":
             _open_agent(sources.open_agent(file.name, file.getvalue()))
         else:
-            state.go_to(world=sources.DATA, data=sources.open_gamma_space(file.name, file.getvalue()), normalise="none")
+            go_to(world=sources.DATA, data=sources.open_gamma_space(file.name, file.getvalue()), normalise="none")
     except InputError as error:
-        st.session_state["_refused"] = str(error)
+        session.current().refusals["upload"] = str(error)
 
 
 def editor(view: View) -> None:
     """Under the pictures: the world or the timeline as a table, if it is open."""
-    name = state.world_name()
+    name = world_name()
     if view.world is None:
         return
     if name == sources.OWN:
@@ -89,21 +92,41 @@ def editor(view: View) -> None:
         _timeline_table(view.world)
 
 
+@dataclass
+class _Table:
+    """One table: the packed rows that it holds, those that it was opened with, and how often it was opened."""
+
+    word: str | None = None
+    base: str = ""
+    version: int = 0
+
+
+@dataclass
+class _Tables:
+    """All of a session, by what they show."""
+
+    by_kind: dict[str, _Table] = field(default_factory=dict)
+
+
+def _table(kind: str) -> _Table:
+    return session.part(_Tables).by_kind.setdefault(kind, _Table())
+
+
 def _version(word: str, kind: str) -> str:
     """Key of a table's widget: a new one when its content was changed from elsewhere, else the same.
 
     A table keeps its edits relative to the rows that it was opened with, so those rows must stay; a table that was
     off the page has lost its edits, and begins with the rows as they are now.
     """
-    kept = st.session_state.setdefault(f"_{kind}_table", {"word": None, "version": 0})
-    if kept["word"] != word or f"{kind} table {kept['version']}" not in st.session_state:
-        kept.update(word=word, base=word, version=kept["version"] + 1)
-    return f"{kind} table {kept['version']}"
+    table = _table(kind)
+    if table.word != word or f"{kind} table {table.version}" not in st.session_state:
+        table.word, table.base, table.version = word, word, table.version + 1
+    return f"{kind} table {table.version}"
 
 
 def _edited(kind: str, word: str) -> None:
     """Note that the table itself made this change, and take it over."""
-    st.session_state[f"_{kind}_table"]["word"] = word
+    _table(kind).word = word
     state.choose(kind, word)
     st.rerun()
 
@@ -116,7 +139,7 @@ def _world_table(world: World) -> None:
         _download(world)
         return
     key = _version(word, sources.OWN)
-    base = sources.own_world(st.session_state["_own_table"]["base"])
+    base = sources.own_world(_table(sources.OWN).base)
     rows = st.data_editor(
         world_rows(base), key=key, num_rows="dynamic", height=260, width="stretch", hide_index=True,
         column_config={
@@ -167,7 +190,7 @@ def _offer_rescale(place: DeltaGenerator, rows: list[dict], base: World) -> None
 
 def _take_over(word: str) -> None:
     """Callback: show these rows, even where they make the world that is shown already."""
-    st.session_state["_own_table"]["word"] = None
+    _table(sources.OWN).word = None
     state.choose(sources.OWN, word)
 
 
@@ -182,7 +205,7 @@ def _timeline_table(world: World) -> None:
     word = str(state.chosen()[sources.TIMELINE])
     st.html('<div class="panel-title">your timeline: at future step tau, this reward comes with this probability</div>')
     key = _version(word, sources.TIMELINE)
-    base, rest = sources.timeline_rows_of(st.session_state["_timeline_table"]["base"])
+    base, rest = sources.timeline_rows_of(_table(sources.TIMELINE).base)
     table, beside = st.columns([3, 1.2])
     with beside:
         _download(world)

@@ -14,8 +14,10 @@ from app.figures.theme import HEIGHT
 from app.lens import state_of
 from app.link import pack
 from app.parts import learning
-from app.query import query_of, unpinned
+from app.query import unpinned
 from app.sources import View
+from app.url import query_of
+from app.world_actions import world_name
 from laplace_core import InputError
 
 _UNSAID = ("pin", "edit", "compare", "look", "run", "own", "timeline")
@@ -28,7 +30,7 @@ def is_pinned() -> bool:
 def pin() -> None:
     """Keep what is seen as A; whatever changes then is B, beside it."""
     values = {name: value for name, value in state.chosen().items() if name not in ("pin", "edit")}
-    state.choose("pin", pack(json.dumps({"world": state.world_name(), **query_of(values)})))
+    state.choose("pin", pack(json.dumps({"world": world_name(), **query_of(values)})))
 
 
 def unpin() -> None:

@@ -13,8 +13,9 @@ from streamlit.delta_generator import DeltaGenerator
 
 from app import compute, explain, link, sources, state
 from app.copy import copy_button
-from app.query import query_of
 from app.sources import View
+from app.url import query_of
+from app.world_actions import world_name
 from laplace_core.saved import npz_bytes
 from laplace_core.settings import Resolved
 from laplace_core.tables import gamma_space_csv, rewards_csv, tau_space_csv, values_csv
@@ -75,7 +76,7 @@ def _copying(place: DeltaGenerator, view: View) -> None:
         if view.learner is not None:
             mean = " The command shows the first learner, not the mean of all." if view.learner.index is None else ""
             st.caption(f"Both read {file}: Download agent saves it.{mean}")
-        elif state.world_name() in sources.BROUGHT:
+        elif world_name() in sources.BROUGHT:
             st.caption(f"Both read {file}, so download or keep that file beside them.")
 
 
@@ -91,7 +92,7 @@ def settings_on_disk(view: View) -> Resolved:
 def python_of(view: View) -> str:
     """A script that repeats a view."""
     if view.learner is None:
-        brought = state.world_name() in sources.BROUGHT and view.world is not None
+        brought = world_name() in sources.BROUGHT and view.world is not None
         return view.settings.to_python(f'read_world("{view.settings.world}")' if brought else None)
     settings = view.settings.to_python().partition("settings = Settings(")[2]
     imports, found = "Settings", f"found = study_of(learned, settings, {view.learner.index})"

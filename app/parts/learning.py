@@ -6,7 +6,7 @@ import hashlib
 
 import streamlit as st
 
-from app import compute, runs, sources, state
+from app import compute, runs, session, sources, state
 from app.chart import chart
 from app.controls import number
 from app.figures.theme import HEIGHT
@@ -99,9 +99,7 @@ def _begin(world: World) -> None:
 
 
 def _runs() -> runs.Runs:
-    if "_runs" not in st.session_state:
-        st.session_state["_runs"] = runs.Runs()
-    return st.session_state["_runs"]
+    return session.part(runs.Runs)
 
 
 def current(world: World) -> tuple[Learned | None, runs.Watched | None]:
@@ -291,4 +289,4 @@ def _with_peers(world: World) -> None:
     state.choose("agent", None)
     state.choose(f"{LEARN}peers", True)
     _begin(world)
-    st.session_state["_sidebar_stale"] = True
+    state.refresh_sidebar()

@@ -3,20 +3,30 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from html import escape
 from typing import Any
 
 import streamlit as st
 
-from app import compute, state
+from app import compute, session, state
 from app.lens import PRESETS, Graph, Preset, Released, Said, Simulated, checked, lens, state_of, values_of
 from app.parts import compare
-from app.sources import View
+from app.sources import PARAM, View
 from laplace_core.artifacts import Artefact
+from laplace_core.settings import BY_NAME, SWITCHES
 from laplace_core.verdict import Verdict
 
 TONES = {"lucky": "warn", "wrong": "bad", "unknown": "unknown"}
 _ACROSS = 3  # artefacts side by side
+
+
+@dataclass
+class _Search:
+    """The search for the cause of a verdict: whether it is due, and the values that it was last made for."""
+
+    due: bool = False
+    done_for: dict[str, Any] | None = None
 
 
 def shown_state(view: View) -> dict[str, Any]:
@@ -44,15 +54,15 @@ def pictures(
         if released.preset is not None:
             look = {"look": state.chosen()["look"]} if "look" in state.chosen() else {}
             state.replace_all({**PRESETS[released.preset], **look})
-            state.apply_changes({})
+            state.refresh_sidebar()
             return
         changes = values_of(checked(released.state, found), shown, found.action_names)
         for name, value in changes.items():
             state.choose(name, value)
         if "policy" in changes:  # which the sidebar shows, too
-            state.apply_changes({})
+            state.refresh_sidebar()
         if released.remedy is not None and released.remedy < len(judged.remedies):
-            state.apply_changes(judged.remedies[released.remedy].changes)
+            remedy(judged.remedies[released.remedy].changes)
         if view.world is not None and released.picked is not None and released.picked < view.world.n_states:
             state.apply_changes({"state": view.world.states[released.picked]})
         if released.pin is not None:
@@ -92,8 +102,8 @@ def _sentence(judged: Verdict, view: View, *, explained: bool) -> str:
 
     One search a view: what is learned meanwhile is another object at every run of the page, and would never be found.
     """
-    due = not explained and st.session_state.get("_searched_for") != dict(state.chosen())
-    st.session_state["_cause_due"] = due
+    search = session.part(_Search)
+    search.due = due = not explained and search.done_for != dict(state.chosen())
     return f"{judged.sentence} The cause is being searched for." if due and view.learned is None else judged.sentence
 
 
@@ -102,9 +112,10 @@ def explain(view: View) -> None:
 
     What the lens shows counts, not what is known by now: another visitor's search may have ended meanwhile.
     """
-    if st.session_state.get("_cause_due"):
+    search = session.part(_Search)
+    if search.due:
         compute.verdict_for(view)
-        st.session_state["_searched_for"] = dict(state.chosen())
+        search.done_for = dict(state.chosen())
         st.rerun()
 
 
@@ -114,6 +125,17 @@ def _graph(view: View) -> Graph | None:
     s, name = view.settings, view.world.actions[view.action]
     alt = f"Graph of the world {s.world}, state {s.state} and action {name} lit up."
     return Graph(compute.world_figure(view), alt, f"{s.world} {view.world.n_states}")
+
+
+def remedy(changes: Mapping[str, object]) -> None:
+    """Callback: make the changes of a remedy: fields, and ``param:NAME`` for a parameter of the world.
+
+    A switch that it turns off is let go, so that the link does not speak of it.
+    """
+    off = {name for name, value in changes.items() if name in SWITCHES and value == BY_NAME[name].default}
+    state.apply_changes(
+        {name.replace("param:", PARAM): None if name in off else value for name, value in changes.items()}
+    )
 
 
 def artefacts(view: View) -> None:
@@ -140,8 +162,8 @@ def _artefact(artefact: Artefact) -> None:
         f"<span>{escape(artefact.sentence)}</span></div>"
     )
     remedies = artefact.remedies[:2]
-    for column, remedy in zip(st.columns(len(remedies)) if remedies else (), remedies, strict=True):
+    for column, offer in zip(st.columns(len(remedies)) if remedies else (), remedies, strict=True):
         column.button(
-            remedy.label, key=f"fix {artefact.name} {remedy.label}", on_click=state.apply_changes,
-            args=(remedy.changes,), width="stretch",
+            offer.label, key=f"fix {artefact.name} {offer.label}", on_click=remedy,
+            args=(offer.changes,), width="stretch",
         )  # fmt: skip

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass, field
 from html import escape
 
 import numpy as np
 import streamlit as st
 
-from app import checkpoints, raced, races, state
+from app import checkpoints, raced, races, session, state
 from app.background import Work
 from app.observations import scene_of
 from app.raced import AGAINST, AGENT, AT, COUNT, GAMMA, HORIZON, LEFT, RIGHT, START
@@ -121,13 +122,20 @@ def begun(control: Control) -> races.Racing:
     return racing
 
 
+@dataclass
+class _Asked:
+    """What this session has asked for last: one race, and one field of many."""
+
+    work: dict[str, Work] = field(default_factory=dict)
+
+
 def only(name: str, work: Work) -> None:
     """Nobody waits any more for what this session had asked for before."""
-    key = f"_racing {name}"
-    before = st.session_state.get(key)
+    asked = session.part(_Asked).work
+    before = asked.get(name)
     if before is not None and before is not work and before.going:
         before.cancel()
-    st.session_state[key] = work
+    asked[name] = work
 
 
 def progress(work: Work, what: str) -> None:

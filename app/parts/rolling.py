@@ -79,7 +79,7 @@ def _begin() -> None:
 def _close() -> None:
     for name in (SHOWN, AT):
         state.choose(name, None)
-    state.apply_changes({})
+    state.refresh_sidebar()
 
 
 def asked(loaded: Loaded) -> Rolling | None:

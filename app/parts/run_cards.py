@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import shlex
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
 from html import escape
 from pathlib import Path
 
 import streamlit as st
 
-from app import state, training_runs
+from app import session, state, training_runs
 from app.controls import world_title
 from app.copy import copy_button
 from app.figures.theme import NEUTRAL
@@ -26,13 +27,25 @@ SHOWN = 12
 """Cards before the button for all."""
 _MOST_DOWNLOAD = 200_000_000  # bytes
 
-_WISH = "_open_in_agents"
+
+@dataclass
+class _Cards:
+    """What a session has asked of the cards.
+
+    Attributes:
+        everything: whether all runs have a card.
+        to_open: name of the run that is to be opened on the other page.
+        to_remove: names of the runs that are removed at the next, second, word.
+    """
+
+    everything: bool = False
+    to_open: str | None = None
+    to_remove: set[str] = field(default_factory=set)
 
 
 def cards(runs: Sequence[Run], looked: Run | None) -> None:
     """All of them, two in a row."""
-    everything = st.session_state.get("_all_runs", False)
-    shown = runs if everything else runs[:SHOWN]
+    shown = runs if session.part(_Cards).everything else runs[:SHOWN]
     for first in range(0, len(shown), 2):
         for column, run in zip(st.columns(2, gap="small"), shown[first : first + 2], strict=False):
             with column, st.container(border=True, key=f"run_{run.name}"):
@@ -42,7 +55,7 @@ def cards(runs: Sequence[Run], looked: Run | None) -> None:
 
 
 def _show_all() -> None:
-    st.session_state["_all_runs"] = True
+    session.part(_Cards).everything = True
 
 
 def _card(runs: Sequence[Run], run: Run, *, looked: bool) -> None:
@@ -146,14 +159,14 @@ def _open(run: Run) -> None:
         "Open in Trained agents", key=f"open {run.name}", disabled=why is not None, help=why, on_click=_wish_to_open,
         args=(run.name,),
     )  # fmt: skip
-    if st.session_state.get(_WISH) == run.name:
-        del st.session_state[_WISH]
+    if session.part(_Cards).to_open == run.name:
+        session.part(_Cards).to_open = None
         st.switch_page("screens/agents.py", query_params={"checkpoint": f"run:{run.name}"})
 
 
 def _wish_to_open(name: str) -> None:
     """Callback. The wish is kept until a run of the page sees it: one that polls may come between click and answer."""
-    st.session_state[_WISH] = name
+    session.part(_Cards).to_open = name
 
 
 def _more(run: Run, curves: Curves | None) -> None:
@@ -172,20 +185,19 @@ def _more(run: Run, curves: Curves | None) -> None:
             words = command_of(training_runs.settings_of(run), f"runs/{run.name}_again")
             copy_button("Copy the command", shlex.join(["python", "-m", "laplace_core", *words]), f"command {run.name}")
         st.caption(f"In {run.folder}")
-        asked = f"_remove {run.name}"
-        if st.session_state.get(asked):
+        if run.name in session.part(_Cards).to_remove:
             st.button("Yes, remove it for good", key=f"yes {run.name}", type="primary", width="stretch",
                       on_click=_remove, args=(run.name,))  # fmt: skip
         else:
-            st.button("Remove ...", key=f"remove {run.name}", width="stretch", on_click=_ask, args=(asked,))
+            st.button("Remove ...", key=f"remove {run.name}", width="stretch", on_click=_ask, args=(run.name,))
 
 
-def _ask(asked: str) -> None:
-    st.session_state[asked] = True
+def _ask(name: str) -> None:
+    session.part(_Cards).to_remove.add(name)
 
 
 def _remove(name: str) -> None:
-    st.session_state.pop(f"_remove {name}", None)
+    session.part(_Cards).to_remove.discard(name)
     if state.chosen().get("run") == name:
         state.choose("run", None)
     _do("remove", name)

@@ -4,19 +4,16 @@ from __future__ import annotations
 
 import streamlit as st
 
-from app import controls, sources, state
+from app import controls, sources, state, world_actions
 from app.parts import bring, learning
-from app.query import OPENING, read_link
+from app.query import LINK, OPENING
 from app.sources import View
 from laplace_core import InputError
 
 
 def begin() -> bool:
     """The top of a page that shows a world: its state, notes and sidebar; whether there is a view to draw."""
-    state.load_url("worlds", OPENING, read_link)
-    state.settled()
-    for note in state.notes():
-        st.warning(note)
+    state.open_page("worlds", LINK)
     with st.sidebar:
         return _groups() is not None
 
@@ -28,13 +25,13 @@ def _groups() -> View | None:
     try:
         world = sources.world_of(state.chosen())
         if world is not None:
-            state.drop_missing(world)
+            world_actions.drop_missing(world)
         learned, _ = learning.current(world) if world is not None else (None, None)
         view = sources.view_of(state.chosen(), learned)
     except InputError as error:
         st.error(str(error))
         undo_button()
-        st.button("Back to the opening view", on_click=state.go_to, kwargs=OPENING)
+        st.button("Back to the opening view", on_click=world_actions.go_to, kwargs=OPENING)
         return None
     if world is None:
         file = sources.gamma_space_files()[str(state.chosen()["data"])]
@@ -50,7 +47,7 @@ def _groups() -> View | None:
     if grids.open:
         with grids:
             controls.grid_group(view.settings, decided="agent" in state.chosen())
-    st.button("Reset world and settings", on_click=state.reset, width="stretch")
+    st.button("Reset world and settings", on_click=world_actions.reset, width="stretch")
     return view
 
 

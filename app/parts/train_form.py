@@ -6,14 +6,14 @@ from typing import Any
 
 import streamlit as st
 
-from app import state, training_runs
+from app import session, state, training_runs
 from app.controls import number, world_title
 from app.training_form import FORM, OPENING, TRAIN, fields, suited, wanted
 from laplace_core import InputError
 from laplace_core.agents.settings import ENVIRONMENTS, LOOP_SCHEMA, SETTINGS, LoopSettings, algorithm_title
 from laplace_core.parameters import Parameter
 
-_REFUSED = "_training_refused"
+_FORM = "training"  # what refusals of this form go by
 _NAMES = {"gammas": "Discounts", "thetas": "Sensitivities", "spacing": "Spacing"}
 _SHORT = 13  # letters of a title that has room beside another
 _GREEK = ("gamma", "theta")
@@ -45,8 +45,8 @@ def form() -> None:
     if refused:
         st.error(refused)
     st.button("Start training", type="primary", width="stretch", on_click=start, disabled=refused is not None)
-    if _REFUSED in st.session_state:
-        st.error(st.session_state[_REFUSED])
+    if _FORM in session.current().refusals:
+        st.error(session.current().refusals[_FORM])
     if any(name.startswith(TRAIN) for name in values):
         st.button("Back to the settings that suit it", on_click=_suit, width="stretch")
 
@@ -100,13 +100,13 @@ def _suit() -> None:
 
 
 def _replace(values: dict[str, Any], **changes: object) -> None:
-    st.session_state.pop(_REFUSED, None)
+    session.current().refusals.pop(_FORM, None)
     state.replace_all(values | changes)
 
 
 def start() -> None:
     """Callback: a run for every seed that is asked for."""
-    st.session_state.pop(_REFUSED, None)
+    session.current().refusals.pop(_FORM, None)
     values, started = dict(state.chosen()), None
     try:
         for extra in range(int(values.get("count", 1))):
@@ -114,7 +114,7 @@ def start() -> None:
             name = training_runs.queue().add(wanted(values | {f"{TRAIN}seed": seed}))
             started = started or name
     except InputError as error:
-        st.session_state[_REFUSED] = str(error)[0].upper() + str(error)[1:]
+        session.current().refusals[_FORM] = str(error)[0].upper() + str(error)[1:]
     if started is not None:
         state.choose("run", started)
         state.choose("beside", None)

@@ -6,13 +6,13 @@ from typing import Any
 
 import streamlit as st
 
-from app import checkpoints, compute, rolled, state
+from app import checkpoints, compute, rolled, session, state
 from app.lens import LIVE
 from app.observations import Scene, scene_of
 from app.parts import export, panels, peer, returns, rolling, truth
 from app.parts.card import card
 from app.rollouts import Rolling
-from app.trained import OBSERVED, observation_of, opening, parse_query, view_of
+from app.trained import LINK, OBSERVED, observation_of, view_of
 from laplace_core import InputError
 from laplace_core.agents.capabilities import HasGammaSpace
 from laplace_core.training.checkpoint import Loaded
@@ -20,10 +20,7 @@ from laplace_core.training.rollout import Rollout
 
 
 def page() -> None:
-    state.load_url("agents", opening(), parse_query)
-    state.settled()
-    for note in state.notes():
-        st.warning(note)
+    state.open_page("agents", LINK)
     with st.sidebar:
         st.html('<div class="brand">Laplace code workbench</div>')
         _choose()
@@ -58,8 +55,8 @@ def _choose() -> None:
         key = state.show("checkpoint", names[0])
         st.selectbox("Agent", names, key=key, on_change=_chosen, format_func=checkpoints.title)
     st.file_uploader("Open a checkpoint (.safetensors)", type=["safetensors"], key="agent_file", on_change=_uploaded)
-    if "_agent_refused" in st.session_state:
-        st.error(st.session_state["_agent_refused"])
+    if "agent_file" in session.current().refusals:
+        st.error(session.current().refusals["agent_file"])
 
 
 def _chosen() -> None:
@@ -67,14 +64,14 @@ def _chosen() -> None:
 
 
 def _uploaded() -> None:
-    st.session_state.pop("_agent_refused", None)
+    session.current().refusals.pop("agent_file", None)
     file = st.session_state["agent_file"]
     if file is None:
         return
     try:
         state.replace_all({"checkpoint": checkpoints.open_checkpoint(file.name, file.getvalue())})
     except InputError as error:
-        st.session_state["_agent_refused"] = str(error)
+        session.current().refusals["agent_file"] = str(error)
 
 
 def _observation(scene: Scene) -> None:

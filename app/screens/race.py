@@ -11,10 +11,7 @@ from laplace_core import InputError
 
 
 def page() -> None:
-    state.load_url("race", raced.opening(), raced.parse_query)
-    state.settled()
-    for note in state.notes():
-        st.warning(note)
+    state.open_page("race", raced.LINK)
     with st.sidebar:
         st.html('<div class="brand">Laplace code workbench</div>')
         racing.choose()

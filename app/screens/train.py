@@ -6,7 +6,7 @@ import streamlit as st
 
 from app import state, training_runs
 from app.parts import run_cards, run_pictures, train_form
-from app.training_form import OPENING, parse_query
+from app.training_form import LINK, OPENING
 from laplace_core import InputError
 from laplace_core.training.queue import Run
 
@@ -14,10 +14,7 @@ LOOK_EVERY = 1.0  # seconds between two looks at the runs, while one is going
 
 
 def page() -> None:
-    state.load_url("train", {}, parse_query)
-    state.settled()
-    for note in state.notes():
-        st.warning(note)
+    state.open_page("train", LINK)
     with st.sidebar:
         st.html('<div class="brand">Laplace code workbench</div>')
         train_form.form()
