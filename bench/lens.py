@@ -18,7 +18,7 @@ from types import SimpleNamespace
 import numpy as np
 import plotly
 
-from app.lens import Simulated, payload, script, state_of, structure
+from app.lens import Simulated, payload, state_of, structure
 from app.lens.payload import unpacked
 from bench.browser import FLAGS, find_chromium, served
 from laplace_core import PRESETS, Settings, load_world, study, study_of_gamma_space
@@ -27,6 +27,7 @@ from tests.lens_reference import seen
 
 ROOT = Path(__file__).resolve().parent.parent
 PAGE = ROOT / "app" / "demo.py"
+TREE, BARE = ROOT / "app" / "js", "http://lens.test/"
 FULL = {"gammas": 100, "thetas": 250, "steps": 200}
 MOVES = 60
 GOALS = {"redraws": 50, "frame": 16.0, "bytes": 200_000, "difference": 1e-4}
@@ -123,15 +124,24 @@ def random_cases(held: dict[str, tuple[bytes, Settings]], count: int, seed: int)
 def bare_page(browser, held: dict[str, tuple[bytes, Settings]]):
     """A page with nothing but the mathematics of the lens."""
     page = browser.new_page()
-    page.goto("about:blank")
-    names = "read, remade, see, gammaSpace, kernel, leftOut, resolution, effect, SWITCHES, available, judged"
-    names += ", simulatedFor, distances, SLIDERS"
-    page.add_script_tag(type="module", content=f"{script()}\nObject.assign(window, {{ {names} }});")
+    page.route(f"{BARE}**", _from_the_tree)
+    page.goto(BARE)
+    names = ("core/model", "core/maths", "core/network", "lens/verdict", "lens/simulated", "lens/controls")
+    imported = ", ".join(f"import('{BARE}{name}.js')" for name in names)
+    page.evaluate(f"async () => {{ Object.assign(window, ...await Promise.all([{imported}])); }}")
     page.evaluate(
         "(held) => { window.payloads = held; }", {n: base64.b64encode(d).decode() for n, (d, _) in held.items()}
     )
-    page.wait_for_function("() => window.see")
     return page
+
+
+def _from_the_tree(route) -> None:
+    """Answer from ``app/js``, as a server would."""
+    path = TREE / route.request.url.removeprefix(BARE)
+    if path.is_file():
+        route.fulfill(path=path)
+    else:
+        route.fulfill(body="<!doctype html>", content_type="text/html")
 
 
 def agreement(page, held: dict[str, tuple[bytes, Settings]], cases: list[dict[str, object]]) -> dict[str, float]:

@@ -1,8 +1,8 @@
 // The pictures of the lens. Each draws itself with a pen into a box and says in words what it shows.
 // `scene` is { model, state, seen, pinned, hover, colours, kernel, resolution, images }.
-import { NEUTRAL, actionColour, axes, line, rounded, short, ticks } from './drawing.js';
-import { GHOST, disc, inside, marked, titled } from './frame.js';
-import { gammaSpace } from './maths.js';
+import { NEUTRAL, actionColour, axes, line, rounded, short, ticks } from '../draw/drawing.js';
+import { GHOST, disc, inside, marked, titled } from '../draw/frame.js';
+import { gammaSpace } from '../core/maths.js';
 import { drawSimulated, simulatedFor } from './simulated.js';
 import { gammaPanel, isAdded, tauPanel } from './spaces.js';
 import { valuesPanel } from './values.js';

@@ -1,12 +1,15 @@
 // A plotly figure drawn into a box and updated in place, so that zoom, camera and scroll survive. The box holds what is
 // wanted: `wanted` { figure, revision, name }, `clickable`, and `report(name, value)` for what is clicked.
+import { plotly } from './plotly.js';
 
 // On opening, charts are drawn one at a time: the first is on screen before the last is computed. Updates do not wait.
+let drawing;
+
 function inTurn(box, work) {
   if (box.listening) return Promise.resolve().then(work);
   const frame = () => new Promise((next) => setTimeout(next, 0));
-  window.laplaceDrawing = (window.laplaceDrawing ?? window.laplacePlotly).catch(() => {}).then(frame).then(work);
-  return window.laplaceDrawing;
+  drawing = (drawing ?? plotly()).catch(() => {}).then(frame).then(work);
+  return drawing;
 }
 
 function themed(layout, host) {
@@ -39,7 +42,7 @@ const TO_SVG = {
 
 export function plot(box) {
   inTurn(box, async () => {
-    const Plotly = await window.laplacePlotly;
+    const Plotly = await plotly();
     const { figure, revision, name } = box.wanted;
     if (box.drawn === figure) return;
     box.drawn = figure;

@@ -1,9 +1,9 @@
 // A cursor over steps, dragged, stepped or played, over what the server sends once; Python hears where it comes to rest.
-import { element } from './controls.js';
+import { element } from '../draw/elements.js';
 
 const REST = 250; // ms without a move before the server hears the step
 const HELD = 4; // payloads kept of each kind, across mounts; Python counts on as many
-const shelves = globalThis.laplaceShelves ??= {};
+const shelves = {};
 
 export const button = (words, title, does) => element('button', { type: 'button', title, 'aria-label': title, onclick: does }, words);
 

@@ -1,7 +1,7 @@
 // The race track inside Streamlit: both episodes under one cursor, buttons, and both returns until the deadline.
-import { element } from './controls.js';
-import { button, component, stepper } from './cursor.js';
-import { NEUTRAL, axes, line, rounded, sheet, short, ticks } from './drawing.js';
+import { element } from '../draw/elements.js';
+import { button, component, stepper } from '../cursor/cursor.js';
+import { NEUTRAL, axes, line, rounded, sheet, short, ticks } from '../draw/drawing.js';
 
 // A race as it is drawn: of each side the return after 0, 1, ... steps.
 function opened(bytes) {

@@ -1,14 +1,16 @@
 // The lens: one state, the pictures that it makes, and what is done to both. Python hears releases only.
-import { acrossOf, thetaTicks } from './columns.js';
-import { element, footer, sliders, switchboard, toolbar } from './controls.js';
-import { sheet, short } from './drawing.js';
+import { acrossOf, thetaTicks } from '../draw/columns.js';
+import { element } from '../draw/elements.js';
+import { footer, sliders, switchboard, toolbar } from './controls.js';
+import { sheet, short } from '../draw/drawing.js';
+import { hub } from '../hub.js';
 import { saveCsv, saveHtml, savePng, saveSvg } from './export.js';
 import { isSpace, listen } from './hand.js';
-import { gammaSpace, kernel, resolution, see } from './maths.js';
+import { gammaSpace, kernel, resolution, see } from '../core/maths.js';
 import { panelsOf } from './panels.js';
 import { simulatedFor } from './simulated.js';
 import { limitOfTau, thetaRange, trueRow } from './spaces.js';
-import { drawSurface } from './surface.js';
+import { drawSurface } from '../draw/surface.js';
 import { WORDS, effects, judged } from './verdict.js';
 import { worldPanel } from './world.js';
 
@@ -224,7 +226,7 @@ export function mount(root, model, told, report) {
   controls().find((control) => nameOf(control) === told.kept?.focus)?.focus({ preventScroll: true });
   if (told.kept?.pending) set({ ...state, ...told.kept.pending }, true);
 
-  return host.lens = {
+  return hub.lens = host.lens = {
     host,
     // Python has news: another model of the same shape, another state, or words about the present one.
     show(next, news, moved) {

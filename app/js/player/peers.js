@@ -1,5 +1,5 @@
 // The pictures of an agent without a gamma-space follow the cursor: what app/figures/returns.py draws at rest.
-import { short } from './drawing.js';
+import { short } from '../draw/drawing.js';
 
 const TAIL = 0.002; // mass at either end of a law that the axis need not reach
 const boxOf = (name) => document.querySelector(`.laplace-chart[data-name="${name}"]`);

@@ -1,27 +1,20 @@
 // The lens inside Streamlit: a message is a small JSON and, if the browser does not hold it yet, a payload.
-import { element } from './controls.js';
+import { element } from '../draw/elements.js';
 import { mount, shapeOf } from './lens.js';
-import { read } from './model.js';
+import { modelOf } from './models.js';
+import { hub } from '../hub.js';
+import { loadPlotly } from '../chart/plotly.js';
 
 const mounted = new WeakMap();
-// By payload: a release is answered without sending it again, and a component may leave the page and come back.
-const models = globalThis.laplaceModels ??= new Map();
 // What was let go of last, by name: Streamlit may take a component off the page and put it back with an old message.
-const released = globalThis.laplaceLenses ??= new Map();
-const HELD = 2; // models kept; Python counts on as many
+const released = new Map();
 
-function modelOf(id, bytes) {
-  const model = bytes.length ? { ...read(bytes), id } : models.get(id);
-  if (!model) return undefined;
-  models.delete(id);
-  models.set(id, model);
-  while (models.size > HELD) models.delete(models.keys().next().value);
-  return model;
-}
+// The page that a lens is saved as.
+const template = () => fetch(new URL('./offline.html', import.meta.url)).then((answer) => answer.text());
 
 // The player of an episode may have moved on since the server was told of a step: then its step is shown.
 function led(model, told) {
-  const lead = globalThis.laplaceLead;
+  const lead = hub.leader;
   if (!told.lead || lead?.id !== told.lead.id || lead.step === told.lead.step) return [model, told];
   const [shown, news] = lead.over(model);
   return [shown, { ...told, ...news }];
@@ -30,9 +23,10 @@ function led(model, told) {
 export default function ({ data, parentElement, setTriggerValue }) {
   const view = new DataView(data.buffer, data.byteOffset), length = view.getUint32(0, true);
   const message = JSON.parse(new TextDecoder().decode(data.subarray(4, 4 + length))), { name, id, revision } = message;
+  loadPlotly(message.plotly);
   const kept = mounted.get(parentElement), given = modelOf(id, data.subarray(4 + length));
   if (!given) { setTriggerValue('released', { missing: id }); return; }
-  const [model, told] = led(given, { ...message, live: true, template: globalThis.laplaceLensTemplate }), shape = shapeOf(model) + !message.world;
+  const [model, told] = led(given, { ...message, live: true, template }), shape = shapeOf(model) + !message.world;
   if (kept && kept.lens.host.isConnected && kept.shape === shape) {
     kept.report = setTriggerValue;
     const moved = kept.revision !== revision;

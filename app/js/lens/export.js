@@ -1,5 +1,5 @@
 // Taking the lens along, without a server: pictures of all panels, a table, and the lens itself as one file.
-import { canvasPen, escaped, short, svgPen } from './drawing.js';
+import { canvasPen, escaped, short, svgPen } from '../draw/drawing.js';
 import { distancesOf, simulatedFor } from './simulated.js';
 
 const SIZE = { w: 440, h: 260, gap: 16, head: 66, columns: 3 };
@@ -92,12 +92,14 @@ export function csvOf({ scene }) {
 
 export const saveCsv = (lens) => save(csvOf(lens), `${nameOf(lens)}.csv`, 'text/csv');
 
-export function htmlOf({ told, scene: { model, state } }, still) {
+const HELD = '<script id="held" type="application/json">';
+
+export function htmlOf({ told, scene: { model, state } }, still, template) {
   let text = '';
   for (let i = 0; i < model.bytes.length; i += 8192) text += String.fromCharCode(...model.bytes.subarray(i, i + 8192));
   const held = { state, base: told.base, still, payload: btoa(text) };
-  return told.template.replace(['"__HELD', '__"'].join(''), () => JSON.stringify(held).replace(/</g, '\\u003c'));
+  return template.replace(HELD, (tag) => tag + JSON.stringify(held).replace(/</g, '\\u003c'));
 }
 
 export const saveHtml = async (lens) => lens.scene.model.bytes // none while a player runs through an episode
-  && save(htmlOf(lens, (await worldOf(lens, 'svg'))[0]), `${nameOf(lens)}.html`, 'text/html');
+  && save(htmlOf(lens, (await worldOf(lens, 'svg'))[0], await lens.told.template()), `${nameOf(lens)}.html`, 'text/html');

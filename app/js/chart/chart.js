@@ -1,8 +1,10 @@
 // The chart component: one div per key.
 import { plot } from './plot.js';
+import { loadPlotly } from './plotly.js';
 
 export default function (component) {
   const { data, parentElement, setTriggerValue } = component;
+  loadPlotly(data.plotly);
   let box = parentElement.querySelector('.laplace-chart');
   if (!box) {
     box = document.createElement('div');

@@ -1,9 +1,9 @@
 // Gamma-space and tau-space as maps.
-import { acrossOf, columnAt, placeOf, rewardWords, thetaOf, thetaTicks } from './columns.js';
-import { NEUTRAL, axes, colourBar, heatmap, rowTicks, short } from './drawing.js';
-import { inside, marked, titled, top } from './frame.js';
-import { gammaSpace } from './maths.js';
-import { leftOut } from './network.js';
+import { acrossOf, columnAt, placeOf, rewardWords, thetaOf, thetaTicks } from '../draw/columns.js';
+import { NEUTRAL, axes, colourBar, heatmap, rowTicks, short } from '../draw/drawing.js';
+import { inside, marked, titled, top } from '../draw/frame.js';
+import { gammaSpace } from '../core/maths.js';
+import { leftOut } from '../core/network.js';
 import { distancesOf, drawDistances, simulatedFor, simulatedRow, simulatedWords } from './simulated.js';
 
 const TRUTH = { stroke: '#ffffff', width: 1.5 }, HALO = { stroke: '#111111', width: 3.5 };

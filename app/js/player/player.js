@@ -1,7 +1,8 @@
 // The player inside Streamlit: the frame, a timeline to drag over, buttons, and the numbers of the step under the cursor.
-import { element } from './controls.js';
-import { button, component, stepper } from './cursor.js';
-import { NEUTRAL, actionColour, axes, line, rounded, sheet, short } from './drawing.js';
+import { element } from '../draw/elements.js';
+import { button, component, stepper } from '../cursor/cursor.js';
+import { NEUTRAL, actionColour, axes, line, rounded, sheet, short } from '../draw/drawing.js';
+import { hub } from '../hub.js';
 import { follow } from './peers.js';
 import { bySurprise, followedAt, frameAt, modelAt, nextMarked, openReel, ownAt } from './reel.js';
 
@@ -11,7 +12,6 @@ const MEANINGS = {
   came: 'discounted return that came; where the episode was cut off, the best value of the last observation stands for the rest (≈: it has more than 5% of the weight)',
   surprise: 'reward + γ best value of the next observation − value of the action taken',
 };
-const lensOf = () => document.querySelector('.laplace-lens')?.lens;
 
 export default component({ kind: 'player', mount, open: async (bytes, id) => ({ ...await openReel(bytes), id }) });
 
@@ -61,7 +61,7 @@ function mount(host, reel, told, report) {
     return value;
   });
 
-  const lead = globalThis.laplaceLead = { id: told.id, get step() { return at.step; }, over(model) {
+  const lead = hub.leader = { id: told.id, get step() { return at.step; }, over(model) {
     return [modelAt(reel, at.step, model), { said: null, followed: followedAt(reel, at.step) }];
   } };
 
@@ -83,9 +83,9 @@ function mount(host, reel, told, report) {
   }
 
   function show() {
-    const began = performance.now(), lens = lensOf();
+    const began = performance.now(), { lens } = hub;
     if (!reel.levels) follow(reel, at.step); // no gamma-space, no lens
-    else if (lens && globalThis.laplaceLead === lead) {
+    else if (lens && hub.leader === lead) {
       const [model, news] = lead.over(lens.model);
       lens.show(model, news, false);
     }
@@ -142,7 +142,7 @@ function mount(host, reel, told, report) {
   at.over(canvas);
   new ResizeObserver(drawReel).observe(host);
   host.addEventListener('transitionend', (event) => { if (event.target === host) drawReel(); }); // its colour follows the theme
-  const lens = lensOf(), exact = lens?.lead?.id === told.id && lens.lead.step === at.step && !String(lens.model.id).startsWith(reel.id);
+  const { lens } = hub, exact = lens?.lead?.id === told.id && lens.lead.step === at.step && !String(lens.model.id).startsWith(reel.id);
   if (exact) draw(); else show(); // what Python has told the lens of this very step is better
   flag(told.flags);
   return { stop: at.stop, place: at.place, news: ({ flags: news }) => flag(news) };

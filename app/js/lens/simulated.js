@@ -1,5 +1,5 @@
 // What simulated continuations of the state came to, and how far tau-space is off from it. Whole steps, no rescaling.
-import { line, rounded, short } from './drawing.js';
+import { line, rounded, short } from '../draw/drawing.js';
 
 export const CAME_TRUE = '#d6336c';
 const BAND = 'rgba(214,51,108,0.2)', TAIL = 65535; // levels of a probability

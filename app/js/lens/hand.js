@@ -1,7 +1,7 @@
 // What a hand does to the pictures themselves: pointing, zooming, turning, and the same by keys. It keeps its marks in
 // the scene (hover, band, zoom, camera) and asks for a new drawing.
 
-import { acrossOf, thetaOf } from './columns.js';
+import { acrossOf, thetaOf } from '../draw/columns.js';
 
 export const isSpace = (panel) => Boolean(panel.rows); // of the two that can be zoomed, or drawn as surfaces
 

@@ -1,8 +1,8 @@
 // The sentence over the pictures: what the values choose, whether that is right, and what is to blame. The library says
 // the same on release, and why (laplace_core.verdict); this is what holds while a hand moves.
-import { short } from './drawing.js';
-import { ROUNDING, tieSize } from './algebra.js';
-import { SWITCHES, available, effect, see, timelineError } from './maths.js';
+import { short } from '../draw/drawing.js';
+import { ROUNDING, tieSize } from '../core/algebra.js';
+import { SWITCHES, available, effect, see, timelineError } from '../core/maths.js';
 
 const VALUE_TOLERANCE = 0.1, SOUND = 0.1, RUINED = 1 / 3; // as in laplace_core.grades
 export const WORDS = { bad: 'Wrong', warn: 'Right, for the wrong reason', ok: 'Right', unknown: 'No truth to compare with',

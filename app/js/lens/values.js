@@ -1,7 +1,7 @@
 // The value of each action over the horizon, and which one is chosen.
-import { tieSize } from './algebra.js';
-import { actionColour, axes, line, rounded, short, ticks } from './drawing.js';
-import { GHOST, disc, inside, leastSpan, marked, titled } from './frame.js';
+import { tieSize } from '../core/algebra.js';
+import { actionColour, axes, line, rounded, short, ticks } from '../draw/drawing.js';
+import { GHOST, disc, inside, leastSpan, marked, titled } from '../draw/frame.js';
 
 const leader = (model, { chosenAt, values }, k) => (Number.isFinite(values[0][k])
   ? `T ${short(model.horizons[k])}: ${model.header.actions[chosenAt(k)]} ${short(values[chosenAt(k)][k])}` : '');

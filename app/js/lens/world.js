@@ -1,6 +1,6 @@
 // The world of the lens as a graph, drawn by plotly from a figure of the library; a click looks from another state.
-import { element } from './controls.js';
-import { plot } from './plot.js';
+import { element } from '../draw/elements.js';
+import { plot } from '../chart/plot.js';
 
 export function worldPanel(report) {
   const box = element('div', { class: 'world laplace-chart', role: 'group' });

@@ -1,5 +1,5 @@
 // An episode as the server packs it: everything of each step, and the model that the lens shows for one. Knows no page.
-import { remade } from './model.js';
+import { remade } from '../core/model.js';
 
 const KINDS = { f4: Float32Array, f8: Float64Array, u1: Uint8Array };
 

@@ -1,17 +1,7 @@
 // What moves the lens: native sliders, switches and buttons. They show a state and report a wish; they keep nothing.
-import { actionColour, short } from './drawing.js';
-import { SWITCHES, available } from './maths.js';
-
-export function element(tag, attributes = {}, ...children) {
-  const made = document.createElement(tag);
-  for (const [name, value] of Object.entries(attributes)) {
-    if (name.startsWith('on')) made[name] = value;
-    else if (value === true) made.setAttribute(name, '');
-    else if (value !== false && value !== undefined) made.setAttribute(name, value);
-  }
-  made.append(...children);
-  return made;
-}
+import { actionColour, short } from '../draw/drawing.js';
+import { element } from '../draw/elements.js';
+import { SWITCHES, available } from '../core/maths.js';
 
 // Two digits, or three where two would lead back to the same place: a key that moves nothing is a key that is stuck.
 export const logarithmic = (low, high, perDecade = 40) => {
