@@ -3,9 +3,17 @@ let lens, leader;
 
 export const hub = {
   // The lens on the page; none where there is none, or where it was taken off.
-  get lens() { return lens?.host.isConnected ? lens : undefined; },
-  set lens(mounted) { lens = mounted; },
+  get lens() {
+    return lens?.host.isConnected ? lens : undefined;
+  },
+  set lens(mounted) {
+    lens = mounted;
+  },
   // The player whose cursor the lens follows: { id, step, over(model) }.
-  get leader() { return leader; },
-  set leader(player) { leader = player; },
+  get leader() {
+    return leader;
+  },
+  set leader(player) {
+    leader = player;
+  },
 };

@@ -97,19 +97,27 @@ function svgPen(font, measure) {
         if (point) d += `${down ? "L" : "M"}${short2(point[0])} ${short2(point[1])}`;
         down = Boolean(point);
       }
-      parts.push(`<path d="${d}${close ? "Z" : ""}" fill="${fill}" stroke="${stroke}" stroke-width="${width}" stroke-dasharray="${dash}" stroke-linejoin="round"/>`);
+      parts.push(
+        `<path d="${d}${close ? "Z" : ""}" fill="${fill}" stroke="${stroke}" stroke-width="${width}" stroke-dasharray="${dash}" stroke-linejoin="round"/>`
+      );
     },
     text(words, x, y, { size = 11, weight = 400, align = "left", colour, turn } = {}) {
       const anchor = { left: "start", center: "middle", right: "end" }[align];
       const place2 = turn ? `transform="translate(${short2(x)} ${short2(y)}) rotate(-90)"` : `x="${short2(x)}" y="${short2(y)}"`;
-      parts.push(`<text ${place2} font-family="${escaped(font)}" font-size="${size}" font-weight="${weight}" text-anchor="${anchor}" fill="${colour}">${escaped(words)}</text>`);
+      parts.push(
+        `<text ${place2} font-family="${escaped(font)}" font-size="${size}" font-weight="${weight}" text-anchor="${anchor}" fill="${colour}">${escaped(words)}</text>`
+      );
     },
     image(source, x, y, w, h) {
-      parts.push(`<image href="${source.toDataURL()}" x="${short2(x)}" y="${short2(y)}" width="${short2(w)}" height="${short2(h)}" preserveAspectRatio="none" style="image-rendering:pixelated"/>`);
+      parts.push(
+        `<image href="${source.toDataURL()}" x="${short2(x)}" y="${short2(y)}" width="${short2(w)}" height="${short2(h)}" preserveAspectRatio="none" style="image-rendering:pixelated"/>`
+      );
     },
     clip(x, y, w, h, draw) {
       const name = `clip${clips++}`;
-      parts.push(`<clipPath id="${name}"><rect x="${x}" y="${y}" width="${w}" height="${h}"/></clipPath><g clip-path="url(#${name})">`);
+      parts.push(
+        `<clipPath id="${name}"><rect x="${x}" y="${y}" width="${w}" height="${h}"/></clipPath><g clip-path="url(#${name})">`
+      );
       draw();
       parts.push("</g>");
     },
@@ -141,15 +149,31 @@ function axes(pen, box, { x, y, across = [Number, Number], xTicks, yTicks, xTitl
   const Y = (value) => box.y + box.h - (value - y[0]) / (y[1] - y[0]) * box.h;
   const named = (list) => list.map((tick) => Array.isArray(tick) ? tick : [tick, short(tick)]);
   for (const [value, words] of named(yTicks ?? ticks(...y))) {
-    if (grid) pen.path([[box.x, Y(value)], [box.x + box.w, Y(value)]], { stroke: GRID });
+    if (grid)
+      pen.path(
+        [
+          [box.x, Y(value)],
+          [box.x + box.w, Y(value)]
+        ],
+        { stroke: GRID }
+      );
     pen.text(words, box.x - 5, Y(value) + 4, { align: "right", colour: colours.soft, size: 10.5 });
   }
   for (const [value, words] of named(xTicks ?? ticks(...x))) {
-    if (grid) pen.path([[X(value), box.y], [X(value), box.y + box.h]], { stroke: GRID });
+    if (grid)
+      pen.path(
+        [
+          [X(value), box.y],
+          [X(value), box.y + box.h]
+        ],
+        { stroke: GRID }
+      );
     pen.text(words, X(value), box.y + box.h + 13, { align: "center", colour: colours.soft, size: 10.5 });
   }
-  if (xTitle) pen.text(xTitle, box.x + box.w / 2, box.y + box.h + 27, { align: "center", colour: colours.soft, size: 11 });
-  if (yTitle) pen.text(yTitle, box.x - 36, box.y + box.h / 2, { align: "center", colour: colours.soft, size: 11, turn: true });
+  if (xTitle)
+    pen.text(xTitle, box.x + box.w / 2, box.y + box.h + 27, { align: "center", colour: colours.soft, size: 11 });
+  if (yTitle)
+    pen.text(yTitle, box.x - 36, box.y + box.h / 2, { align: "center", colour: colours.soft, size: 11, turn: true });
   return {
     X,
     Y,
@@ -162,9 +186,15 @@ function axes(pen, box, { x, y, across = [Number, Number], xTicks, yTicks, xTitl
 }
 function rowTicks(labels, [low, high]) {
   const stride = [1, 2, 5, 10, 20, 50, 100, 200, 500].find((n) => (high - low) / n <= 8);
-  return Array.from({ length: Math.ceil(labels.length / stride) }, (_, i) => [i * stride, short(labels[i * stride])]).filter(([row]) => row >= low && row <= high);
+  return Array.from({ length: Math.ceil(labels.length / stride) }, (_, i) => [
+    i * stride,
+    short(labels[i * stride])
+  ]).filter(([row]) => row >= low && row <= high);
 }
-var line = (pen, xs, ys, style) => pen.path(Array.from(ys, (y, i) => Number.isFinite(y) ? [xs[i], y] : null), style);
+var line = (pen, xs, ys, style) => pen.path(
+  Array.from(ys, (y, i) => Number.isFinite(y) ? [xs[i], y] : null),
+  style
+);
 var channelsOf = (colour) => [1, 3, 5].map((i) => parseInt(colour.slice(i, i + 2), 16));
 var SCALE = (() => {
   const zero = UNDER / (1 + UNDER), stops = [
@@ -173,7 +203,10 @@ var SCALE = (() => {
     ...VIRIDIS.map((colour, i) => [zero + (1 - zero) * i / (VIRIDIS.length - 1), colour])
   ];
   return Uint32Array.from({ length: 512 }, (_, i) => {
-    const at = i / 511, next = Math.max(1, stops.findIndex(([stop]) => stop >= at));
+    const at = i / 511, next = Math.max(
+      1,
+      stops.findIndex(([stop]) => stop >= at)
+    );
     const [[a, from], [b, to]] = [stops[next - 1], stops[next]], share = (at - a) / (b - a);
     const [red, green, blue] = channelsOf(from).map((low, c) => Math.round(low + share * (channelsOf(to)[c] - low)));
     return 255 << 24 | blue << 16 | green << 8 | red;
@@ -199,13 +232,14 @@ function heatmap(canvas, values, n, width, limit) {
   return canvas;
 }
 function colourBar(pen, canvas, box, limit, colours) {
-  if (!canvas.height || canvas.height !== 128) heatmap(
-    canvas,
-    Float64Array.from({ length: 128 }, (_, i) => -UNDER + i / 127 * (1 + UNDER)),
-    128,
-    1,
-    1
-  );
+  if (!canvas.height || canvas.height !== 128)
+    heatmap(
+      canvas,
+      Float64Array.from({ length: 128 }, (_, i) => -UNDER + i / 127 * (1 + UNDER)),
+      128,
+      1,
+      1
+    );
   pen.image(canvas, box.x, box.y, box.w, box.h);
   for (const value of [0, limit]) {
     const y = box.y + box.h * (1 - (value / limit + UNDER) / (1 + UNDER));
@@ -251,7 +285,11 @@ function thetaTicks(seen, [first, last], width) {
   const most = Math.ceil(Math.log10(Math.max(-low, high))), powers = Array.from({ length: 7 }, (_, i) => 10 ** (most - i));
   const [left, right] = [first, last].map((theta) => acrossOf(seen, theta)), found = [];
   const place2 = (theta) => width * (acrossOf(seen, theta) - left) / (right - left);
-  const wished = [0, ...[1, 5, 2].flatMap((n) => powers.flatMap((power) => [n * power, -n * power])), ...ticks(low, high)];
+  const wished = [
+    0,
+    ...[1, 5, 2].flatMap((n) => powers.flatMap((power) => [n * power, -n * power])),
+    ...ticks(low, high)
+  ];
   for (const theta of wished) {
     const apart = found.every((other) => Math.abs(place2(other) - place2(theta)) >= APART);
     if (theta >= low && theta <= high && apart) found.push(theta);
@@ -329,51 +367,60 @@ var regular = ({ V, s, r, K }, alpha) => {
 };
 function rowNorms(inverse, r) {
   if (inverse.norms?.length === inverse.n) return inverse.norms;
-  const rows = inverse.decode(Float64Array.from({ length: r * r }, (_, i) => Number(i % (r + 1) === 0)), r);
+  const rows = inverse.decode(
+    Float64Array.from({ length: r * r }, (_, i) => Number(i % (r + 1) === 0)),
+    r
+  );
   inverse.norms = Float64Array.from({ length: inverse.n }, (_, k) => Math.hypot(...rows.subarray(k * r, (k + 1) * r)));
   return inverse.norms;
 }
 function growing({ V, s, r, K }, alpha) {
   const R = Float64Array.from({ length: r * r }, (_, i) => i % (r + 1) ? 0 : Math.max(alpha, 1e-9));
   const Q = new Float64Array(r * K), row = new Float64Array(r), fresh = new Float64Array(K);
-  const found = { n: 0, add() {
-    const n = ++found.n;
-    for (let i = 0; i < r; i++) row[i] = V[(n - 1) * r + i] * s[i];
-    fresh.fill(0)[n - 1] = 1;
-    for (let i = 0; i < r; i++) {
-      const length = Math.hypot(R[i * r + i], row[i]), c = R[i * r + i] / length, d = row[i] / length;
-      for (let j = i; j < r; j++) {
-        const up = R[i * r + j], low = row[j];
-        R[i * r + j] = c * up + d * low;
-        row[j] = c * low - d * up;
+  const found = {
+    n: 0,
+    add() {
+      const n = ++found.n;
+      for (let i = 0; i < r; i++) row[i] = V[(n - 1) * r + i] * s[i];
+      fresh.fill(0)[n - 1] = 1;
+      for (let i = 0; i < r; i++) {
+        const length = Math.hypot(R[i * r + i], row[i]), c = R[i * r + i] / length, d = row[i] / length;
+        for (let j = i; j < r; j++) {
+          const up = R[i * r + j], low = row[j];
+          R[i * r + j] = c * up + d * low;
+          row[j] = c * low - d * up;
+        }
+        for (let k = 0, at = i * K; k < n; k++, at++) {
+          const up = Q[at], low = fresh[k];
+          Q[at] = c * up + d * low;
+          fresh[k] = c * low - d * up;
+        }
       }
-      for (let k = 0, at = i * K; k < n; k++, at++) {
-        const up = Q[at], low = fresh[k];
-        Q[at] = c * up + d * low;
-        fresh[k] = c * low - d * up;
+      return found;
+    },
+    decode(right, width) {
+      const part = Float64Array.from(right), { n } = found, out = new Float64Array(n * width);
+      for (let i = 0; i < r; i++) {
+        for (let w = 0; w < width; w++) {
+          let sum = part[i * width + w];
+          for (let j = 0; j < i; j++) sum -= R[j * r + i] * part[j * width + w];
+          part[i * width + w] = sum / R[i * r + i];
+        }
+        for (let k = 0; k < n; k++)
+          for (let w = 0; w < width; w++) out[k * width + w] += Q[i * K + k] * part[i * width + w];
       }
-    }
-    return found;
-  }, decode(right, width) {
-    const part = Float64Array.from(right), { n } = found, out = new Float64Array(n * width);
-    for (let i = 0; i < r; i++) {
-      for (let w = 0; w < width; w++) {
-        let sum = part[i * width + w];
-        for (let j = 0; j < i; j++) sum -= R[j * r + i] * part[j * width + w];
-        part[i * width + w] = sum / R[i * r + i];
+      return out;
+    },
+    weights(target) {
+      const out = new Float64Array(r);
+      for (let i = r - 1; i >= 0; i--) {
+        for (let k = 0; k < found.n; k++) out[i] += Q[i * K + k] * target[k];
+        for (let j = i + 1; j < r; j++) out[i] -= R[i * r + j] * out[j];
+        out[i] /= R[i * r + i];
       }
-      for (let k = 0; k < n; k++) for (let w = 0; w < width; w++) out[k * width + w] += Q[i * K + k] * part[i * width + w];
+      return out;
     }
-    return out;
-  }, weights(target) {
-    const out = new Float64Array(r);
-    for (let i = r - 1; i >= 0; i--) {
-      for (let k = 0; k < found.n; k++) out[i] += Q[i * K + k] * target[k];
-      for (let j = i + 1; j < r; j++) out[i] -= R[i * r + j] * out[j];
-      out[i] /= R[i * r + i];
-    }
-    return out;
-  } };
+  };
   return found;
 }
 function inverseOf(grid, { fold, alpha }, n) {
@@ -456,7 +503,9 @@ function open(header, arrays) {
     }
     if (!name && arrays.differences) {
       const bins = arrays.bin_values?.length ?? H - 1;
-      found.columns.shared = Object.assign(channels(found, arrays.differences, A, bins, arrays.constant), { plain: true });
+      found.columns.shared = Object.assign(channels(found, arrays.differences, A, bins, arrays.constant), {
+        plain: true
+      });
     }
     return found;
   };
@@ -478,13 +527,32 @@ function open(header, arrays) {
   return model;
 }
 function simulation({ action, count }, { simulated_tails: tails, simulated_lines: lines }) {
-  const length = lines.length / 5, [reward, rewardError, survival, survivalError, chance] = Array.from({ length: 5 }, (_, i) => lines.subarray(i * length, (i + 1) * length));
-  return { action, count, length, width: tails.length / length, tails, reward, rewardError, survival, survivalError, chance };
+  const length = lines.length / 5, [reward, rewardError, survival, survivalError, chance] = Array.from(
+    { length: 5 },
+    (_, i) => lines.subarray(i * length, (i + 1) * length)
+  );
+  return {
+    action,
+    count,
+    length,
+    width: tails.length / length,
+    tails,
+    reward,
+    rewardError,
+    survival,
+    survivalError,
+    chance
+  };
 }
 function projections({ Ut, r, G }, each, width, sums) {
-  const under = (U) => ({ projected: each.map((x) => product(U, x, r, G, width)), constants: sums.map((x) => product(U, x, r, G, 1)) });
+  const under = (U) => ({
+    projected: each.map((x) => product(U, x, r, G, width)),
+    constants: sums.map((x) => product(U, x, r, G, 1))
+  });
   let late;
-  return Object.defineProperty(under(Ut), "late", { get: () => late ??= under(Ut.map((_, i) => i % G === G - 1 ? 0 : Ut[i + 1])) });
+  return Object.defineProperty(under(Ut), "late", {
+    get: () => late ??= under(Ut.map((_, i) => i % G === G - 1 ? 0 : Ut[i + 1]))
+  });
 }
 function channels(grid, values, A, width, constant) {
   const { G } = grid, each = Array.from({ length: A }, (_, a) => values.subarray(a * G * width, (a + 1) * G * width));
@@ -563,7 +631,12 @@ function truthOf(model, state) {
   };
 }
 function timelineError(model, state, seen) {
-  const { dt, K, cache, arrays: { rewards } } = model, { H, midpoints, masses: M, truth, tau, n } = seen, V = rewards.length;
+  const {
+    dt,
+    K,
+    cache,
+    arrays: { rewards }
+  } = model, { H, midpoints, masses: M, truth, tau, n } = seen, V = rewards.length;
   const nearest = remember(cache, "nearest", [midpoints[0], midpoints[H - 1], H], () => {
     let v = 0;
     return Int32Array.from(midpoints, (theta) => {
@@ -572,24 +645,32 @@ function timelineError(model, state, seen) {
     });
   });
   const step = (k) => Math.floor(k * dt + 0.5 + 1e-9), N = step(K - 1) + 1;
-  const true_ = remember(cache, "true by reward", [state.action, state.slope, state.normalise === "survival", H, midpoints[0]], () => {
-    const out = new Float64Array(N * V), chances = truth.chances[state.action], alive = truth.survival[state.action];
-    const seen2 = Float64Array.from({ length: V }, (_, v) => M.subarray(v * H, (v + 1) * H).reduce((sum, mass) => sum + mass, 0));
-    let shown = 0, comes = 0;
-    for (let i = 0; i < K * V; i++) {
-      shown += chances[i] * seen2[i % V];
-      comes += chances[i];
-    }
-    if (shown < LEAST_SHOWN * comes) return null;
-    for (let k = 0; k < K; k++) {
-      const whole = state.normalise !== "survival" ? 1 : alive[k] > FLOOR ? 1 / alive[k] : 0;
-      for (let v = 0; v < V; v++) {
-        const chance = chances[k * V + v] * whole;
-        if (chance) for (let h = 0; h < H; h++) out[step(k) * V + nearest[h]] += chance * M[v * H + h];
+  const true_ = remember(
+    cache,
+    "true by reward",
+    [state.action, state.slope, state.normalise === "survival", H, midpoints[0]],
+    () => {
+      const out = new Float64Array(N * V), chances = truth.chances[state.action], alive = truth.survival[state.action];
+      const seen2 = Float64Array.from(
+        { length: V },
+        (_, v) => M.subarray(v * H, (v + 1) * H).reduce((sum, mass) => sum + mass, 0)
+      );
+      let shown = 0, comes = 0;
+      for (let i = 0; i < K * V; i++) {
+        shown += chances[i] * seen2[i % V];
+        comes += chances[i];
       }
+      if (shown < LEAST_SHOWN * comes) return null;
+      for (let k = 0; k < K; k++) {
+        const whole = state.normalise !== "survival" ? 1 : alive[k] > FLOOR ? 1 / alive[k] : 0;
+        for (let v = 0; v < V; v++) {
+          const chance = chances[k * V + v] * whole;
+          if (chance) for (let h = 0; h < H; h++) out[step(k) * V + nearest[h]] += chance * M[v * H + h];
+        }
+      }
+      return out;
     }
-    return out;
-  });
+  );
   if (!true_) return 1;
   const rows = new Float64Array(N * V);
   for (let k = 0; k < n; k++) for (let h = 0; h < H; h++) rows[step(k) * V + nearest[h]] += tau[k * H + h];
@@ -622,7 +703,10 @@ function see(model, state, most = Infinity) {
   const parts = Array.from({ length: A }, (_, a) => ({
     columns: inComponents.projected[a],
     hum: humming?.projected[a],
-    mean: plus(product(inComponents.projected[a], means, grid.r, width, 1), hum && product(humming.projected[a], midpoints, grid.r, H, 1)),
+    mean: plus(
+      product(inComponents.projected[a], means, grid.r, width, 1),
+      hum && product(humming.projected[a], midpoints, grid.r, H, 1)
+    ),
     constant: plus(inComponents.constants[a], humming?.constants[a])
   }));
   const rowsOf = (inverse2, right, wide) => inverse2.decode(right, wide);
@@ -631,12 +715,27 @@ function see(model, state, most = Infinity) {
     if (!hum && map) return product(rowsOf(inverse2, part.columns, width), map, inverse2.n, width, H);
     return rowsOf(inverse2, plus(map ? product(part.columns, map, grid.r, width, H) : part.columns, part.hum), H);
   };
-  const sized = [state.slope, state.slope_share, thetas[0], H, columns === grid.columns.per_gamma, grid.name, state.noise, hum && state.noise_seed, state.shift];
+  const sized = [
+    state.slope,
+    state.slope_share,
+    thetas[0],
+    H,
+    columns === grid.columns.per_gamma,
+    grid.name,
+    state.noise,
+    hum && state.noise_seed,
+    state.shift
+  ];
   const roundingOf = (part, inverse2) => {
     if (state.normalise !== "paper") return void 0;
     const a = parts.indexOf(part), size = remember(cache, `sizes ${a}`, sized, () => {
       const Z = differencesOf(columns, grid, map, H, a, hum, state.noise);
-      return Math.hypot(...Array.from({ length: state.shift ? grid.G - 1 : grid.G }, (_, g) => Z.subarray(g * H, (g + 1) * H).reduce((sum, value) => sum + Math.abs(value), 0)));
+      return Math.hypot(
+        ...Array.from(
+          { length: state.shift ? grid.G - 1 : grid.G },
+          (_, g) => Z.subarray(g * H, (g + 1) * H).reduce((sum, value) => sum + Math.abs(value), 0)
+        )
+      );
     });
     return rowNorms(inverse2, grid.r).map((norm) => ROUNDING * size * norm);
   };
@@ -654,7 +753,9 @@ function see(model, state, most = Infinity) {
   const inverse = inverseOf(grid, state, n);
   const tau = tauSpace(parts[state.action], inverse);
   const survival = parts.map((part) => survivalOf(part, inverse));
-  const rewards = parts.map((part, a) => a === state.action ? product(tau, midpoints, n, H, 1) : rewardsOf(part, inverse));
+  const rewards = parts.map(
+    (part, a) => a === state.action ? product(tau, midpoints, n, H, 1) : rewardsOf(part, inverse)
+  );
   const d = discounts(model, state.softness, state.value_gamma);
   const valueAt = (row, expected) => {
     let sum = 0;
@@ -662,12 +763,16 @@ function see(model, state, most = Infinity) {
     return sum;
   };
   const values = Array.from({ length: A }, () => new Float64Array(K).fill(NaN));
-  if (!state.fold) values.forEach((line2, a) => line2.forEach((_, k) => {
-    line2[k] = valueAt(k, rewards[a]);
-  }));
-  else values.forEach((line2, a) => {
-    line2[readRow] = valueAt(readRow, rewards[a]);
-  });
+  if (!state.fold)
+    values.forEach(
+      (line2, a) => line2.forEach((_, k) => {
+        line2[k] = valueAt(k, rewards[a]);
+      })
+    );
+  else
+    values.forEach((line2, a) => {
+      line2[readRow] = valueAt(readRow, rewards[a]);
+    });
   if (state.fold && most) {
     const wide = state.normalise === "paper" ? H * (hum ? grid.r : width) : grid.r;
     const stride = Math.max(1, Math.ceil(A * wide * K * K / 2 / most));
@@ -682,7 +787,10 @@ function see(model, state, most = Infinity) {
   }
   const terms = rewards.map((line2) => line2.reduce((sum, value) => sum + Math.abs(value), 0));
   const scale = Math.max(...terms, ...midpoints.map(Math.abs));
-  const chosenAt = (row) => greedy(values.map((line2) => line2[row]), scale);
+  const chosenAt = (row) => greedy(
+    values.map((line2) => line2[row]),
+    scale
+  );
   const seen = {
     grid,
     thetas,
@@ -758,19 +866,47 @@ function weightsOf({ U, Ut, G, r }, state, inverse, target) {
   const weights = inverse.weights(target);
   if (!state.shift) return weights;
   const each = product(U, weights, G, r, 1);
-  return product(Ut, each.map((_, g) => g + 1 < G ? each[g + 1] : 0), r, G, 1);
+  return product(
+    Ut,
+    each.map((_, g) => g + 1 < G ? each[g + 1] : 0),
+    r,
+    G,
+    1
+  );
 }
 function kernel(model, state, { grid, n, readRow, d, inverse }) {
   const { K } = model, { V, s, r } = grid, wanted = d.slice(readRow * K, (readRow + 1) * K), target = new Float64Array(K);
   for (let k = 0; k < n; k++) target[k] = wanted[k];
   const weights = weightsOf(grid, state, inverse, target);
-  return { wanted, actual: product(V, weights.map((value, i) => value * s[i]), K, r, 1), gain: Math.hypot(...weights) };
+  return {
+    wanted,
+    actual: product(
+      V,
+      weights.map((value, i) => value * s[i]),
+      K,
+      r,
+      1
+    ),
+    gain: Math.hypot(...weights)
+  };
 }
 function resolution(model, state, { grid, n, inverse }, row) {
   const { K, dt } = model, { V, s, r } = grid, kernel2 = new Float64Array(K);
   if (row < n) {
-    const weights = weightsOf(grid, state, inverse, Float64Array.from({ length: K }, (_, k) => Number(k === row)));
-    product(V, weights.map((value, i) => value * s[i]), K, r, 1, kernel2);
+    const weights = weightsOf(
+      grid,
+      state,
+      inverse,
+      Float64Array.from({ length: K }, (_, k) => Number(k === row))
+    );
+    product(
+      V,
+      weights.map((value, i) => value * s[i]),
+      K,
+      r,
+      1,
+      kernel2
+    );
   }
   let peak = 0;
   kernel2.forEach((value, k) => {
@@ -789,12 +925,24 @@ var SWITCHES = {
     isOn: (s) => s.normalise === "paper",
     help: "Every row is rescaled to probability 1, also where the episode is over."
   },
-  fold: { label: "only T rows, K = T", help: "As many rows are decoded as the horizon has: what comes later is folded into them." },
-  mixed: { label: "mixed policies", help: "Every discount follows its own greedy policy: no single process has such a gamma-space." },
+  fold: {
+    label: "only T rows, K = T",
+    help: "As many rows are decoded as the horizon has: what comes later is folded into them."
+  },
+  mixed: {
+    label: "mixed policies",
+    help: "Every discount follows its own greedy policy: no single process has such a gamma-space."
+  },
   paper_grid: { label: "the paper’s grid", help: "The paper’s 15 discounts, from .01 to .99, piecewise linear." },
-  clip: { label: "edge clipping", help: "The sensitivities begin at a reward that occurs: half of its probability is lost." },
+  clip: {
+    label: "edge clipping",
+    help: "The sensitivities begin at a reward that occurs: half of its probability is lost."
+  },
   constant: { label: "constant T", help: "Acting with T at every step, instead of with the time to go." },
-  shift: { label: "index shifted by one", help: "Each discount is decoded by the row of the next one, as in the paper’s published notebook." }
+  shift: {
+    label: "index shifted by one",
+    help: "Each discount is decoded by the row of the next one, as in the paper’s published notebook."
+  }
 };
 for (const [name, each] of Object.entries(SWITCHES)) {
   each.on ??= { [name]: true };
@@ -831,20 +979,38 @@ function effect(model, state, name) {
 var logarithmic = (low, high, perDecade = 40) => {
   const count = Math.round(perDecade * Math.log10(high / low));
   const of = (value) => Math.round(count * Math.log10(Math.max(low, value) / low) / Math.log10(high / low));
-  return { count, of, at: (i) => {
-    const exact = low * (high / low) ** (i / count), plain = +exact.toPrecision(2);
-    return of(plain) === i ? plain : +exact.toPrecision(3);
-  } };
+  return {
+    count,
+    of,
+    at: (i) => {
+      const exact = low * (high / low) ** (i / count), plain = +exact.toPrecision(2);
+      return of(plain) === i ? plain : +exact.toPrecision(3);
+    }
+  };
 };
-var linear = (low, step, count) => ({ count, at: (i) => +(low + i * step).toPrecision(12), of: (value) => Math.round((value - low) / step) });
-var withZero = (scale) => ({ count: scale.count + 1, at: (i) => i ? scale.at(i - 1) : 0, of: (value) => value > 0 ? scale.of(value) + 1 : 0 });
+var linear = (low, step, count) => ({
+  count,
+  at: (i) => +(low + i * step).toPrecision(12),
+  of: (value) => Math.round((value - low) / step)
+});
+var withZero = (scale) => ({
+  count: scale.count + 1,
+  at: (i) => i ? scale.at(i - 1) : 0,
+  of: (value) => value > 0 ? scale.of(value) + 1 : 0
+});
 var near1 = {
   count: 120,
   at: (i) => +(1 - 10 ** (-0.3 - i * 2.7 / 120)).toPrecision(5),
   of: (value) => Math.round((-Math.log10(1 - value) - 0.3) * 120 / 2.7)
 };
 var SLIDERS = [
-  ["alpha", "α", "", "Regularisation of the inverse. What of the singular values comes back: s²/(s²+α²).", logarithmic(1e-9, 10)],
+  [
+    "alpha",
+    "α",
+    "",
+    "Regularisation of the inverse. What of the singular values comes back: s²/(s²+α²).",
+    logarithmic(1e-9, 10)
+  ],
   [
     "slope",
     "slope",
@@ -881,7 +1047,13 @@ var SLIDERS = [
     linear(0, 0.05, 20)
   ],
   ["value_gamma", "γ in the value", "", "Discount of the values that are compared.", near1],
-  ["noise", "noise", "", "Noise in gamma-space: standard deviation of (1 − γ) Q, seeded.", withZero(logarithmic(1e-7, 0.1, 6))]
+  [
+    "noise",
+    "noise",
+    "",
+    "Noise in gamma-space: standard deviation of (1 − γ) Q, seeded.",
+    withZero(logarithmic(1e-7, 0.1, 6))
+  ]
 ];
 function sliders(model, base, wish) {
   const box = element("div", { class: "sliders" }), shown = {};
@@ -900,19 +1072,31 @@ function sliders(model, base, wish) {
     });
     input.oninput = () => wish({ [name]: scale.at(+input.value) }, false);
     input.onchange = () => wish({}, true);
-    const extra = name === "alpha" ? [element("button", {
-      type: "button",
-      class: "small play",
-      "aria-label": "sweep alpha",
-      title: "Sweep alpha up and down",
-      onclick: () => wish("play", true)
-    }, "▶")] : name === "noise" ? [element("button", {
-      type: "button",
-      class: "small",
-      "aria-label": "another noise",
-      title: "Another seed",
-      onclick: () => wish("seed", true)
-    }, "⚄")] : [];
+    const extra = name === "alpha" ? [
+      element(
+        "button",
+        {
+          type: "button",
+          class: "small play",
+          "aria-label": "sweep alpha",
+          title: "Sweep alpha up and down",
+          onclick: () => wish("play", true)
+        },
+        "▶"
+      )
+    ] : name === "noise" ? [
+      element(
+        "button",
+        {
+          type: "button",
+          class: "small",
+          "aria-label": "another noise",
+          title: "Another seed",
+          onclick: () => wish("seed", true)
+        },
+        "⚄"
+      )
+    ] : [];
     box.append(element("div", { class: "slider" }, element("span", { class: "name" }, label), ...extra, output, input));
     shown[name] = (state) => {
       if (name === "noise") extra[0].disabled = !state.noise;
@@ -931,7 +1115,9 @@ function switchboard(model, wish) {
   const together = (words, on) => element("button", { type: "button", class: "together", onclick: () => wish(on, true) }, words);
   const names = Object.keys(SWITCHES).filter((name) => available(model, name));
   const all = (on) => Object.assign({}, ...names.map((name) => on && name !== "shift" ? SWITCHES[name].on : SWITCHES[name].off));
-  box.append(element("div", { class: "pair" }, together("As the paper", all(true)), together("All repaired", all(false))));
+  box.append(
+    element("div", { class: "pair" }, together("As the paper", all(true)), together("All repaired", all(false)))
+  );
   for (const [name, each] of Object.entries(SWITCHES)) {
     const there = names.includes(name), size = element("span", { class: "size" }, there ? " " : "not in this space");
     const button = element(
@@ -942,56 +1128,80 @@ function switchboard(model, wish) {
       size
     );
     box.append(button);
-    shown[name] = { size, show: (state) => {
-      button.setAttribute("aria-checked", String(there && each.isOn(state)));
-      button.onclick = () => wish(each.isOn(state) ? each.off : each.on, true);
-    } };
+    shown[name] = {
+      size,
+      show: (state) => {
+        button.setAttribute("aria-checked", String(there && each.isOn(state)));
+        button.onclick = () => wish(each.isOn(state) ? each.off : each.on, true);
+      }
+    };
   }
-  return { box, sync: (state) => Object.values(shown).forEach(({ show }) => show(state)), sizes(effects2) {
-    for (const [name, found] of Object.entries(effects2)) {
-      const moves = name === "constant" ? "" : found.size < 5e-4 ? "moves nothing here" : `moves ${short(found.size, 2)} probability`;
-      const more = found.on - found.off, told = found.on === void 0 || model.A === 1 ? "" : Math.abs(more) > 1e-6 ? `regret ${short(found.off)} → ${short(found.on)}` : "same choice";
-      shown[name].size.textContent = [moves, told].filter(Boolean).join(" · ");
-      shown[name].size.classList.toggle("large", more > 1e-6 || found.size >= 0.05 && !(more < -1e-6));
+  return {
+    box,
+    sync: (state) => Object.values(shown).forEach(({ show }) => show(state)),
+    sizes(effects2) {
+      for (const [name, found] of Object.entries(effects2)) {
+        const moves = name === "constant" ? "" : found.size < 5e-4 ? "moves nothing here" : `moves ${short(found.size, 2)} probability`;
+        const more = found.on - found.off, told = found.on === void 0 || model.A === 1 ? "" : Math.abs(more) > 1e-6 ? `regret ${short(found.off)} → ${short(found.on)}` : "same choice";
+        shown[name].size.textContent = [moves, told].filter(Boolean).join(" · ");
+        shown[name].size.classList.toggle("large", more > 1e-6 || found.size >= 0.05 && !(more < -1e-6));
+      }
     }
-  } };
+  };
 }
 function toolbar(model, wish, told) {
   const button = (kind, words, does2, more) => element("button", { type: "button", class: kind, onclick: does2, ...more }, words);
-  const chips = model.header.actions.map((name, a) => button(
-    "chip",
-    name,
-    () => wish({ action: a }, true),
-    { style: `--chip: ${actionColour(a)}`, title: `show ${name}` }
-  ));
+  const chips = model.header.actions.map(
+    (name, a) => button("chip", name, () => wish({ action: a }, true), {
+      style: `--chip: ${actionColour(a)}`,
+      title: `show ${name}`
+    })
+  );
   const looks = ["heatmap", "surface"].map((look) => button("chip", look, () => wish({ look }, true)));
   const rows = element(
     "select",
     { "aria-label": "rows of tau-space", onchange: () => wish({ normalise: rows.value }, true) },
-    ...[["none", "rows as decoded"], ["survival", "rows given survival"], ["paper", "rows rescaled to 1"]].map(([value, words]) => element("option", { value }, words))
+    ...[
+      ["none", "rows as decoded"],
+      ["survival", "rows given survival"],
+      ["paper", "rows rescaled to 1"]
+    ].map(([value, words]) => element("option", { value }, words))
   );
-  const added = element("select", {
-    name: "added",
-    "aria-label": "discounts added",
-    title: "Discounts that were never trained, each a mean of its two neighbours. They add no information, and at the same α let more noise through.",
-    onchange: () => wish({ added: +added.value }, true)
-  }, ...["trained discounts", "+ 1 in each gap", "+ 2 in each gap", "+ 3 in each gap"].map((words, value) => element("option", { value }, words)));
+  const added = element(
+    "select",
+    {
+      name: "added",
+      "aria-label": "discounts added",
+      title: "Discounts that were never trained, each a mean of its two neighbours. They add no information, and at the same α let more noise through.",
+      onchange: () => wish({ added: +added.value }, true)
+    },
+    ...["trained discounts", "+ 1 in each gap", "+ 2 in each gap", "+ 3 in each gap"].map(
+      (words, value) => element("option", { value }, words)
+    )
+  );
   const does = (words, name, title = name) => button("tool", words, () => wish(name, true), { "aria-label": name, title });
   const undo = does("↶", "undo"), redo = does("↷", "redo"), reset = does("reset", "reset", "back to the world’s own settings");
-  const pin = button("tool", "pin as A", () => wish("pin", true), { title: "keep this view as A and compare what you change with it" });
-  const link = button("tool", "copy link", async () => {
-    await navigator.clipboard.writeText(location.href).then(
-      () => {
-        link.textContent = "copied";
-      },
-      () => {
-        link.textContent = "copy the address bar";
-      }
-    );
-    setTimeout(() => {
-      link.textContent = "copy link";
-    }, 1500);
-  }, { title: "the address bar is a link to exactly this view" });
+  const pin = button("tool", "pin as A", () => wish("pin", true), {
+    title: "keep this view as A and compare what you change with it"
+  });
+  const link = button(
+    "tool",
+    "copy link",
+    async () => {
+      await navigator.clipboard.writeText(location.href).then(
+        () => {
+          link.textContent = "copied";
+        },
+        () => {
+          link.textContent = "copy the address bar";
+        }
+      );
+      setTimeout(() => {
+        link.textContent = "copy link";
+      }, 1500);
+    },
+    { title: "the address bar is a link to exactly this view" }
+  );
   const group = (name, ...parts) => element("span", { class: "group", role: "group", "aria-label": name }, ...parts);
   const box = element(
     "div",
@@ -1003,34 +1213,42 @@ function toolbar(model, wish, told) {
     group("history", undo, redo, reset),
     ...told.live ? [group("keep", ...told.pinnable ? [pin] : [], link)] : []
   );
-  return { box, sync(state, history, { pinned }) {
-    chips.forEach((chip, a) => chip.setAttribute("aria-pressed", String(a === state.action)));
-    looks.forEach((chip) => chip.setAttribute("aria-pressed", String(chip.textContent === state.look)));
-    rows.value = state.normalise;
-    added.value = state.added;
-    undo.disabled = history.at <= 0;
-    redo.disabled = history.at >= history.states.length - 1;
-    pin.textContent = pinned ? "unpin A" : "pin as A";
-  } };
+  return {
+    box,
+    sync(state, history, { pinned }) {
+      chips.forEach((chip, a) => chip.setAttribute("aria-pressed", String(a === state.action)));
+      looks.forEach((chip) => chip.setAttribute("aria-pressed", String(chip.textContent === state.look)));
+      rows.value = state.normalise;
+      added.value = state.added;
+      undo.disabled = history.at <= 0;
+      redo.disabled = history.at >= history.states.length - 1;
+      pin.textContent = pinned ? "unpin A" : "pin as A";
+    }
+  };
 }
 function footer(presets, files, wish) {
   const box = element("div", { class: "footer" });
-  if (presets.length) box.append(element(
-    "span",
-    { class: "group", role: "group", "aria-label": "examples" },
-    element("span", { class: "name" }, "See"),
-    ...presets.map((preset) => element(
-      "button",
-      { type: "button", class: "tool", onclick: () => wish({ preset }, true) },
-      preset.name
-    ))
-  ));
-  box.append(element(
-    "span",
-    { class: "group", role: "group", "aria-label": "downloads" },
-    element("span", { class: "name" }, "Save"),
-    ...files.map(([words, save2]) => element("button", { type: "button", class: "tool", "aria-label": `save ${words}`, onclick: save2 }, words))
-  ));
+  if (presets.length)
+    box.append(
+      element(
+        "span",
+        { class: "group", role: "group", "aria-label": "examples" },
+        element("span", { class: "name" }, "See"),
+        ...presets.map(
+          (preset) => element("button", { type: "button", class: "tool", onclick: () => wish({ preset }, true) }, preset.name)
+        )
+      )
+    );
+  box.append(
+    element(
+      "span",
+      { class: "group", role: "group", "aria-label": "downloads" },
+      element("span", { class: "name" }, "Save"),
+      ...files.map(
+        ([words, save2]) => element("button", { type: "button", class: "tool", "aria-label": `save ${words}`, onclick: save2 }, words)
+      )
+    )
+  );
   return box;
 }
 
@@ -1069,9 +1287,10 @@ function simulatedRow(model, a, row) {
   const { tails, width, length } = simulated, far = Math.round(K / 80), found = new Float64Array(width - 1);
   const first = Math.max(0, step - far), last = Math.min(length - 1, step + far);
   if (!tails[step * width]) return null;
-  for (let at = first; at <= last; at++) for (let h = 0; h < width - 1; h++) {
-    found[h] += (tails[at * width + h] - tails[at * width + h + 1]) / TAIL / (last - first + 1);
-  }
+  for (let at = first; at <= last; at++)
+    for (let h = 0; h < width - 1; h++) {
+      found[h] += (tails[at * width + h] - tails[at * width + h + 1]) / TAIL / (last - first + 1);
+    }
   return found;
 }
 function distances({ simulated, dt }, { tau, thetas, H, n, open: open2 }) {
@@ -1080,7 +1299,8 @@ function distances({ simulated, dt }, { tau, thetas, H, n, open: open2 }) {
   for (let step = 0; step < length; step++) {
     const row = Math.round(step / dt), from = step * width;
     if (row >= n || Math.abs(row * dt - step) >= 1e-9) continue;
-    for (let h = 0; h < H; h++) low[h + 1] = low[h] + tau[row * H + h] / dt - (tails[from + h] - tails[from + h + 1]) / TAIL;
+    for (let h = 0; h < H; h++)
+      low[h + 1] = low[h] + tau[row * H + h] / dt - (tails[from + h] - tails[from + h + 1]) / TAIL;
     out[step] = 0;
     const area = (left, right, x, x2) => {
       out[step] += (Math.abs(left) + Math.abs(right)) / 2 * (x2 - x);
@@ -1099,14 +1319,20 @@ function distancesOf({ model, seen, images }) {
   return images.distances;
 }
 function drawDistances(pen, scene, strip, Y) {
-  const { model: { simulated, dt }, colours } = scene, found = distancesOf(scene);
+  const {
+    model: { simulated, dt },
+    colours
+  } = scene, found = distancesOf(scene);
   const steps = [...found.keys()].filter((step) => Number.isFinite(found[step]));
   if (!steps.length) return;
   const [, most] = rounded(0, Math.max(...steps.map((step) => Math.max(found[step], simulated.chance[step]))));
   const X = (value) => strip.x + strip.w * value / most, half = 0.5 / dt, { y, h } = strip;
   const area = (values) => [
     [X(0), Y(steps[0] / dt - half)],
-    ...steps.flatMap((step) => [[X(values[step]), Y(step / dt - half)], [X(values[step]), Y(step / dt + half)]]),
+    ...steps.flatMap((step) => [
+      [X(values[step]), Y(step / dt - half)],
+      [X(values[step]), Y(step / dt + half)]
+    ]),
     [X(0), Y(steps[steps.length - 1] / dt + half)]
   ];
   pen.clip(strip.x - 1, y, strip.w + 2, h, () => {
@@ -1151,7 +1377,19 @@ function heading(pen, { verdict, scene: { model, state, colours } }) {
   }
   lines.slice(0, 2).forEach((line2, i) => pen.text(line2, SIZE.gap, 20 + 17 * i, { size: 14, colour: colours.text }));
   const { header } = model, rows = { none: "as decoded", survival: "given survival", paper: "rescaled to 1" }[state.normalise];
-  pen.text([header.world, header.state, header.actions[state.action], `α ${short(state.alpha)}`, `T ${short(state.horizon)}`, `rows ${rows}`].filter(Boolean).join(" · "), SIZE.gap, 56, { size: 12, colour: colours.soft });
+  pen.text(
+    [
+      header.world,
+      header.state,
+      header.actions[state.action],
+      `α ${short(state.alpha)}`,
+      `T ${short(state.horizon)}`,
+      `rows ${rows}`
+    ].filter(Boolean).join(" · "),
+    SIZE.gap,
+    56,
+    { size: 12, colour: colours.soft }
+  );
 }
 var worldOf = async (lens2, format) => lens2.world ? [await lens2.world.picture(format)] : [];
 async function savePng(lens2) {
@@ -1194,7 +1432,10 @@ async function svgOf(lens2) {
 var saveSvg = async (lens2) => save(await svgOf(lens2), `${nameOf(lens2)}.svg`, "image/svg+xml");
 function csvOf({ scene }) {
   const { model, seen, state } = scene, simulated = simulatedFor(scene), far = simulated && distancesOf(scene);
-  const came = (tau) => [...["reward", "rewardError", "survival", "survivalError"].map((name) => simulated[name][tau]), far[tau]];
+  const came = (tau) => [
+    ...["reward", "rewardError", "survival", "survivalError"].map((name) => simulated[name][tau]),
+    far[tau]
+  ];
   const quoted = (words) => `"${String(words).replace(/"/g, '""')}"`, names = model.header.actions, a = state.action;
   const head = [
     "tau",
@@ -1205,7 +1446,10 @@ function csvOf({ scene }) {
     ...names.map((name) => `value of ${name}`),
     ...simulated ? ["simulated reward", "its error", "simulated survival", "its error", "W1"] : [],
     ...seen.truth ? ["best action"] : [],
-    ...Array.from(seen.midpoints, (theta, h) => `P ${!seen.open || h && h < seen.H - 1 ? "at" : h ? "above" : "below"} ${+theta.toPrecision(8)}`)
+    ...Array.from(
+      seen.midpoints,
+      (theta, h) => `P ${!seen.open || h && h < seen.H - 1 ? "at" : h ? "above" : "below"} ${+theta.toPrecision(8)}`
+    )
   ];
   const rows = Array.from({ length: model.K }, (_, k) => [
     k * model.dt,
@@ -1218,7 +1462,11 @@ function csvOf({ scene }) {
     ...seen.truth ? [quoted(names[seen.bestAt(k)])] : [],
     ...k < seen.n ? seen.tau.slice(k * seen.H, (k + 1) * seen.H) : Array(seen.H).fill("")
   ]);
-  return [`# ${JSON.stringify({ world: model.header.world, from_state: model.header.state, ...state, action: names[a], gammas: Array.from(seen.grid.gammas) })}`, head.map(quoted).join(","), ...rows.map((row) => row.map((x) => x ?? "").join(","))].join("\n");
+  return [
+    `# ${JSON.stringify({ world: model.header.world, from_state: model.header.state, ...state, action: names[a], gammas: Array.from(seen.grid.gammas) })}`,
+    head.map(quoted).join(","),
+    ...rows.map((row) => row.map((x) => x ?? "").join(","))
+  ].join("\n");
 }
 var saveCsv = (lens2) => save(csvOf(lens2), `${nameOf(lens2)}.csv`, "text/csv");
 var HELD = '<script id="held" type="application/json">';
@@ -1228,7 +1476,8 @@ function htmlOf({ told, scene: { model, state } }, still, template) {
   const held = { state, base: told.base, still, payload: btoa(text) };
   return template.replace(HELD, (tag) => tag + JSON.stringify(held).replace(/</g, "\\u003c"));
 }
-var saveHtml = async (lens2) => lens2.scene.model.bytes && save(htmlOf(lens2, (await worldOf(lens2, "svg"))[0], await lens2.told.template()), `${nameOf(lens2)}.html`, "text/html");
+var saveHtml = async (lens2) => lens2.scene.model.bytes && // none while a player runs through an episode
+save(htmlOf(lens2, (await worldOf(lens2, "svg"))[0], await lens2.told.template()), `${nameOf(lens2)}.html`, "text/html");
 
 // app/js/lens/hand.js
 var isSpace = (panel) => Boolean(panel.rows);
@@ -1311,7 +1560,10 @@ function listen(canvas, panel, scene, draw) {
     }
     const from = hover.theta === void 0 ? seen.H / 2 : acrossOf(seen, hover.theta);
     const count = panel.rows === "tau" ? model.K : seen.grid.G;
-    point({ theta: thetaOf(seen, limited(from + across * far, 0, seen.H)), [panel.rows]: stepped(panel.rows, up, count) });
+    point({
+      theta: thetaOf(seen, limited(from + across * far, 0, seen.H)),
+      [panel.rows]: stepped(panel.rows, up, count)
+    });
   };
   if (!space) return;
   canvas.title = "Drag to zoom or to turn, double-click for all of it; with the keyboard arrows, + and -";
@@ -1327,17 +1579,31 @@ function listen(canvas, panel, scene, draw) {
 
 // app/js/draw/frame.js
 var GHOST = { width: 1.2, dash: [7, 3] };
-var inside = (w, h, { left = 46, right = 10, top: top2 = 28, bottom = 34 } = {}) => ({ x: left, y: top2, w: w - left - right, h: h - top2 - bottom });
+var inside = (w, h, { left = 46, right = 10, top: top2 = 28, bottom = 34 } = {}) => ({
+  x: left,
+  y: top2,
+  w: w - left - right,
+  h: h - top2 - bottom
+});
 function titled(pen, w, words, note, { colours }, under = true) {
   pen.text(words, 2, 15, { size: 14, weight: 600, colour: colours.text });
   if (!note) return;
   const beside = pen.width(words, 14, 600) + pen.width(note, 11) + 14 < w;
-  if (beside || under) pen.text(note, w - 4, beside ? 15 : 26, { size: beside ? 11 : 10.5, align: "right", colour: colours.soft });
+  if (beside || under)
+    pen.text(note, w - 4, beside ? 15 : 26, { size: beside ? 11 : 10.5, align: "right", colour: colours.soft });
 }
 function marked(pen, { box, X, Y }, { x, y }, colours) {
   const lines = [];
-  if (X(x) >= box.x && X(x) <= box.x + box.w) lines.push([[X(x), box.y], [X(x), box.y + box.h]]);
-  if (Y(y) >= box.y && Y(y) <= box.y + box.h) lines.push([[box.x, Y(y)], [box.x + box.w, Y(y)]]);
+  if (X(x) >= box.x && X(x) <= box.x + box.w)
+    lines.push([
+      [X(x), box.y],
+      [X(x), box.y + box.h]
+    ]);
+  if (Y(y) >= box.y && Y(y) <= box.y + box.h)
+    lines.push([
+      [box.x, Y(y)],
+      [box.x + box.w, Y(y)]
+    ]);
   for (const each of lines) {
     pen.path(each, { stroke: colours.halo, width: 3 });
     pen.path(each, { stroke: colours.mark, width: 1.2 });
@@ -1368,7 +1634,8 @@ var limitOfTau = (scene) => {
   if (!seen.truth) return top(seen.tau.map(Math.abs)) / model.dt || 1;
   if (images.limitFor !== seen.masses) {
     let limit = 0;
-    for (let a = 0; a < model.A; a++) for (let k = 0; k < model.K; k++) limit = Math.max(limit, top(trueRow(scene, a, k) ?? []));
+    for (let a = 0; a < model.A; a++)
+      for (let k = 0; k < model.K; k++) limit = Math.max(limit, top(trueRow(scene, a, k) ?? []));
     Object.assign(images, { limitFor: seen.masses, limit: limit || 1 });
   }
   return images.limit;
@@ -1393,11 +1660,22 @@ function drawSpace(pen, w, h, scene, { values, n, rows, limit, title, note, yTit
     grid: false
   });
   pen.path(
-    [[box.x, box.y], [box.x + box.w, box.y], [box.x + box.w, box.y + box.h], [box.x, box.y + box.h]],
+    [
+      [box.x, box.y],
+      [box.x + box.w, box.y],
+      [box.x + box.w, box.y + box.h],
+      [box.x, box.y + box.h]
+    ],
     { fill: colours.empty, close: true }
   );
   const [left, right] = thetaRange(seen).map(scale.X), upper = scale.Y(n - 0.5);
-  pen.clip(box.x, box.y, box.w, box.h, () => pen.image(images[image], left, upper, right - left, scale.Y(-0.5) - upper));
+  pen.clip(
+    box.x,
+    box.y,
+    box.w,
+    box.h,
+    () => pen.image(images[image], left, upper, right - left, scale.Y(-0.5) - upper)
+  );
   return scale;
 }
 var isAdded = ({ model }, gamma) => Boolean(model.header.added && gamma % (model.header.added + 1));
@@ -1425,7 +1703,10 @@ var gammaPanel = {
     if (images.gammaFor !== version) Object.assign(images, { Z: gammaSpace(seen, state), gammaFor: version });
     const { Z } = images, { gammas, G } = seen.grid, limit = top(Z) || 1;
     const margin = { right: 36 }, found = missed(scene);
-    const notes = [seen.soft && `soft ±${short(seen.soft.off, 2)}`, found && `dotted: interpolated ±${short(top(found), 2)}`];
+    const notes = [
+      seen.soft && `soft ±${short(seen.soft.off, 2)}`,
+      found && `dotted: interpolated ±${short(top(found), 2)}`
+    ];
     const scale = drawSpace(pen, w, h, scene, {
       values: Z,
       n: G,
@@ -1439,11 +1720,23 @@ var gammaPanel = {
       version,
       note: hover.theta !== void 0 && hover.gamma !== void 0 ? `θ ${rewardWords(seen, hover.theta)} · γ ${short(gammas[hover.gamma])} · ${short(Z[hover.gamma * seen.H + columnAt(seen, hover.theta)])}${isAdded(scene, hover.gamma) ? " interpolated" : ""}` : notes.filter(Boolean).join(" · ") || "discounted steps"
     });
-    pen.clip(scale.box.x - 5, scale.box.y, scale.box.w + 5, scale.box.h, () => gammas.forEach((_, g) => {
-      if (!isAdded(scene, g)) return;
-      const { box, Y } = scale, y = Y(g), wide = Y(0) - Y(1) >= 5 ? box.w : 0;
-      pen.path([[box.x - 5, y], [box.x + wide, y]], { stroke: NEUTRAL, dash: [1, 3] });
-    }));
+    pen.clip(
+      scale.box.x - 5,
+      scale.box.y,
+      scale.box.w + 5,
+      scale.box.h,
+      () => gammas.forEach((_, g) => {
+        if (!isAdded(scene, g)) return;
+        const { box, Y } = scale, y = Y(g), wide = Y(0) - Y(1) >= 5 ? box.w : 0;
+        pen.path(
+          [
+            [box.x - 5, y],
+            [box.x + wide, y]
+          ],
+          { stroke: NEUTRAL, dash: [1, 3] }
+        );
+      })
+    );
     colourBar(
       pen,
       images.bar ??= document.createElement("canvas"),
@@ -1472,7 +1765,9 @@ function outline(scene) {
       const left = thetas[h];
       while (h < H && row[h] > foot) h++;
       const right = thetas[h];
-      found.push(...few ? [[left, low], [right, low], [right, high], [left, high], [left, low], null] : [[left, low], [left, high], null, [right, low], [right, high], null]);
+      found.push(
+        ...few ? [[left, low], [right, low], [right, high], [left, high], [left, low], null] : [[left, low], [left, high], null, [right, low], [right, high], null]
+      );
     }
   });
   Object.assign(images, { outline: found, outlineFor: masses2, outlineOf: state.action });
@@ -1509,35 +1804,75 @@ var tauPanel = {
     }
     if (scene.followed && !simulated) {
       const found = scene.followed.rewards.slice(0, Math.ceil(K * dt)), size = found.length > 60 ? 1.6 : 2.6;
-      pen.clip(box.x, box.y, box.w, box.h, () => found.forEach((reward, k) => {
-        const [x, y] = [X(placeOf(seen, reward)), Y(k / dt)];
-        pen.path(
-          [[x - size, y - size], [x + size, y - size], [x + size, y + size], [x - size, y + size]],
-          { fill: "#ffffff", stroke: "#111111", width: 0.8, close: true }
-        );
-      }));
+      pen.clip(
+        box.x,
+        box.y,
+        box.w,
+        box.h,
+        () => found.forEach((reward, k) => {
+          const [x, y] = [X(placeOf(seen, reward)), Y(k / dt)];
+          pen.path(
+            [
+              [x - size, y - size],
+              [x + size, y - size],
+              [x + size, y + size],
+              [x - size, y + size]
+            ],
+            { fill: "#ffffff", stroke: "#111111", width: 0.8, close: true }
+          );
+        })
+      );
     }
     const deadline = Y(seen.readRow + 0.5), ruler = { x: box.x + box.w + 6 + aside, w: 38 };
     if (simulated) drawDistances(pen, scene, { ...box, x: box.x + box.w + 6, w: 32 }, Y);
     pen.clip(box.x, box.y - 1, box.w, box.h + 2, () => {
-      pen.path([[box.x, deadline], [box.x + box.w, deadline]], { stroke: "#111", width: 3 });
-      pen.path([[box.x, deadline], [box.x + box.w, deadline]], { stroke: "#ff9f1c", width: 1.6, dash: [6, 4] });
-      pen.text(
-        "T",
-        box.x + box.w - 4,
-        deadline + (deadline < box.y + 14 ? 12 : -4),
-        { size: 11, weight: 700, align: "right", colour: "#ff9f1c" }
+      pen.path(
+        [
+          [box.x, deadline],
+          [box.x + box.w, deadline]
+        ],
+        { stroke: "#111", width: 3 }
       );
+      pen.path(
+        [
+          [box.x, deadline],
+          [box.x + box.w, deadline]
+        ],
+        { stroke: "#ff9f1c", width: 1.6, dash: [6, 4] }
+      );
+      pen.text("T", box.x + box.w - 4, deadline + (deadline < box.y + 14 ? 12 : -4), {
+        size: 11,
+        weight: 700,
+        align: "right",
+        colour: "#ff9f1c"
+      });
     });
     pen.clip(ruler.x - 2, box.y - 1, ruler.w + 4, box.h + 2, () => {
       const peak = top(resolution2.kernel.map(Math.abs)) || 1, foot = ruler.x + 6;
       const at = Array.from(resolution2.kernel, (value, k) => [foot + 28 * value / peak, Y(k)]);
       pen.path([[foot, Y(0)], ...at, [foot, Y(K - 1)]], { fill: colours.wash, stroke: colours.primary, width: 1.2 });
       const low = Y(resolution2.low / dt - 0.5), high = Y(resolution2.high / dt + 0.5);
-      pen.path([[ruler.x + 3, low], [ruler.x, low], [ruler.x, high], [ruler.x + 3, high]], { stroke: colours.text, width: 1.4 });
+      pen.path(
+        [
+          [ruler.x + 3, low],
+          [ruler.x, low],
+          [ruler.x, high],
+          [ruler.x + 3, high]
+        ],
+        { stroke: colours.text, width: 1.4 }
+      );
     });
-    pen.text(`window ±${short(resolution2.half, 2)}`, ruler.x - 4, box.y + box.h + 27, { size: 10.5, colour: colours.text });
-    colourBar(pen, images.bar ??= document.createElement("canvas"), { x: w - 32, y: box.y, w: 7, h: box.h }, limit, colours);
+    pen.text(`window ±${short(resolution2.half, 2)}`, ruler.x - 4, box.y + box.h + 27, {
+      size: 10.5,
+      colour: colours.text
+    });
+    colourBar(
+      pen,
+      images.bar ??= document.createElement("canvas"),
+      { x: w - 32, y: box.y, w: 7, h: box.h },
+      limit,
+      colours
+    );
     marked(pen, scale, { x: hover.theta, y: hover.tau }, colours);
     return scale;
   },
@@ -1575,10 +1910,12 @@ var valuesPanel = {
     const legend = legendOf(pen, scene, w), rows = Math.max(...legend.map(({ row }) => row));
     const box = inside(w, h, { top: 44 + 15 * rows, bottom: 62 }), all = [...seen.values, ...seen.truth?.values ?? [], ...scene.pinned?.values ?? []];
     let low = 0, high = 0;
-    for (const values of all) for (const value of values) if (value === value) {
-      low = Math.min(low, value);
-      high = Math.max(high, value);
-    }
+    for (const values of all)
+      for (const value of values)
+        if (value === value) {
+          low = Math.min(low, value);
+          high = Math.max(high, value);
+        }
     const x = [horizons[0] - dt / 2, horizons[K - 1] + dt / 2];
     titled(
       pen,
@@ -1590,7 +1927,13 @@ var valuesPanel = {
     );
     legend.forEach(({ a, words, x: at, row }) => {
       const y = 30 + 15 * row;
-      pen.path([[at, y], [at + 14, y]], { stroke: actionColour(a), width: a === state.action ? 4 : 2 });
+      pen.path(
+        [
+          [at, y],
+          [at + 14, y]
+        ],
+        { stroke: actionColour(a), width: a === state.action ? 4 : 2 }
+      );
       pen.text(words, at + 18, y + 4, { size: 11, colour: colours.text });
     });
     const left_ = names.length - legend.length;
@@ -1599,16 +1942,20 @@ var valuesPanel = {
     const xs = Array.from(horizons, X);
     pen.clip(box.x, box.y - 3, box.w, box.h + 6, () => {
       scene.pinned?.values.forEach((values, a) => line(pen, xs, values.map(Y), { ...GHOST, stroke: actionColour(a) }));
-      seen.truth?.values.forEach((values, a) => line(pen, xs, values.map(Y), { stroke: actionColour(a), width: 1.3, dash: [2, 3] }));
+      seen.truth?.values.forEach(
+        (values, a) => line(pen, xs, values.map(Y), { stroke: actionColour(a), width: 1.3, dash: [2, 3] })
+      );
       seen.values.forEach((values, a) => {
         const known = [...values.keys()].filter((k) => Number.isFinite(values[k]));
-        pen.path(known.map((k) => [xs[k], Y(values[k])]), { stroke: actionColour(a), width: a === state.action ? 2.4 : 1.8 });
-        if (K <= 40) for (const k of known) pen.path(disc(xs[k], Y(values[k]), 2.6), { fill: actionColour(a), close: true });
+        pen.path(
+          known.map((k) => [xs[k], Y(values[k])]),
+          { stroke: actionColour(a), width: a === state.action ? 2.4 : 1.8 }
+        );
+        if (K <= 40)
+          for (const k of known) pen.path(disc(xs[k], Y(values[k]), 2.6), { fill: actionColour(a), close: true });
       });
-      for (const [T, value] of crossings(model, seen)) pen.path(
-        disc(X(T), Y(value), 4),
-        { stroke: colours.text, width: 1.5, fill: colours.paper, close: true }
-      );
+      for (const [T, value] of crossings(model, seen))
+        pen.path(disc(X(T), Y(value), 4), { stroke: colours.text, width: 1.5, fill: colours.paper, close: true });
     });
     const strip = (top2, chosenAt) => {
       let from = 0;
@@ -1616,10 +1963,16 @@ var valuesPanel = {
         const now = chosenAt(from);
         if (k < K && chosenAt(k) === now) continue;
         const left = X(horizons[from] - dt / 2), right = X(horizons[k - 1] + dt / 2);
-        if (now >= 0) pen.path(
-          [[left, top2], [right, top2], [right, top2 + 10], [left, top2 + 10]],
-          { fill: actionColour(now), close: true }
-        );
+        if (now >= 0)
+          pen.path(
+            [
+              [left, top2],
+              [right, top2],
+              [right, top2 + 10],
+              [left, top2 + 10]
+            ],
+            { fill: actionColour(now), close: true }
+          );
         from = k;
       }
     };
@@ -1640,20 +1993,28 @@ var valuesPanel = {
       pen.text("best", box.x - 5, under + 21, { size: 10.5, align: "right", colour: colours.soft });
     }
     const spots = K <= 8 ? [...horizons] : ticks(...x).filter((tick) => tick >= x[0]);
-    for (const tick of spots) pen.text(short(tick), X(tick), under + 36, { size: 10.5, align: "center", colour: colours.soft });
-    pen.text(
-      used ? "time to go (steps)" : "horizon T (steps)",
-      box.x + box.w / 2,
-      under + 50,
-      { size: 11, align: "center", colour: colours.soft }
-    );
+    for (const tick of spots)
+      pen.text(short(tick), X(tick), under + 36, { size: 10.5, align: "center", colour: colours.soft });
+    pen.text(used ? "time to go (steps)" : "horizon T (steps)", box.x + box.w / 2, under + 50, {
+      size: 11,
+      align: "center",
+      colour: colours.soft
+    });
     for (const [row, dash] of [[seen.leftRow, [5, 4]], ...used ? [[seen.readRow, [1, 4]]] : []]) {
-      pen.path([[xs[row], box.y], [xs[row], under + 24]], { stroke: "#ff9f1c", width: 1.8, dash });
+      pen.path(
+        [
+          [xs[row], box.y],
+          [xs[row], under + 24]
+        ],
+        { stroke: "#ff9f1c", width: 1.8, dash }
+      );
     }
     if (hover.tau !== void 0) marked(pen, scale, { x: horizons[hover.tau] }, colours);
     return scale;
   },
-  point: ({ model }, x) => ({ tau: Math.min(model.K - 1, Math.max(0, Math.round((x - model.horizons[0]) / model.dt))) }),
+  point: ({ model }, x) => ({
+    tau: Math.min(model.K - 1, Math.max(0, Math.round((x - model.horizons[0]) / model.dt)))
+  }),
   words: ({ model, seen, state }) => `Value of each action over the horizon T. Read at T = ${short(model.horizons[seen.readRow])}: ${model.header.actions.map((name, a) => `${name} ${short(seen.values[a][seen.readRow], 4)}`).join(", ")}. Chosen: ${model.header.actions[seen.chosen]}.${seen.truth ? ` Best: ${model.header.actions[seen.best]}; ${short(seen.regret)} is lost.` : ""} The two leading lines cross ${crossings(model, seen).length} times.`
 };
 function crossings({ horizons, K }, { values, chosenAt }) {
@@ -1662,7 +2023,10 @@ function crossings({ horizons, K }, { values, chosenAt }) {
     const [k, next] = [rows[i - 1], rows[i]], a = chosenAt(k), b = chosenAt(next);
     if (a === b) continue;
     const before = values[a][k] - values[b][k], after = values[b][next] - values[a][next], share = before + after > 0 ? before / (before + after) : 0;
-    found.push([horizons[k] + share * (horizons[next] - horizons[k]), values[a][k] + share * (values[a][next] - values[a][k])]);
+    found.push([
+      horizons[k] + share * (horizons[next] - horizons[k]),
+      values[a][k] + share * (values[a][next] - values[a][k])
+    ]);
   }
   return found;
 }
@@ -1693,19 +2057,34 @@ var spectrumPanel = {
     const { X, Y } = scale, half = 0.36 * (X(2) - X(1)), floor = box.y + box.h;
     factors.forEach((factor, i) => {
       const x = X(i + 1), top2 = floor - factor * box.h;
-      pen.path([[x - half, floor], [x - half, top2], [x + half, top2], [x + half, floor]], { fill: colours.wash, close: true });
+      pen.path(
+        [
+          [x - half, floor],
+          [x - half, top2],
+          [x + half, top2],
+          [x + half, floor]
+        ],
+        { fill: colours.wash, close: true }
+      );
       pen.path(disc(x, Y(Math.log10(s[i])), 3.2), { fill: factor > 0.5 ? colours.primary : NEUTRAL, close: true });
     });
     const weights = hover.gamma !== void 0 ? factors.map((_, i) => Math.abs(U[hover.gamma * r + i])) : hover.tau !== void 0 ? factors.map((_, i) => Math.abs(V[hover.tau * r + i])) : null;
-    if (weights) line(
-      pen,
-      Array.from(weights, (_, i) => X(i + 1)),
-      weights.map((value) => floor - value * box.h),
-      { stroke: colours.mark, width: 1.4 }
-    );
+    if (weights)
+      line(
+        pen,
+        Array.from(weights, (_, i) => X(i + 1)),
+        weights.map((value) => floor - value * box.h),
+        { stroke: colours.mark, width: 1.4 }
+      );
     const level = Math.log10(state.alpha);
     if (level > low && level < high) {
-      pen.path([[box.x, Y(level)], [box.x + box.w, Y(level)]], { stroke: "#ff9f1c", width: 1.6, dash: [6, 4] });
+      pen.path(
+        [
+          [box.x, Y(level)],
+          [box.x + box.w, Y(level)]
+        ],
+        { stroke: "#ff9f1c", width: 1.6, dash: [6, 4] }
+      );
       pen.text("α", box.x + box.w - 3, Y(level) - 4, { size: 12, weight: 700, align: "right", colour: "#ff9f1c" });
     }
     return scale;
@@ -1735,18 +2114,22 @@ var kernelPanel = {
     });
     const { X, Y } = scale, xs = Array.from({ length: K }, (_, k) => X(k * dt)), steps = [];
     kernel2.wanted.forEach((value, k) => steps.push([X((k - 0.5) * dt), Y(value)], [X((k + 0.5) * dt), Y(value)]));
-    pen.path(
-      [[steps[0][0], Y(0)], ...steps, [steps[steps.length - 1][0], Y(0)]],
-      { fill: "rgba(138,143,152,0.22)", stroke: NEUTRAL, width: 1, close: true }
-    );
-    if (hover.gamma !== void 0) line(
-      pen,
-      xs,
-      xs.map((_, k) => Y(seen.grid.gammas[hover.gamma] ** (k * dt))),
-      { stroke: colours.mark, width: 1.2, dash: [3, 3] }
-    );
+    pen.path([[steps[0][0], Y(0)], ...steps, [steps[steps.length - 1][0], Y(0)]], {
+      fill: "rgba(138,143,152,0.22)",
+      stroke: NEUTRAL,
+      width: 1,
+      close: true
+    });
+    if (hover.gamma !== void 0)
+      line(
+        pen,
+        xs,
+        xs.map((_, k) => Y(seen.grid.gammas[hover.gamma] ** (k * dt))),
+        { stroke: colours.mark, width: 1.2, dash: [3, 3] }
+      );
     line(pen, xs, kernel2.actual.map(Y), { stroke: colours.primary, width: 2.2 });
-    if (K <= 40) kernel2.actual.forEach((value, k) => pen.path(disc(xs[k], Y(value), 2.6), { fill: colours.primary, close: true }));
+    if (K <= 40)
+      kernel2.actual.forEach((value, k) => pen.path(disc(xs[k], Y(value), 2.6), { fill: colours.primary, close: true }));
     if (hover.tau !== void 0) marked(pen, scale, { x: hover.tau * dt }, colours);
     return scale;
   },
@@ -1796,35 +2179,64 @@ var rewardsPanel = {
       const bar = Math.max(0.8, 0.4 * (scale.X(dt) - scale.X(0)));
       true_?.forEach((value, n) => {
         const x2 = scale.X(n);
-        if (value) pen.path(
-          [[x2 - bar, Y(0)], [x2 - bar, Y(value)], [x2 + bar, Y(value)], [x2 + bar, Y(0)]],
-          { fill: "rgba(138,143,152,0.45)", close: true }
-        );
+        if (value)
+          pen.path(
+            [
+              [x2 - bar, Y(0)],
+              [x2 - bar, Y(value)],
+              [x2 + bar, Y(value)],
+              [x2 + bar, Y(0)]
+            ],
+            { fill: "rgba(138,143,152,0.45)", close: true }
+          );
       });
-      came.forEach((value, k) => pen.path([
-        [scale.X(k - 0.35), Y(0)],
-        [scale.X(k - 0.35), Y(value)],
-        [scale.X(k + 0.35), Y(value)],
-        [scale.X(k + 0.35), Y(0)]
-      ], { fill: CAME, close: true }));
+      came.forEach(
+        (value, k) => pen.path(
+          [
+            [scale.X(k - 0.35), Y(0)],
+            [scale.X(k - 0.35), Y(value)],
+            [scale.X(k + 0.35), Y(value)],
+            [scale.X(k + 0.35), Y(0)]
+          ],
+          { fill: CAME, close: true }
+        )
+      );
       if (ghost) line(pen, xs, ghost.map(Y), { ...GHOST, stroke: actionColour(a) });
       if (simulated) drawSimulated(pen, simulated.reward, simulated.rewardError, scale);
       line(pen, xs, rewards.map(Y), { stroke: actionColour(a), width: 2.2 });
-      if (K <= 40) rewards.forEach((value, k) => pen.path(disc(xs[k], Y(value), 2.8), { fill: actionColour(a), close: true }));
+      if (K <= 40)
+        rewards.forEach((value, k) => pen.path(disc(xs[k], Y(value), 2.8), { fill: actionColour(a), close: true }));
     });
     pen.clip(lower.x, lower.y, lower.w, lower.h, () => {
       const known = seen.truth?.steps.survival[a];
-      if (known) line(pen, Array.from(known, (_, n) => alive.X(n)), known.map((value) => alive.Y(value)), { stroke: NEUTRAL, width: 5 });
+      if (known)
+        line(
+          pen,
+          Array.from(known, (_, n) => alive.X(n)),
+          known.map((value) => alive.Y(value)),
+          { stroke: NEUTRAL, width: 5 }
+        );
       if (followed) {
         const end = followed.over ?? came.length;
-        pen.path([
-          [alive.X(-0.5), alive.Y(1)],
-          [alive.X(end - 0.5), alive.Y(1)],
-          ...followed.over === null ? [] : [[alive.X(end - 0.5), alive.Y(0)], [alive.X(K * dt), alive.Y(0)]]
-        ], { stroke: NEUTRAL, width: 4 });
+        pen.path(
+          [
+            [alive.X(-0.5), alive.Y(1)],
+            [alive.X(end - 0.5), alive.Y(1)],
+            ...followed.over === null ? [] : [
+              [alive.X(end - 0.5), alive.Y(0)],
+              [alive.X(K * dt), alive.Y(0)]
+            ]
+          ],
+          { stroke: NEUTRAL, width: 4 }
+        );
       }
       if (simulated) drawSimulated(pen, simulated.survival, simulated.survivalError, alive);
-      line(pen, xs, seen.survival[a].map((value) => alive.Y(value / dt)), { stroke: colours.text, width: 1.6 });
+      line(
+        pen,
+        xs,
+        seen.survival[a].map((value) => alive.Y(value / dt)),
+        { stroke: colours.text, width: 1.6 }
+      );
     });
     for (const each of [scale, alive]) if (hover.tau !== void 0) marked(pen, each, { x: hover.tau * dt }, colours);
     return { ...scale, box };
@@ -1841,7 +2253,13 @@ var fitPanel = {
   draw(pen, w, h, scene) {
     const { model, state, seen, hover, colours } = scene, { gammas, G } = seen.grid, { given, back } = fitOf(scene), box = inside(w, h);
     const times = gammas.map((gamma) => Math.log10(-1 / Math.log(gamma))), all = [0, ...given, ...back];
-    titled(pen, w, "does the timeline explain it?", hover.gamma === void 0 ? "value a step at each discount" : `γ ${short(gammas[hover.gamma])}: ${short(given[hover.gamma])}, from tau-space ${short(back[hover.gamma])}`, scene);
+    titled(
+      pen,
+      w,
+      "does the timeline explain it?",
+      hover.gamma === void 0 ? "value a step at each discount" : `γ ${short(gammas[hover.gamma])}: ${short(given[hover.gamma])}, from tau-space ${short(back[hover.gamma])}`,
+      scene
+    );
     const margin = 0.04 * (times[G - 1] - times[0]) || 0.5, x = [times[0] - margin, times[G - 1] + margin];
     const scale = axes(pen, box, {
       x,
@@ -1852,20 +2270,24 @@ var fitPanel = {
       xTicks: ticks(...x, 4).filter((tick) => Number.isInteger(tick)).map((tick) => [tick, short(10 ** tick)])
     });
     const xs = Array.from(times, scale.X);
-    given.forEach((value, g) => pen.path(disc(xs[g], scale.Y(value), G > 40 && isAdded(scene, g) ? 1.8 : 3.4), {
-      stroke: colours.soft,
-      width: 1.6,
-      close: true,
-      fill: model.header.added && !isAdded(scene, g) ? colours.soft : void 0
-    }));
+    given.forEach(
+      (value, g) => pen.path(disc(xs[g], scale.Y(value), G > 40 && isAdded(scene, g) ? 1.8 : 3.4), {
+        stroke: colours.soft,
+        width: 1.6,
+        close: true,
+        fill: model.header.added && !isAdded(scene, g) ? colours.soft : void 0
+      })
+    );
     line(pen, xs, back.map(scale.Y), { stroke: actionColour(state.action), width: 2.2 });
     if (hover.gamma !== void 0) marked(pen, scale, { x: times[hover.gamma] }, colours);
     return { ...scale, times };
   },
-  point: ({ seen }, x) => ({ gamma: seen.grid.gammas.reduce((best, gamma, g, all) => {
-    const far = (other) => Math.abs(Math.log10(-1 / Math.log(all[other])) - x);
-    return far(g) < far(best) ? g : best;
-  }, 0) }),
+  point: ({ seen }, x) => ({
+    gamma: seen.grid.gammas.reduce((best, gamma, g, all) => {
+      const far = (other) => Math.abs(Math.log10(-1 / Math.log(all[other])) - x);
+      return far(g) < far(best) ? g : best;
+    }, 0)
+  }),
   words: (scene) => {
     const { given, back } = fitOf(scene), off = Math.max(...given.map((value, g) => Math.abs(value - back[g])));
     return `Value of ${scene.model.header.actions[scene.state.action]} at ${given.length} discounts, as learned and as tau-space gives it back: they differ by at most ${short(off)} a step.`;
@@ -1917,7 +2339,13 @@ function drawSurface(pen, box, space, camera, colours) {
     ];
   };
   const point = (i, k) => place2(i / Math.max(1, columns - 1), rows > 1 ? k / (rows - 1) : 0.5, out[k * columns + i] / space.limit);
-  const edge = [[0, 0], [1, 0], [1, 1], [0, 1], [0, 0]].map(([u, v]) => place2(u, v, 0));
+  const edge = [
+    [0, 0],
+    [1, 0],
+    [1, 1],
+    [0, 1],
+    [0, 0]
+  ].map(([u, v]) => place2(u, v, 0));
   pen.path(edge, { stroke: NEUTRAL, width: 1, fill: heatColour(0, 1), close: true });
   const across = [...Array(Math.max(1, columns - 1)).keys()], along = [...Array(Math.max(1, rows - 1)).keys()];
   if (s > 0) across.reverse();
@@ -1934,11 +2362,20 @@ function drawSurface(pen, box, space, camera, colours) {
     }
   }
   for (const [v, row] of space.truth ?? []) {
-    pen.path(Array.from(row, (value, h) => place2(h / (row.length - 1), v, value / space.limit)).filter((_, h) => row[h] > 1e-3 * space.limit), { stroke: "#ff7f0e", width: 1.6 });
+    pen.path(
+      Array.from(row, (value, h) => place2(h / (row.length - 1), v, value / space.limit)).filter(
+        (_, h) => row[h] > 1e-3 * space.limit
+      ),
+      { stroke: "#ff7f0e", width: 1.6 }
+    );
   }
   const label = (words, u, v, bold, aside = 0) => {
     const [x, y] = place2(u, v, 0);
-    pen.text(words, x + aside, y + 14, { size: bold ? 11 : 10, align: "center", colour: bold ? colours.text : colours.soft });
+    pen.text(words, x + aside, y + 14, {
+      size: bold ? 11 : 10,
+      align: "center",
+      colour: bold ? colours.text : colours.soft
+    });
   };
   for (const [u, words] of space.x) label(words, u, -0.06);
   label(space.titles[0], 0.5, -0.2, true);
@@ -1971,7 +2408,8 @@ function inWords(values, scale, apart = false) {
 function numbers(values, scale, chosen, names) {
   if (values.length < 2) return "";
   const rival = values.reduce((best, value, a) => a !== chosen && (best < 0 || value > values[best]) ? a : best, -1);
-  if (values[rival] >= values[chosen] - tieSize(values[chosen], scale)) return ` (a tie at ${inWords([values[chosen]], scale)[0]})`;
+  if (values[rival] >= values[chosen] - tieSize(values[chosen], scale))
+    return ` (a tie at ${inWords([values[chosen]], scale)[0]})`;
   const [first, second] = inWords([values[chosen], values[rival]], scale, true);
   return ` (${first} v ${second}${values.length > 2 ? ` for ${names[rival]}` : ""})`;
 }
@@ -1981,21 +2419,36 @@ function judged(model, state, seen) {
   const where = state.used > 0 ? `With ${left} of ${short(state.horizon)} steps to go, read at T = ${T},` : `At T = ${T}`;
   const choice = `${where} the decoded values choose ${names[seen.chosen]}${numbers(values, seen.scale, seen.chosen, names)}`;
   if (!seen.truth) {
-    return { tone: "unknown", sentence: model.A > 1 ? `${choice}.` : `${where} the decoded value is ${inWords([values[0]], seen.scale)[0]}.` };
+    return {
+      tone: "unknown",
+      sentence: model.A > 1 ? `${choice}.` : `${where} the decoded value is ${inWords([values[0]], seen.scale)[0]}.`
+    };
   }
   const optimum = seen.optimumAt(seen.leftRow), true_ = seen.truth.values.map((line2) => line2[seen.leftRow]);
   const timeline = timelineError(model, state, seen), error = Math.max(...values.map((value, a) => Math.abs(value - seen.truth.hard[a][seen.leftRow])));
   const grade = timeline <= SOUND ? "sound" : timeline <= RUINED ? "smeared" : "ruined";
   const rows = grade === "sound" ? "" : timeline <= 1 ? ` Timeline of ${names[state.action]}: ${grade}, ${Math.round(100 * timeline)}% misplaced.` : ` Timeline of ${names[state.action]}: ruined, off by ${short(timeline)} times all that truly comes.`;
   if (seen.regret > tieSize(Math.max(...optimum), Math.max(...optimum.map(Math.abs)))) {
-    return { tone: "bad", error, timeline, sentence: `${choice}; the best is ${names[seen.best]}, and ${short(seen.regret)} is lost.${rows}` };
+    return {
+      tone: "bad",
+      error,
+      timeline,
+      sentence: `${choice}; the best is ${names[seen.best]}, and ${short(seen.regret)} is lost.${rows}`
+    };
   }
   const scale = Math.max(...true_.map(Math.abs), 0.01 * Math.max(...model.arrays.rewards.map(Math.abs)));
-  const offs = true_.map((value, a) => scale > 0 ? Math.abs(value - values[a]) / scale : Math.abs(value - values[a]) > tieSize(0, seen.scale) ? Infinity : 0), worst = offs.indexOf(Math.max(...offs));
+  const offs = true_.map(
+    (value, a) => scale > 0 ? Math.abs(value - values[a]) / scale : Math.abs(value - values[a]) > tieSize(0, seen.scale) ? Infinity : 0
+  ), worst = offs.indexOf(Math.max(...offs));
   const tone = offs[worst] > VALUE_TOLERANCE ? "warn" : grade === "sound" ? "ok" : grade;
   if (model.A === 1) {
     const [decoded2, truly2] = inWords([values[0], true_[0]], seen.scale);
-    return { tone, error, timeline, sentence: `${where} the decoded value is ${decoded2}; the true one is ${truly2}.${rows}` };
+    return {
+      tone,
+      error,
+      timeline,
+      sentence: `${where} the decoded value is ${decoded2}; the true one is ${truly2}.${rows}`
+    };
   }
   const [decoded, truly] = inWords([values[worst], true_[worst]], seen.scale, true);
   const but = tone === "warn" ? ` But ${names[worst]} is worth ${truly}, not ${decoded}.` : "";
@@ -2032,7 +2485,8 @@ function themed(layout, host) {
     modebar: { bgcolor: "rgba(0,0,0,0)", color: "rgba(138, 143, 152, 0.8)", activecolor: colour }
   };
   const page = style.getPropertyValue("--st-background-color").trim();
-  if (layout.legend?.bgcolor && /^#[0-9a-f]{6}$/i.test(page)) painted.legend = { ...layout.legend, bgcolor: `${page}d9` };
+  if (layout.legend?.bgcolor && /^#[0-9a-f]{6}$/i.test(page))
+    painted.legend = { ...layout.legend, bgcolor: `${page}d9` };
   for (const name of Object.keys(layout)) {
     if (/^[xy]axis\d*$/.test(name)) painted[name] = { ...axis, ...layout[name] };
   }
@@ -2055,7 +2509,10 @@ function plot(box) {
       displaylogo: false,
       responsive: true,
       displayModeBar: window.innerWidth > 640 ? "hover" : false,
-      modeBarButtons: [["toImage", TO_SVG], layout.scene ? ["resetCameraDefault3d"] : ["zoom2d", "pan2d", "resetScale2d"]],
+      modeBarButtons: [
+        ["toImage", TO_SVG],
+        layout.scene ? ["resetCameraDefault3d"] : ["zoom2d", "pan2d", "resetScale2d"]
+      ],
       toImageButtonOptions: { filename: name, scale: 2 }
     };
     Plotly.react(box, data, themed({ ...layout, uirevision: revision }, box), config);
@@ -2070,10 +2527,13 @@ function plot(box) {
       else if (box.offsetParent) Plotly.Plots.resize(box);
     });
     resized.observe(box.parentElement);
-    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => setTimeout(() => {
-      box.drawn = null;
-      plot(box);
-    }, 400));
+    matchMedia("(prefers-color-scheme: dark)").addEventListener(
+      "change",
+      () => setTimeout(() => {
+        box.drawn = null;
+        plot(box);
+      }, 400)
+    );
   }).catch((error) => {
     box.textContent = `The picture could not be drawn: ${error.message}. Reload the page.`;
   });
@@ -2083,12 +2543,16 @@ function plot(box) {
 function worldPanel(report) {
   const box = element("div", { class: "world laplace-chart", role: "group" });
   Object.assign(box, { clickable: true, report: (_, picked) => report(picked) });
-  return { box, show({ figure, alt, revision }) {
-    box.setAttribute("aria-label", alt);
-    if (box.wanted?.figure === figure) return;
-    box.wanted = { figure, revision, name: "world" };
-    plot(box);
-  }, picture: (format) => window.Plotly.toImage(box, { format, width: 440, height: 260, scale: format === "png" ? 2 : 1 }) };
+  return {
+    box,
+    show({ figure, alt, revision }) {
+      box.setAttribute("aria-label", alt);
+      if (box.wanted?.figure === figure) return;
+      box.wanted = { figure, revision, name: "world" };
+      plot(box);
+    },
+    picture: (format) => window.Plotly.toImage(box, { format, width: 440, height: 260, scale: format === "png" ? 2 : 1 })
+  };
 }
 
 // app/js/lens/lens.js
@@ -2114,15 +2578,29 @@ function coloursOf(host) {
 var same = (a, b) => Object.keys(a).every((name) => name === "look" || name === "action" || a[name] === b?.[name]);
 function mount(root, model, told, report) {
   const host = element("div", { class: "laplace-lens" });
-  const scene = { model, state: told.state, hover: {}, images: {}, zoom: {}, camera: { turn: -0.6, tilt: 0.75 }, ...told.kept?.scene };
+  const scene = {
+    model,
+    state: told.state,
+    hover: {},
+    images: {},
+    zoom: {},
+    camera: { turn: -0.6, tilt: 0.75 },
+    ...told.kept?.scene
+  };
   const history = { states: [told.state], at: 0 };
   let { state } = told, seen, waiting, resting, later, playing, dragging = false, lastState, lastMost;
   root.replaceChildren(host);
-  const saved = { scene, drawOne, panels: [], get verdict() {
-    return sentence.textContent;
-  }, get told() {
-    return told;
-  } };
+  const saved = {
+    scene,
+    drawOne,
+    panels: [],
+    get verdict() {
+      return sentence.textContent;
+    },
+    get told() {
+      return told;
+    }
+  };
   const files = [
     ["PNG", () => savePng(saved)],
     ["SVG", () => saveSvg(saved)],
@@ -2134,7 +2612,12 @@ function mount(root, model, told, report) {
   const tools = toolbar(model, wish, told), handles = sliders(model, told.base, wish), board = switchboard(model, wish);
   saved.world = scene.world = told.world ? worldPanel((picked) => report({ state, picked })) : void 0;
   const panels = panelsOf(told).map((panel) => {
-    const canvas = element("canvas", { role: "img", tabindex: 0, class: `panel ${panel.name}`, "aria-label": panel.name });
+    const canvas = element("canvas", {
+      role: "img",
+      tabindex: 0,
+      class: `panel ${panel.name}`,
+      "aria-label": panel.name
+    });
     listen(canvas, panel, scene, draw);
     return { panel, canvas };
   });
@@ -2218,7 +2701,15 @@ function mount(root, model, told, report) {
     const scale = panel.draw(pen, w, h, scene);
     if (scene.band?.panel === panel) {
       const [[x, y], [x2, y2]] = [scene.band.from, scene.band.to];
-      pen.path([[x, y], [x2, y], [x2, y2], [x, y2]], { stroke: "#ffffff", width: 1.4, dash: [4, 3], close: true });
+      pen.path(
+        [
+          [x, y],
+          [x2, y],
+          [x2, y2],
+          [x, y2]
+        ],
+        { stroke: "#ffffff", width: 1.4, dash: [4, 3], close: true }
+      );
     }
     return scale;
   }
@@ -2226,18 +2717,27 @@ function mount(root, model, told, report) {
     const gamma = panel.rows === "gamma", { gammas, G } = seen.grid, n = gamma ? G : seen.n;
     const values = gamma ? gammaSpace(seen, state) : seen.tau, top2 = (x) => x.reduce((a, b) => Math.max(a, b), 0) || 1;
     const every = Math.ceil(model.K / 46), floated = !gamma && (seen.truth ? seen.masses : simulatedFor(scene));
-    const truth = Array.from({ length: floated ? Math.ceil(model.K / every) : 0 }, (_, i) => [model.K > 1 ? i * every / (model.K - 1) : 0.5, trueRow(scene, state.action, i * every)?.map((value) => value * model.dt)]).filter(([, row]) => row);
+    const truth = Array.from({ length: floated ? Math.ceil(model.K / every) : 0 }, (_, i) => [
+      model.K > 1 ? i * every / (model.K - 1) : 0.5,
+      trueRow(scene, state.action, i * every)?.map((value) => value * model.dt)
+    ]).filter(([, row]) => row);
     pen.text(panel.name, 2, 15, { size: 14, weight: 600, colour: scene.colours.text });
-    drawSurface(pen, { x: 8, y: 20, w: w - 16, h: h - 30 }, {
-      values,
-      n,
-      width: seen.H,
-      limit: gamma ? top2(values) : limitOfTau(scene) * model.dt,
-      titles: ["θ", gamma ? "γ" : "τ"],
-      x: thetaTicks(seen, thetaRange(seen), 0.5 * w).map((theta) => [acrossOf(seen, theta) / seen.H, short(theta)]),
-      y: gamma ? [gammas[0], gammas[n - 1]] : [0, (n - 1) * model.dt],
-      truth
-    }, scene.camera, scene.colours);
+    drawSurface(
+      pen,
+      { x: 8, y: 20, w: w - 16, h: h - 30 },
+      {
+        values,
+        n,
+        width: seen.H,
+        limit: gamma ? top2(values) : limitOfTau(scene) * model.dt,
+        titles: ["θ", gamma ? "γ" : "τ"],
+        x: thetaTicks(seen, thetaRange(seen), 0.5 * w).map((theta) => [acrossOf(seen, theta) / seen.H, short(theta)]),
+        y: gamma ? [gammas[0], gammas[n - 1]] : [0, (n - 1) * model.dt],
+        truth
+      },
+      scene.camera,
+      scene.colours
+    );
   }
   function draw() {
     if (waiting) return;
@@ -2257,9 +2757,17 @@ function mount(root, model, told, report) {
       seen = see(model, state, most);
       lastMost = most;
     }
-    if (told.pin && scene.pinnedOf !== told.pin) Object.assign(scene, { pinnedOf: told.pin, pinned: see(model, told.pin, AT_REST) });
+    if (told.pin && scene.pinnedOf !== told.pin)
+      Object.assign(scene, { pinnedOf: told.pin, pinned: see(model, told.pin, AT_REST) });
     lastState = state;
-    Object.assign(scene, { model, state, seen, followed: told.followed, at: scene.hover.tau ?? seen.readRow, pinned: told.pin ? scene.pinned : void 0 });
+    Object.assign(scene, {
+      model,
+      state,
+      seen,
+      followed: told.followed,
+      at: scene.hover.tau ?? seen.readRow,
+      pinned: told.pin ? scene.pinned : void 0
+    });
     scene.kernel = kernel(model, state, seen);
     scene.resolution = resolution(model, state, seen, scene.at);
   }
@@ -2283,7 +2791,9 @@ function mount(root, model, told, report) {
     if (sentence.textContent === whole && remedies.children.length === buttons.length) return;
     sentence.replaceChildren(element("b", {}, `${WORDS[tone]}.`), ` ${words}`);
     verdict.className = `verdict ${tone === "bad" || tone === "ok" ? tone : "warn"}`;
-    remedies.replaceChildren(...buttons.map(([label, does]) => element("button", { type: "button", class: "remedy", onclick: does }, label)));
+    remedies.replaceChildren(
+      ...buttons.map(([label, does]) => element("button", { type: "button", class: "remedy", onclick: does }, label))
+    );
   }
   function rest() {
     if (!host.isConnected || playing) return;

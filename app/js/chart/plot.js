@@ -8,7 +8,10 @@ let drawing;
 function inTurn(box, work) {
   if (box.listening) return Promise.resolve().then(work);
   const frame = () => new Promise((next) => setTimeout(next, 0));
-  drawing = (drawing ?? plotly()).catch(() => {}).then(frame).then(work);
+  drawing = (drawing ?? plotly())
+    .catch(() => {})
+    .then(frame)
+    .then(work);
   return drawing;
 }
 
@@ -27,7 +30,8 @@ function themed(layout, host) {
   };
   const page = style.getPropertyValue('--st-background-color').trim();
   // A legend within the picture hides what it lies on.
-  if (layout.legend?.bgcolor && /^#[0-9a-f]{6}$/i.test(page)) painted.legend = { ...layout.legend, bgcolor: `${page}d9` };
+  if (layout.legend?.bgcolor && /^#[0-9a-f]{6}$/i.test(page))
+    painted.legend = { ...layout.legend, bgcolor: `${page}d9` };
   for (const name of Object.keys(layout)) {
     if (/^[xy]axis\d*$/.test(name)) painted[name] = { ...axis, ...layout[name] };
   }
@@ -52,7 +56,10 @@ export function plot(box) {
       displaylogo: false,
       responsive: true,
       displayModeBar: window.innerWidth > 640 ? 'hover' : false,
-      modeBarButtons: [['toImage', TO_SVG], layout.scene ? ['resetCameraDefault3d'] : ['zoom2d', 'pan2d', 'resetScale2d']],
+      modeBarButtons: [
+        ['toImage', TO_SVG],
+        layout.scene ? ['resetCameraDefault3d'] : ['zoom2d', 'pan2d', 'resetScale2d'],
+      ],
       toImageButtonOptions: { filename: name, scale: 2 },
     };
     Plotly.react(box, data, themed({ ...layout, uirevision: revision }, box), config);
@@ -67,9 +74,13 @@ export function plot(box) {
       else if (box.offsetParent) Plotly.Plots.resize(box);
     });
     resized.observe(box.parentElement);
-    matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => setTimeout(() => {
-      box.drawn = null;
-      plot(box);
-    }, 400));
-  }).catch((error) => { box.textContent = `The picture could not be drawn: ${error.message}. Reload the page.`; });
+    matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () =>
+      setTimeout(() => {
+        box.drawn = null;
+        plot(box);
+      }, 400),
+    );
+  }).catch((error) => {
+    box.textContent = `The picture could not be drawn: ${error.message}. Reload the page.`;
+  });
 }

@@ -8,8 +8,20 @@ export default function ({ data, parentElement }) {
   }
   button.textContent = data.label;
   button.title = data.text;
-  button.onclick = () => navigator.clipboard.writeText(data.text).then(
-    () => { button.textContent = 'Copied'; },
-    () => { window.prompt('Copy this:', data.text); },
-  ).finally(() => setTimeout(() => { button.textContent = data.label; }, 1500));
+  button.onclick = () =>
+    navigator.clipboard
+      .writeText(data.text)
+      .then(
+        () => {
+          button.textContent = 'Copied';
+        },
+        () => {
+          window.prompt('Copy this:', data.text);
+        },
+      )
+      .finally(() =>
+        setTimeout(() => {
+          button.textContent = data.label;
+        }, 1500),
+      );
 }

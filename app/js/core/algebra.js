@@ -3,11 +3,13 @@
 
 // ---- small tools
 
-export function product(a, b, n, m, k, out = new Float64Array(n * k)) { // (n, m) times (m, k)
+export function product(a, b, n, m, k, out = new Float64Array(n * k)) {
+  // (n, m) times (m, k)
   for (let i = 0; i < n; i++) {
     const row = out.subarray(i * k, (i + 1) * k).fill(0);
     for (let j = 0; j < m; j++) {
-      const factor = a[i * m + j], other = j * k;
+      const factor = a[i * m + j],
+        other = j * k;
       if (factor !== 0) for (let l = 0; l < k; l++) row[l] += factor * b[other + l];
     }
   }
@@ -38,23 +40,28 @@ export const tieSize = (best, scale) => Math.max(1e-9 * Math.abs(best), ROUNDING
 
 // The lowest action that ties with the best; `scale` is the size of the terms that the values are sums of.
 export function greedy(values, scale = 0) {
-  const best = Math.max(...values), least = best - tieSize(best, Math.max(scale, ...values.map(Math.abs)));
+  const best = Math.max(...values),
+    least = best - tieSize(best, Math.max(scale, ...values.map(Math.abs)));
   return values.findIndex((value) => value >= least);
 }
 
 // ---- noise by counting: the numbers of the library
 
 function hashed(x) {
-  x ^= x >>> 16; x = Math.imul(x, 0x7feb352d);
-  x ^= x >>> 15; x = Math.imul(x, 0x846ca68b);
+  x ^= x >>> 16;
+  x = Math.imul(x, 0x7feb352d);
+  x ^= x >>> 15;
+  x = Math.imul(x, 0x846ca68b);
   return (x ^ (x >>> 16)) >>> 0;
 }
 
 export function normalNoise(seed, count, skip = 0) {
-  const first = hashed(seed ^ 0x9e3779b9), out = new Float64Array(count);
+  const first = hashed(seed ^ 0x9e3779b9),
+    out = new Float64Array(count);
   for (let i = 0; i < count; i++) {
     const number = ((i + skip) & 0x7fffffff) << 1;
-    const radius = hashed((first + number) | 0), angle = hashed((first + number + 1) | 0);
+    const radius = hashed((first + number) | 0),
+      angle = hashed((first + number + 1) | 0);
     out[i] = Math.sqrt(-2 * Math.log((radius + 0.5) / 2 ** 32)) * Math.cos((2 * Math.PI * angle) / 2 ** 32);
   }
   return out;
@@ -62,8 +69,10 @@ export function normalNoise(seed, count, skip = 0) {
 
 // ---- encoding
 
-export function masses(rewards, thetas, slope) { // f_h(r) - f_{h+1}(r), (V, H-1)
-  const width = thetas.length - 1, out = new Float64Array(rewards.length * width);
+export function masses(rewards, thetas, slope) {
+  // f_h(r) - f_{h+1}(r), (V, H-1)
+  const width = thetas.length - 1,
+    out = new Float64Array(rewards.length * width);
   rewards.forEach((reward, v) => {
     let before = sigmoid(slope * (reward - thetas[0]));
     for (let h = 0; h < width; h++) {
@@ -81,15 +90,22 @@ export const filter = (s, alpha) => s.map((value) => value / (value * value + al
 
 // An inverse turns components (r, width) into its n rows, and a target (n,) into weights over the components.
 const regular = ({ V, s, r, K }, alpha) => {
-  const f = filter(s, alpha), scaled = (x, width) => x.map((value, i) => value * f[(i / width) | 0]);
-  return { n: K, decode: (right, width) => product(V, scaled(right, width), K, r, width),
-    weights: (target) => scaled(product(target, V, 1, K, r), 1) };
+  const f = filter(s, alpha),
+    scaled = (x, width) => x.map((value, i) => value * f[(i / width) | 0]);
+  return {
+    n: K,
+    decode: (right, width) => product(V, scaled(right, width), K, r, width),
+    weights: (target) => scaled(product(target, V, 1, K, r), 1),
+  };
 };
 
 // The 2-norm of every row of the decode matrix, (n,), the same for all actions: the components are orthonormal.
 export function rowNorms(inverse, r) {
   if (inverse.norms?.length === inverse.n) return inverse.norms;
-  const rows = inverse.decode(Float64Array.from({ length: r * r }, (_, i) => Number(i % (r + 1) === 0)), r);
+  const rows = inverse.decode(
+    Float64Array.from({ length: r * r }, (_, i) => Number(i % (r + 1) === 0)),
+    r,
+  );
   inverse.norms = Float64Array.from({ length: inverse.n }, (_, k) => Math.hypot(...rows.subarray(k * r, (k + 1) * r)));
   return inverse.norms;
 }
@@ -98,45 +114,61 @@ export function rowNorms(inverse, r) {
 // ever formed and a small alpha loses no digits. Of Q, only the part beside F^T is needed, kept by columns.
 export function growing({ V, s, r, K }, alpha) {
   const R = Float64Array.from({ length: r * r }, (_, i) => (i % (r + 1) ? 0 : Math.max(alpha, 1e-9)));
-  const Q = new Float64Array(r * K), row = new Float64Array(r), fresh = new Float64Array(K);
-  const found = { n: 0, add() {
-    const n = ++found.n;
-    for (let i = 0; i < r; i++) row[i] = V[(n - 1) * r + i] * s[i];
-    fresh.fill(0)[n - 1] = 1;
-    for (let i = 0; i < r; i++) {
-      const length = Math.hypot(R[i * r + i], row[i]), c = R[i * r + i] / length, d = row[i] / length;
-      for (let j = i; j < r; j++) {
-        const up = R[i * r + j], low = row[j];
-        R[i * r + j] = c * up + d * low;
-        row[j] = c * low - d * up;
+  const Q = new Float64Array(r * K),
+    row = new Float64Array(r),
+    fresh = new Float64Array(K);
+  const found = {
+    n: 0,
+    add() {
+      const n = ++found.n;
+      for (let i = 0; i < r; i++) row[i] = V[(n - 1) * r + i] * s[i];
+      fresh.fill(0)[n - 1] = 1;
+      for (let i = 0; i < r; i++) {
+        const length = Math.hypot(R[i * r + i], row[i]),
+          c = R[i * r + i] / length,
+          d = row[i] / length;
+        for (let j = i; j < r; j++) {
+          const up = R[i * r + j],
+            low = row[j];
+          R[i * r + j] = c * up + d * low;
+          row[j] = c * low - d * up;
+        }
+        for (let k = 0, at = i * K; k < n; k++, at++) {
+          const up = Q[at],
+            low = fresh[k];
+          Q[at] = c * up + d * low;
+          fresh[k] = c * low - d * up;
+        }
       }
-      for (let k = 0, at = i * K; k < n; k++, at++) {
-        const up = Q[at], low = fresh[k];
-        Q[at] = c * up + d * low;
-        fresh[k] = c * low - d * up;
+      return found;
+    },
+    decode(right, width) {
+      // Q R^-T right
+      const part = Float64Array.from(right),
+        { n } = found,
+        out = new Float64Array(n * width);
+      for (let i = 0; i < r; i++) {
+        for (let w = 0; w < width; w++) {
+          let sum = part[i * width + w];
+          for (let j = 0; j < i; j++) sum -= R[j * r + i] * part[j * width + w];
+          part[i * width + w] = sum / R[i * r + i];
+        }
+        for (let k = 0; k < n; k++)
+          for (let w = 0; w < width; w++) out[k * width + w] += Q[i * K + k] * part[i * width + w];
       }
-    }
-    return found;
-  }, decode(right, width) { // Q R^-T right
-    const part = Float64Array.from(right), { n } = found, out = new Float64Array(n * width);
-    for (let i = 0; i < r; i++) {
-      for (let w = 0; w < width; w++) {
-        let sum = part[i * width + w];
-        for (let j = 0; j < i; j++) sum -= R[j * r + i] * part[j * width + w];
-        part[i * width + w] = sum / R[i * r + i];
+      return out;
+    },
+    weights(target) {
+      // R^-1 Q^T target
+      const out = new Float64Array(r);
+      for (let i = r - 1; i >= 0; i--) {
+        for (let k = 0; k < found.n; k++) out[i] += Q[i * K + k] * target[k];
+        for (let j = i + 1; j < r; j++) out[i] -= R[i * r + j] * out[j];
+        out[i] /= R[i * r + i];
       }
-      for (let k = 0; k < n; k++) for (let w = 0; w < width; w++) out[k * width + w] += Q[i * K + k] * part[i * width + w];
-    }
-    return out;
-  }, weights(target) { // R^-1 Q^T target
-    const out = new Float64Array(r);
-    for (let i = r - 1; i >= 0; i--) {
-      for (let k = 0; k < found.n; k++) out[i] += Q[i * K + k] * target[k];
-      for (let j = i + 1; j < r; j++) out[i] -= R[i * r + j] * out[j];
-      out[i] /= R[i * r + i];
-    }
-    return out;
-  } };
+      return out;
+    },
+  };
   return found;
 }
 

@@ -1,5 +1,16 @@
 // The mathematics of the lens: from a model and a state to everything that is drawn. Knows no page.
-import { ROUNDING, greedy, growing, inverseOf, masses, normalNoise, product, remember, rowNorms, sigmoid } from './algebra.js';
+import {
+  ROUNDING,
+  greedy,
+  growing,
+  inverseOf,
+  masses,
+  normalNoise,
+  product,
+  remember,
+  rowNorms,
+  sigmoid,
+} from './algebra.js';
 import { projections, rowAt } from './model.js';
 import { softened } from './network.js';
 
@@ -32,7 +43,9 @@ function discounts({ cache, horizons, K, dt }, softness, gamma) {
 function shares({ K, dt, length }) {
   const out = new Float64Array(K * length);
   for (let n = 0; n < length; n++) {
-    const place = n / dt, first = Math.floor(place + 1e-9), second = Math.min(1, Math.max(0, place - first));
+    const place = n / dt,
+      first = Math.floor(place + 1e-9),
+      second = Math.min(1, Math.max(0, place - first));
     if (first < K) out[first * length + n] = 1 - second;
     if (first + 1 < K) out[(first + 1) * length + n] = second;
   }
@@ -40,9 +53,13 @@ function shares({ K, dt, length }) {
 }
 
 function truthOf(model, state) {
-  const { A, K, length, arrays, cache, header } = model, { timeline, rewards } = arrays, width = rewards.length;
+  const { A, K, length, arrays, cache, header } = model,
+    { timeline, rewards } = arrays,
+    width = rewards.length;
   const rows = remember(cache, 'true rows', 0, () => {
-    const spread = shares(model), flat = new Float64Array(A * length), alive = new Float64Array(A * length);
+    const spread = shares(model),
+      flat = new Float64Array(A * length),
+      alive = new Float64Array(A * length);
     for (let i = 0; i < A * length; i++) {
       for (let v = 0; v < width; v++) {
         flat[i] += timeline[i * width + v] * rewards[v];
@@ -52,21 +69,39 @@ function truthOf(model, state) {
     const spreadOver = (x, w, a) => product(spread, x.subarray(a * length * w, (a + 1) * length * w), K, length, w);
     const each = (x, w) => Array.from({ length: A }, (_, a) => spreadOver(x, w, a));
     const steps = (x) => Array.from({ length: A }, (_, a) => x.subarray(a * length, (a + 1) * length)); // by whole step
-    return { rewards: each(flat, 1), survival: each(alive, 1), chances: each(timeline, width),
-      steps: { rewards: steps(flat), survival: steps(alive) } };
+    return {
+      rewards: each(flat, 1),
+      survival: each(alive, 1),
+      chances: each(timeline, width),
+      steps: { rewards: steps(flat), survival: steps(alive) },
+    };
   });
-  const read = (name, softness, gamma) => remember(cache, name, [softness, gamma], () => {
-    const d = discounts(model, softness, gamma);
-    return rows.rewards.map((line) => product(d, line, K, K, 1));
-  });
-  return { ...rows, values: read('true values', state.softness, state.value_gamma),
-    get hard() { return read('hard true values', 0, header.acting_gamma); }, acting: header.acting_gamma };
+  const read = (name, softness, gamma) =>
+    remember(cache, name, [softness, gamma], () => {
+      const d = discounts(model, softness, gamma);
+      return rows.rewards.map((line) => product(d, line, K, K, 1));
+    });
+  return {
+    ...rows,
+    values: read('true values', state.softness, state.value_gamma),
+    get hard() {
+      return read('hard true values', 0, header.acting_gamma);
+    },
+    acting: header.acting_gamma,
+  };
 }
 
 // Share of the shown action's probability that its drawn rows have at the wrong step or reward, as
 // laplace_core.grades.timeline_error: each midpoint counts for the nearest reward, each row for the nearest step.
 export function timelineError(model, state, seen) {
-  const { dt, K, cache, arrays: { rewards } } = model, { H, midpoints, masses: M, truth, tau, n } = seen, V = rewards.length;
+  const {
+      dt,
+      K,
+      cache,
+      arrays: { rewards },
+    } = model,
+    { H, midpoints, masses: M, truth, tau, n } = seen,
+    V = rewards.length;
   const nearest = remember(cache, 'nearest', [midpoints[0], midpoints[H - 1], H], () => {
     let v = 0;
     return Int32Array.from(midpoints, (theta) => {
@@ -74,27 +109,45 @@ export function timelineError(model, state, seen) {
       return v;
     });
   });
-  const step = (k) => Math.floor(k * dt + 0.5 + 1e-9), N = step(K - 1) + 1;
-  const true_ = remember(cache, 'true by reward', [state.action, state.slope, state.normalise === 'survival', H, midpoints[0]], () => {
-    const out = new Float64Array(N * V), chances = truth.chances[state.action], alive = truth.survival[state.action];
-    const seen = Float64Array.from({ length: V }, (_, v) => M.subarray(v * H, (v + 1) * H).reduce((sum, mass) => sum + mass, 0));
-    let shown = 0, comes = 0;
-    for (let i = 0; i < K * V; i++) { shown += chances[i] * seen[i % V]; comes += chances[i]; }
-    if (shown < LEAST_SHOWN * comes) return null; // the picture lies beside what comes
-    for (let k = 0; k < K; k++) {
-      const whole = state.normalise !== 'survival' ? 1 : alive[k] > FLOOR ? 1 / alive[k] : 0;
-      for (let v = 0; v < V; v++) {
-        const chance = chances[k * V + v] * whole;
-        if (chance) for (let h = 0; h < H; h++) out[step(k) * V + nearest[h]] += chance * M[v * H + h];
+  const step = (k) => Math.floor(k * dt + 0.5 + 1e-9),
+    N = step(K - 1) + 1;
+  const true_ = remember(
+    cache,
+    'true by reward',
+    [state.action, state.slope, state.normalise === 'survival', H, midpoints[0]],
+    () => {
+      const out = new Float64Array(N * V),
+        chances = truth.chances[state.action],
+        alive = truth.survival[state.action];
+      const seen = Float64Array.from({ length: V }, (_, v) =>
+        M.subarray(v * H, (v + 1) * H).reduce((sum, mass) => sum + mass, 0),
+      );
+      let shown = 0,
+        comes = 0;
+      for (let i = 0; i < K * V; i++) {
+        shown += chances[i] * seen[i % V];
+        comes += chances[i];
       }
-    }
-    return out;
-  });
+      if (shown < LEAST_SHOWN * comes) return null; // the picture lies beside what comes
+      for (let k = 0; k < K; k++) {
+        const whole = state.normalise !== 'survival' ? 1 : alive[k] > FLOOR ? 1 / alive[k] : 0;
+        for (let v = 0; v < V; v++) {
+          const chance = chances[k * V + v] * whole;
+          if (chance) for (let h = 0; h < H; h++) out[step(k) * V + nearest[h]] += chance * M[v * H + h];
+        }
+      }
+      return out;
+    },
+  );
   if (!true_) return 1;
   const rows = new Float64Array(N * V);
   for (let k = 0; k < n; k++) for (let h = 0; h < H; h++) rows[step(k) * V + nearest[h]] += tau[k * H + h];
-  let off = 0, all = 0;
-  for (let i = 0; i < rows.length; i++) { off += Math.abs(rows[i] - true_[i]); all += true_[i]; }
+  let off = 0,
+    all = 0;
+  for (let i = 0; i < rows.length; i++) {
+    off += Math.abs(rows[i] - true_[i]);
+    all += true_[i];
+  }
   return (0.5 * off) / Math.max(all, 0.05);
 }
 
@@ -103,30 +156,43 @@ export function timelineError(model, state, seen) {
 // What a state of the controls shows. `most` bounds the work on values over all horizons where every horizon has an
 // inverse of its own: beyond it some horizons are left out (NaN); 0 leaves all out but the one that is read.
 export function see(model, state, most = Infinity) {
-  const { A, K, dt, cache, arrays } = model, grid = model.grids[state.paper_grid && model.grids.paper ? 'paper' : 'own'];
+  const { A, K, dt, cache, arrays } = model,
+    grid = model.grids[state.paper_grid && model.grids.paper ? 'paper' : 'own'];
   const columns = grid.columns[state.mixed && grid.columns.per_gamma ? 'per_gamma' : 'shared'];
   const open = Boolean(arrays.bin_edges); // what lies beyond the sensitivities counts, in bins of its own
   const sensitivities = state.clip && arrays.clipped_thetas && !columns.plain ? arrays.clipped_thetas : arrays.thetas;
-  const thetas = open ? arrays.bin_edges : sensitivities, H = thetas.length - 1; // edges of the bins, and how many bins
-  const midpoints = open ? arrays.bin_values : Float64Array.from({ length: H }, (_, h) => (thetas[h] + thetas[h + 1]) / 2);
+  const thetas = open ? arrays.bin_edges : sensitivities,
+    H = thetas.length - 1; // edges of the bins, and how many bins
+  const midpoints = open
+    ? arrays.bin_values
+    : Float64Array.from({ length: H }, (_, h) => (thetas[h] + thetas[h + 1]) / 2);
   const spaceKey = [state.slope, sensitivities === arrays.thetas];
   const M = model.truth ? remember(cache, 'masses', spaceKey, () => masses(arrays.rewards, thetas, state.slope)) : null;
-  const soft = arrays.places && state.slope_share < 1
-    ? remember(cache, 'soft', state.slope_share, () => softened(arrays.places, state.slope_share, open)) : null;
-  const map = columns.plain ? soft?.map : M, width = columns.width; // columns -> midpoints; null: they are the midpoints
+  const soft =
+    arrays.places && state.slope_share < 1
+      ? remember(cache, 'soft', state.slope_share, () => softened(arrays.places, state.slope_share, open))
+      : null;
+  const map = columns.plain ? soft?.map : M,
+    width = columns.width; // columns -> midpoints; null: they are the midpoints
   const drawn = () => noiseOf(model, grid, state.noise_seed);
   const hum = state.noise > 0 ? remember(cache, 'noise', [grid.name, state.noise_seed], drawn) : null;
   const readRow = rowAt(model, state.constant ? state.horizon : Math.max(0, state.horizon - state.used));
-  const leftRow = rowAt(model, Math.max(0, state.horizon - state.used)), n = state.fold ? readRow + 1 : K;
+  const leftRow = rowAt(model, Math.max(0, state.horizon - state.used)),
+    n = state.fold ? readRow + 1 : K;
 
   const means = map ? product(map, midpoints, width, H, 1) : midpoints;
   const plus = (x, y) => (hum ? x.map((value, i) => value + state.noise * y[i]) : x);
   const rescaled = state.normalise !== 'none';
   // Everything of one action that an inverse is applied to, in components.
-  const inComponents = state.shift ? columns.late : columns, humming = state.shift ? hum?.late : hum;
+  const inComponents = state.shift ? columns.late : columns,
+    humming = state.shift ? hum?.late : hum;
   const parts = Array.from({ length: A }, (_, a) => ({
-    columns: inComponents.projected[a], hum: humming?.projected[a],
-    mean: plus(product(inComponents.projected[a], means, grid.r, width, 1), hum && product(humming.projected[a], midpoints, grid.r, H, 1)),
+    columns: inComponents.projected[a],
+    hum: humming?.projected[a],
+    mean: plus(
+      product(inComponents.projected[a], means, grid.r, width, 1),
+      hum && product(humming.projected[a], midpoints, grid.r, H, 1),
+    ),
     constant: plus(inComponents.constants[a], humming?.constants[a]),
   }));
   const rowsOf = (inverse, right, wide) => inverse.decode(right, wide);
@@ -136,14 +202,28 @@ export function see(model, state, most = Infinity) {
     return rowsOf(inverse, plus(map ? product(part.columns, map, grid.r, width, H) : part.columns, part.hum), H);
   };
   // Below it a row holds nothing but rounding (laplace_core.inverse.rounding_of_rows); only rescaling asks.
-  const sized = [state.slope, state.slope_share, thetas[0], H, columns === grid.columns.per_gamma, grid.name, state.noise, hum && state.noise_seed, state.shift];
+  const sized = [
+    state.slope,
+    state.slope_share,
+    thetas[0],
+    H,
+    columns === grid.columns.per_gamma,
+    grid.name,
+    state.noise,
+    hum && state.noise_seed,
+    state.shift,
+  ];
   const roundingOf = (part, inverse) => {
     if (state.normalise !== 'paper') return undefined;
-    const a = parts.indexOf(part), size = remember(cache, `sizes ${a}`, sized, () => {
-      const Z = differencesOf(columns, grid, map, H, a, hum, state.noise);
-      return Math.hypot(...Array.from({ length: state.shift ? grid.G - 1 : grid.G }, (_, g) =>
-        Z.subarray(g * H, (g + 1) * H).reduce((sum, value) => sum + Math.abs(value), 0)));
-    });
+    const a = parts.indexOf(part),
+      size = remember(cache, `sizes ${a}`, sized, () => {
+        const Z = differencesOf(columns, grid, map, H, a, hum, state.noise);
+        return Math.hypot(
+          ...Array.from({ length: state.shift ? grid.G - 1 : grid.G }, (_, g) =>
+            Z.subarray(g * H, (g + 1) * H).reduce((sum, value) => sum + Math.abs(value), 0),
+          ),
+        );
+      });
     return rowNorms(inverse, grid.r).map((norm) => ROUNDING * size * norm);
   };
   const tauSpace = (part, inverse) => {
@@ -161,7 +241,9 @@ export function see(model, state, most = Infinity) {
   const inverse = inverseOf(grid, state, n);
   const tau = tauSpace(parts[state.action], inverse);
   const survival = parts.map((part) => survivalOf(part, inverse));
-  const rewards = parts.map((part, a) => (a === state.action ? product(tau, midpoints, n, H, 1) : rewardsOf(part, inverse)));
+  const rewards = parts.map((part, a) =>
+    a === state.action ? product(tau, midpoints, n, H, 1) : rewardsOf(part, inverse),
+  );
   const d = discounts(model, state.softness, state.value_gamma);
   const valueAt = (row, expected) => {
     let sum = 0;
@@ -169,26 +251,64 @@ export function see(model, state, most = Infinity) {
     return sum;
   };
   const values = Array.from({ length: A }, () => new Float64Array(K).fill(NaN));
-  if (!state.fold) values.forEach((line, a) => line.forEach((_, k) => { line[k] = valueAt(k, rewards[a]); }));
-  else values.forEach((line, a) => { line[readRow] = valueAt(readRow, rewards[a]); });
-  if (state.fold && most) { // every other horizon has an inverse of its own
+  if (!state.fold)
+    values.forEach((line, a) =>
+      line.forEach((_, k) => {
+        line[k] = valueAt(k, rewards[a]);
+      }),
+    );
+  else
+    values.forEach((line, a) => {
+      line[readRow] = valueAt(readRow, rewards[a]);
+    });
+  if (state.fold && most) {
+    // every other horizon has an inverse of its own
     const wide = state.normalise === 'paper' ? H * (hum ? grid.r : width) : grid.r;
     const stride = Math.max(1, Math.ceil((A * wide * K * K) / 2 / most));
     const grown = growing(grid, state.alpha);
     for (let k = 0; k < K; k++) {
       grown.add();
       if (k === readRow || (k % stride && k !== K - 1)) continue;
-      parts.forEach((part, a) => { values[a][k] = valueAt(k, rewardsOf(part, grown)); });
+      parts.forEach((part, a) => {
+        values[a][k] = valueAt(k, rewardsOf(part, grown));
+      });
     }
   }
   const terms = rewards.map((line) => line.reduce((sum, value) => sum + Math.abs(value), 0));
   const scale = Math.max(...terms, ...midpoints.map(Math.abs)); // as scale_of_values in laplace_core.horizon
-  const chosenAt = (row) => greedy(values.map((line) => line[row]), scale);
-  const seen = { grid, thetas, midpoints, H, open, n, inverse, readRow, leftRow, tau, survival, rewards, values, masses: M, columns,
-    map, hum, soft, scale,
-    chosen: chosenAt(readRow), chosenAt, whole: !values[0].some(Number.isNaN), d };
+  const chosenAt = (row) =>
+    greedy(
+      values.map((line) => line[row]),
+      scale,
+    );
+  const seen = {
+    grid,
+    thetas,
+    midpoints,
+    H,
+    open,
+    n,
+    inverse,
+    readRow,
+    leftRow,
+    tau,
+    survival,
+    rewards,
+    values,
+    masses: M,
+    columns,
+    map,
+    hum,
+    soft,
+    scale,
+    chosen: chosenAt(readRow),
+    chosenAt,
+    whole: !values[0].some(Number.isNaN),
+    d,
+  };
   if (model.truth) {
-    const truth = truthOf(model, state), optimumAt = (row) => values.map((_, a) => arrays.optimum[a * K + row]);
+    const truth = truthOf(model, state),
+      optimumAt = (row) => values.map((_, a) => arrays.optimum[a * K + row]);
     const best = greedy(optimumAt(leftRow));
     Object.assign(seen, { truth, optimumAt, best, bestAt: (row) => greedy(optimumAt(row)) });
     seen.regret = Math.max(...optimumAt(leftRow)) - optimumAt(leftRow)[seen.chosen];
@@ -214,12 +334,18 @@ export function normalise(rows, survival, how, width, dt, rounding) {
 // Noise of gamma-space for a seed at level 1, in components: of the differences, and of the constant channel.
 function noiseOf({ A, H, arrays }, grid, seed) {
   const open = arrays.bin_edges ? 1 : 0; // then the constant channel stands before the tails, and 0 after them
-  const { G, gammas } = grid, width = H - 1 + 2 * open, differences = [], constant = new Float64Array(A * G);
-  const values = normalNoise(seed, A * G * H), more = normalNoise(seed, A * G, A * G * H);
+  const { G, gammas } = grid,
+    width = H - 1 + 2 * open,
+    differences = [],
+    constant = new Float64Array(A * G);
+  const values = normalNoise(seed, A * G * H),
+    more = normalNoise(seed, A * G, A * G * H);
   for (let a = 0; a < A; a++) {
     const out = new Float64Array(G * width);
     for (let g = 0; g < G; g++) {
-      const scale = 1 / (1 - gammas[g]), from = (a * G + g) * H, tail = (h) => (h < 0 ? more[a * G + g] : h < H ? values[from + h] : 0);
+      const scale = 1 / (1 - gammas[g]),
+        from = (a * G + g) * H,
+        tail = (h) => (h < 0 ? more[a * G + g] : h < H ? values[from + h] : 0);
       for (let h = 0; h < width; h++) out[g * width + h] = scale * (tail(h - open) - tail(h - open + 1));
       constant[a * G + g] = scale * more[a * G + g];
     }
@@ -229,12 +355,14 @@ function noiseOf({ A, H, arrays }, grid, seed) {
   return Object.assign(projections(grid, differences, width, steps), { differences });
 }
 
-function differencesOf(columns, grid, map, H, a, hum, noise) { // of one action, (G, bins)
+function differencesOf(columns, grid, map, H, a, hum, noise) {
+  // of one action, (G, bins)
   const Z = map ? product(columns.values[a], map, grid.G, columns.width, H) : columns.values[a];
   return hum ? Z.map((value, i) => value + noise * hum.differences[a][i]) : Z;
 }
 
-export const gammaSpace = ({ grid, columns, map, hum, H }, state) => // differences of the shown action, (G, bins)
+export const gammaSpace = ({ grid, columns, map, hum, H }, state) =>
+  // differences of the shown action, (G, bins)
   differencesOf(columns, grid, map, H, state.action, hum, state.noise);
 
 // Weights over the discounts in components, (r,): decoding values that are shifted by one is decoding by weights that
@@ -243,27 +371,63 @@ function weightsOf({ U, Ut, G, r }, state, inverse, target) {
   const weights = inverse.weights(target);
   if (!state.shift) return weights;
   const each = product(U, weights, G, r, 1);
-  return product(Ut, each.map((_, g) => (g + 1 < G ? each[g + 1] : 0)), r, G, 1);
+  return product(
+    Ut,
+    each.map((_, g) => (g + 1 < G ? each[g + 1] : 0)),
+    r,
+    G,
+    1,
+  );
 }
 
 // What alpha and T really weigh each future step with, what they should, and how much noise it lets through.
 export function kernel(model, state, { grid, n, readRow, d, inverse }) {
-  const { K } = model, { V, s, r } = grid, wanted = d.slice(readRow * K, (readRow + 1) * K), target = new Float64Array(K);
+  const { K } = model,
+    { V, s, r } = grid,
+    wanted = d.slice(readRow * K, (readRow + 1) * K),
+    target = new Float64Array(K);
   for (let k = 0; k < n; k++) target[k] = wanted[k];
   const weights = weightsOf(grid, state, inverse, target);
-  return { wanted, actual: product(V, weights.map((value, i) => value * s[i]), K, r, 1), gain: Math.hypot(...weights) };
+  return {
+    wanted,
+    actual: product(
+      V,
+      weights.map((value, i) => value * s[i]),
+      K,
+      r,
+      1,
+    ),
+    gain: Math.hypot(...weights),
+  };
 }
 
 // The averaging kernel: through which window of the true timeline row tau is seen, and its half width in steps.
 export function resolution(model, state, { grid, n, inverse }, row) {
-  const { K, dt } = model, { V, s, r } = grid, kernel = new Float64Array(K);
+  const { K, dt } = model,
+    { V, s, r } = grid,
+    kernel = new Float64Array(K);
   if (row < n) {
-    const weights = weightsOf(grid, state, inverse, Float64Array.from({ length: K }, (_, k) => Number(k === row)));
-    product(V, weights.map((value, i) => value * s[i]), K, r, 1, kernel);
+    const weights = weightsOf(
+      grid,
+      state,
+      inverse,
+      Float64Array.from({ length: K }, (_, k) => Number(k === row)),
+    );
+    product(
+      V,
+      weights.map((value, i) => value * s[i]),
+      K,
+      r,
+      1,
+      kernel,
+    );
   }
   let peak = 0;
-  kernel.forEach((value, k) => { if (value > kernel[peak]) peak = k; });
-  let low = peak, high = peak;
+  kernel.forEach((value, k) => {
+    if (value > kernel[peak]) peak = k;
+  });
+  let low = peak,
+    high = peak;
   while (low > 0 && kernel[low - 1] > kernel[peak] / 2) low--;
   while (high < K - 1 && kernel[high + 1] > kernel[peak] / 2) high++;
   return { kernel, peak: peak * dt, half: ((high - low) / 2) * dt, low: low * dt, high: high * dt };
@@ -272,14 +436,31 @@ export function resolution(model, state, { grid, n, inverse }, row) {
 // ---- artefacts, each a switch
 
 export const SWITCHES = {
-  rescale: { label: 'row rescaling', on: { normalise: 'paper' }, off: { normalise: 'none' }, isOn: (s) => s.normalise === 'paper',
-    help: 'Every row is rescaled to probability 1, also where the episode is over.' },
-  fold: { label: 'only T rows, K = T', help: 'As many rows are decoded as the horizon has: what comes later is folded into them.' },
-  mixed: { label: 'mixed policies', help: 'Every discount follows its own greedy policy: no single process has such a gamma-space.' },
+  rescale: {
+    label: 'row rescaling',
+    on: { normalise: 'paper' },
+    off: { normalise: 'none' },
+    isOn: (s) => s.normalise === 'paper',
+    help: 'Every row is rescaled to probability 1, also where the episode is over.',
+  },
+  fold: {
+    label: 'only T rows, K = T',
+    help: 'As many rows are decoded as the horizon has: what comes later is folded into them.',
+  },
+  mixed: {
+    label: 'mixed policies',
+    help: 'Every discount follows its own greedy policy: no single process has such a gamma-space.',
+  },
   paper_grid: { label: 'the paper’s grid', help: 'The paper’s 15 discounts, from .01 to .99, piecewise linear.' },
-  clip: { label: 'edge clipping', help: 'The sensitivities begin at a reward that occurs: half of its probability is lost.' },
+  clip: {
+    label: 'edge clipping',
+    help: 'The sensitivities begin at a reward that occurs: half of its probability is lost.',
+  },
   constant: { label: 'constant T', help: 'Acting with T at every step, instead of with the time to go.' },
-  shift: { label: 'index shifted by one', help: 'Each discount is decoded by the row of the next one, as in the paper’s published notebook.' },
+  shift: {
+    label: 'index shifted by one',
+    help: 'Each discount is decoded by the row of the next one, as in the paper’s published notebook.',
+  },
 };
 for (const [name, each] of Object.entries(SWITCHES)) {
   each.on ??= { [name]: true };
@@ -289,22 +470,32 @@ for (const [name, each] of Object.entries(SWITCHES)) {
 
 export function available({ grids, arrays, truth }, name) {
   const own = grids.own.columns;
-  return { mixed: Boolean(own.per_gamma), paper_grid: Boolean(grids.paper),
-    clip: Boolean(arrays.clipped_thetas) && !own.shared.plain,
-    constant: truth }[name] ?? true;
+  return (
+    {
+      mixed: Boolean(own.per_gamma),
+      paper_grid: Boolean(grids.paper),
+      clip: Boolean(arrays.clipped_thetas) && !own.shared.plain,
+      constant: truth,
+    }[name] ?? true
+  );
 }
 
 // What a switch does to this picture: the probability that it adds to or takes from a row, in the worst row, and the
 // regret with and without it.
 export function effect(model, state, name) {
-  const rule = SWITCHES[name], least = 0; // of the values, only those of the horizon that is read
-  const on = see(model, { ...state, ...rule.on }, least), off = see(model, { ...state, ...rule.off }, least);
+  const rule = SWITCHES[name],
+    least = 0; // of the values, only those of the horizon that is read
+  const on = see(model, { ...state, ...rule.on }, least),
+    off = see(model, { ...state, ...rule.off }, least);
   let size = 0;
   for (let k = 0; k < Math.min(on.n, off.n); k++) {
-    let more = 0, less = 0, all = 0;
+    let more = 0,
+      less = 0,
+      all = 0;
     for (let h = 0; h < on.H; h++) {
       const change = on.tau[k * on.H + h] - off.tau[k * off.H + h];
-      if (change > 0) more += change; else less -= change;
+      if (change > 0) more += change;
+      else less -= change;
       all += change;
     }
     // Other sensitivities have other cells, of which only the sums can be compared.

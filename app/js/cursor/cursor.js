@@ -5,12 +5,14 @@ const REST = 250; // ms without a move before the server hears the step
 const HELD = 4; // payloads kept of each kind, across mounts; Python counts on as many
 const shelves = {};
 
-export const button = (words, title, does) => element('button', { type: 'button', title, 'aria-label': title, onclick: does }, words);
+export const button = (words, title, does) =>
+  element('button', { type: 'button', title, 'aria-label': title, onclick: does }, words);
 
 // What Streamlit calls with every message, a small JSON and, if it is not held yet, a payload for `open`. While what is
 // `shown` stays the same, so does what `mount(host, opened, told, report)` made: { stop, place(step), news(told) }.
 export const component = ({ kind, open, mount, shown = (told) => told.id }) => {
-  const shelf = shelves[kind] ??= new Map(), mounted = new WeakMap();
+  const shelf = (shelves[kind] ??= new Map()),
+    mounted = new WeakMap();
   const found = async (id, bytes) => {
     const opened = bytes.length && !shelf.has(id) ? await open(bytes, id) : shelf.get(id);
     if (!opened) return undefined;
@@ -20,10 +22,14 @@ export const component = ({ kind, open, mount, shown = (told) => told.id }) => {
     return opened;
   };
   return async ({ data, parentElement, setTriggerValue }) => {
-    const view = new DataView(data.buffer, data.byteOffset), length = view.getUint32(0, true);
+    const view = new DataView(data.buffer, data.byteOffset),
+      length = view.getUint32(0, true);
     const told = JSON.parse(new TextDecoder().decode(data.subarray(4, 4 + length)));
     const opened = await found(told.id, data.subarray(4 + length));
-    if (!opened) { setTriggerValue('rested', { missing: told.id }); return; }
+    if (!opened) {
+      setTriggerValue('rested', { missing: told.id });
+      return;
+    }
     let kept = mounted.get(parentElement);
     if (kept && kept.shown === shown(told) && kept.host.isConnected) {
       kept.report = setTriggerValue;
@@ -44,11 +50,20 @@ export const component = ({ kind, open, mount, shown = (told) => told.id }) => {
 
 // The cursor from 0 to `last`; `show` draws its step. `bar` and `moves` are to be put somewhere.
 export function stepper({ host, told, last, name, label, show, report }) {
-  let step = Math.min(told.at, last), reported = step, playing, resting, since;
+  let step = Math.min(told.at, last),
+    reported = step,
+    playing,
+    resting,
+    since;
   const bar = element('input', { type: 'range', min: 0, max: last, step: 1, 'aria-label': label, name });
   const play = button('▶', 'play', () => (playing ? stop() : begin()));
-  const moves = [button('|‹', 'first step', () => to(0)), button('‹', 'one step back', () => to(step - 1)), play,
-    button('›', 'one step on', () => to(step + 1)), button('›|', 'last step', () => to(last))];
+  const moves = [
+    button('|‹', 'first step', () => to(0)),
+    button('‹', 'one step back', () => to(step - 1)),
+    play,
+    button('›', 'one step on', () => to(step + 1)),
+    button('›|', 'last step', () => to(last)),
+  ];
   bar.oninput = () => to(+bar.value);
 
   function go(next) {
@@ -60,7 +75,10 @@ export function stepper({ host, told, last, name, label, show, report }) {
     if (!playing) resting = setTimeout(rest, REST);
   }
 
-  const to = (next) => { stop(); go(next); };
+  const to = (next) => {
+    stop();
+    go(next);
+  };
 
   function rest() {
     if (!host.isConnected || step === reported) return;
@@ -76,8 +94,14 @@ export function stepper({ host, told, last, name, label, show, report }) {
       if (!playing || !host.isConnected) return;
       since ??= now;
       const steps = Math.floor((now - since) / (1000 * told.seconds));
-      if (steps) { since += steps * 1000 * told.seconds; go(step + steps); }
-      if (step >= last) { stop(); return; }
+      if (steps) {
+        since += steps * 1000 * told.seconds;
+        go(step + steps);
+      }
+      if (step >= last) {
+        stop();
+        return;
+      }
       playing = requestAnimationFrame(tick);
     };
     playing = requestAnimationFrame(tick);
@@ -99,13 +123,28 @@ export function stepper({ host, told, last, name, label, show, report }) {
   }
 
   return {
-    bar, moves, to, stop, get step() { return step; },
+    bar,
+    moves,
+    to,
+    stop,
+    get step() {
+      return step;
+    },
     // Python has moved it, and need not be told.
-    place(next) { to(next); reported = step; clearTimeout(resting); },
+    place(next) {
+      to(next);
+      reported = step;
+      clearTimeout(resting);
+    },
     // Dragged over a picture, whose `toStep` knows where a step lies.
     over(canvas) {
-      canvas.onpointerdown = (event) => { canvas.setPointerCapture(event.pointerId); to(canvas.toStep(event.offsetX)); };
-      canvas.onpointermove = (event) => { if (event.buttons) to(canvas.toStep(event.offsetX)); };
+      canvas.onpointerdown = (event) => {
+        canvas.setPointerCapture(event.pointerId);
+        to(canvas.toStep(event.offsetX));
+      };
+      canvas.onpointermove = (event) => {
+        if (event.buttons) to(canvas.toStep(event.offsetX));
+      };
     },
   };
 }

@@ -4,18 +4,22 @@ import { short, ticks } from './drawing.js';
 
 const APART = 34; // pixels between two labels
 
-export function columnAt({ thetas, H }, theta) { // the column that holds theta
-  let low = 0, high = H - 1;
+export function columnAt({ thetas, H }, theta) {
+  // the column that holds theta
+  let low = 0,
+    high = H - 1;
   while (low < high) {
     const middle = (low + high + 1) >> 1;
-    if (thetas[middle] <= theta) low = middle; else high = middle - 1;
+    if (thetas[middle] <= theta) low = middle;
+    else high = middle - 1;
   }
   return low;
 }
 
 // The reward under the cursor in words: an open end has one edge only.
 export function rewardWords(seen, theta) {
-  const { thetas, H, open } = seen, h = columnAt(seen, theta);
+  const { thetas, H, open } = seen,
+    h = columnAt(seen, theta);
   return open && !h ? `below ${short(thetas[1])}` : open && h === H - 1 ? `above ${short(thetas[h])}` : short(theta);
 }
 
@@ -27,7 +31,8 @@ export function placeOf({ thetas, H, open }, reward) {
 
 // Columns from the left, with fractions, and back; beyond the outermost the outermost goes on.
 export function acrossOf(seen, theta) {
-  const h = columnAt(seen, theta), { thetas } = seen;
+  const h = columnAt(seen, theta),
+    { thetas } = seen;
   return h + (theta - thetas[h]) / (thetas[h + 1] - thetas[h]);
 }
 
@@ -43,13 +48,21 @@ function even({ thetas, H }) {
 
 // Labels of a range: evenly stepped where columns are, else 0 and powers of ten first, and others where they have room.
 export function thetaTicks(seen, [first, last], width) {
-  const { thetas, H, open } = seen, low = open ? Math.max(first, thetas[1]) : first, high = open ? Math.min(last, thetas[H - 1]) : last;
+  const { thetas, H, open } = seen,
+    low = open ? Math.max(first, thetas[1]) : first,
+    high = open ? Math.min(last, thetas[H - 1]) : last;
   if (low >= high) return [];
   if (even(seen)) return ticks(low, high);
-  const most = Math.ceil(Math.log10(Math.max(-low, high))), powers = Array.from({ length: 7 }, (_, i) => 10 ** (most - i));
-  const [left, right] = [first, last].map((theta) => acrossOf(seen, theta)), found = [];
+  const most = Math.ceil(Math.log10(Math.max(-low, high))),
+    powers = Array.from({ length: 7 }, (_, i) => 10 ** (most - i));
+  const [left, right] = [first, last].map((theta) => acrossOf(seen, theta)),
+    found = [];
   const place = (theta) => (width * (acrossOf(seen, theta) - left)) / (right - left);
-  const wished = [0, ...[1, 5, 2].flatMap((n) => powers.flatMap((power) => [n * power, -n * power])), ...ticks(low, high)];
+  const wished = [
+    0,
+    ...[1, 5, 2].flatMap((n) => powers.flatMap((power) => [n * power, -n * power])),
+    ...ticks(low, high),
+  ];
   for (const theta of wished) {
     const apart = found.every((other) => Math.abs(place(other) - place(theta)) >= APART);
     if (theta >= low && theta <= high && apart) found.push(theta);

@@ -21,12 +21,19 @@ function led(model, told) {
 }
 
 export default function ({ data, parentElement, setTriggerValue }) {
-  const view = new DataView(data.buffer, data.byteOffset), length = view.getUint32(0, true);
-  const message = JSON.parse(new TextDecoder().decode(data.subarray(4, 4 + length))), { name, id, revision } = message;
+  const view = new DataView(data.buffer, data.byteOffset),
+    length = view.getUint32(0, true);
+  const message = JSON.parse(new TextDecoder().decode(data.subarray(4, 4 + length))),
+    { name, id, revision } = message;
   loadPlotly(message.plotly);
-  const kept = mounted.get(parentElement), given = modelOf(id, data.subarray(4 + length));
-  if (!given) { setTriggerValue('released', { missing: id }); return; }
-  const [model, told] = led(given, { ...message, live: true, template }), shape = shapeOf(model) + !message.world;
+  const kept = mounted.get(parentElement),
+    given = modelOf(id, data.subarray(4 + length));
+  if (!given) {
+    setTriggerValue('released', { missing: id });
+    return;
+  }
+  const [model, told] = led(given, { ...message, live: true, template }),
+    shape = shapeOf(model) + !message.world;
   if (kept && kept.lens.host.isConnected && kept.shape === shape) {
     kept.report = setTriggerValue;
     const moved = kept.revision !== revision;
@@ -35,8 +42,9 @@ export default function ({ data, parentElement, setTriggerValue }) {
     return;
   }
   let box = parentElement.querySelector('.laplace-lens-box');
-  if (!box) parentElement.append(box = element('div', { class: 'laplace-lens-box' }));
-  const last = released.get(name), state = last?.id === id && last.revision === revision ? last.state : message.state;
+  if (!box) parentElement.append((box = element('div', { class: 'laplace-lens-box' })));
+  const last = released.get(name),
+    state = last?.id === id && last.revision === revision ? last.state : message.state;
   const fresh = { id, revision, shape, world: model.header.world, report: setTriggerValue };
   mounted.set(parentElement, fresh);
   // The same world in another shape, learned after exact, keeps what the hand did and is about to do.

@@ -9,9 +9,11 @@ const limited = (value, low, high) => Math.min(high, Math.max(low, value));
 const KEYS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
 
 export function listen(canvas, panel, scene, draw) {
-  const space = isSpace(panel), solid = () => space && scene.state.look === 'surface';
+  const space = isSpace(panel),
+    solid = () => space && scene.state.look === 'surface';
 
-  function point(hover) { // one place in theta, tau and gamma, marked in every picture
+  function point(hover) {
+    // one place in theta, tau and gamma, marked in every picture
     if (JSON.stringify(hover) === JSON.stringify(scene.hover)) return;
     scene.hover = hover;
     draw();
@@ -32,20 +34,30 @@ export function listen(canvas, panel, scene, draw) {
 
   // What lies between two places of the picture, in pixels, as far as there is something; nothing if they are too close.
   function show(across, up) {
-    const { scale } = canvas, { seen, model } = scene, { thetas, H } = seen, least = 8;
-    const rows = panel.rows === 'tau' ? model.K : seen.grid.G, sorted = (a, b) => [Math.min(a, b), Math.max(a, b)];
+    const { scale } = canvas,
+      { seen, model } = scene,
+      { thetas, H } = seen,
+      least = 8;
+    const rows = panel.rows === 'tau' ? model.K : seen.grid.G,
+      sorted = (a, b) => [Math.min(a, b), Math.max(a, b)];
     const within = (ends, low, high) => sorted(...ends.map((end) => limited(end, low, high)));
-    const theta = within(across.map(scale.toX), thetas[0], thetas[H]), row = within(up.map(scale.toY), -0.5, rows - 0.5);
+    const theta = within(across.map(scale.toX), thetas[0], thetas[H]),
+      row = within(up.map(scale.toY), -0.5, rows - 0.5);
     if (Math.abs(across[0] - across[1]) > least && theta[1] > theta[0]) scene.zoom.theta = theta;
     if (Math.abs(up[0] - up[1]) > least && row[1] > row[0]) scene.zoom[panel.rows] = row;
     draw();
   }
 
-  function zoomBy(factor) { // around the cursor
-    const { X, Y, box } = canvas.scale, { hover } = scene, row = hover[panel.rows];
+  function zoomBy(factor) {
+    // around the cursor
+    const { X, Y, box } = canvas.scale,
+      { hover } = scene,
+      row = hover[panel.rows];
     const place = (at, from, length) => [at - factor * (at - from), at + factor * (from + length - at)];
-    show(place(hover.theta === undefined ? box.x + box.w / 2 : X(hover.theta), box.x, box.w),
-      place(row === undefined ? box.y + box.h / 2 : Y(row), box.y, box.h));
+    show(
+      place(hover.theta === undefined ? box.x + box.w / 2 : X(hover.theta), box.x, box.w),
+      place(row === undefined ? box.y + box.h / 2 : Y(row), box.y, box.h),
+    );
   }
 
   function all() {
@@ -55,30 +67,52 @@ export function listen(canvas, panel, scene, draw) {
 
   canvas.onpointermove = (event) => {
     const at = [event.offsetX, event.offsetY];
-    if (scene.band) { scene.band.to = at; draw(); }
+    if (scene.band) {
+      scene.band.to = at;
+      draw();
+    }
     if (solid()) {
       if (event.buttons) turn(event.movementX * 0.01, event.movementY * 0.01);
       return;
     }
-    const { scale } = canvas, { box } = scale, [x, y] = at;
+    const { scale } = canvas,
+      { box } = scale,
+      [x, y] = at;
     const within = x >= box.x && x <= box.x + box.w && y >= box.y - 2 && y <= box.y + box.h + 2;
     point(within ? panel.point(scene, scale.toX(x), scale.toY(y)) : {});
   };
   canvas.onpointerleave = () => point({});
   canvas.onkeydown = (event) => {
-    if (event.key === 'Escape' && scene.band) { scene.band = undefined; draw(); } // a drag that was not meant
-    else if (event.key === 'Escape') { all(); point({}); }
+    if (event.key === 'Escape' && scene.band) {
+      scene.band = undefined;
+      draw();
+    } // a drag that was not meant
+    else if (event.key === 'Escape') {
+      all();
+      point({});
+    }
     if (event.key === '+' && space && !solid()) zoomBy(0.5);
     if (event.key === '-' && space && !solid()) zoomBy(2);
     if (!KEYS[event.key]) return;
     event.preventDefault();
-    const { hover, seen, model } = scene, [across, up] = KEYS[event.key], far = event.shiftKey ? 10 : 1;
-    if (solid()) { turn(0.1 * across, 0.1 * up); return; }
+    const { hover, seen, model } = scene,
+      [across, up] = KEYS[event.key],
+      far = event.shiftKey ? 10 : 1;
+    if (solid()) {
+      turn(0.1 * across, 0.1 * up);
+      return;
+    }
     const stepped = (name, by, count) => limited((hover[name] ?? -1) + by * far, 0, count - 1);
-    if (!space) { point({ tau: stepped('tau', across || up, model.K) }); return; }
+    if (!space) {
+      point({ tau: stepped('tau', across || up, model.K) });
+      return;
+    }
     const from = hover.theta === undefined ? seen.H / 2 : acrossOf(seen, hover.theta);
     const count = panel.rows === 'tau' ? model.K : seen.grid.G;
-    point({ theta: thetaOf(seen, limited(from + across * far, 0, seen.H)), [panel.rows]: stepped(panel.rows, up, count) });
+    point({
+      theta: thetaOf(seen, limited(from + across * far, 0, seen.H)),
+      [panel.rows]: stepped(panel.rows, up, count),
+    });
   };
   if (!space) return;
   canvas.title = 'Drag to zoom or to turn, double-click for all of it; with the keyboard arrows, + and -';

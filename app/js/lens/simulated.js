@@ -2,10 +2,12 @@
 import { line, rounded, short } from '../draw/drawing.js';
 
 export const CAME_TRUE = '#d6336c';
-const BAND = 'rgba(214,51,108,0.2)', TAIL = 65535; // levels of a probability
+const BAND = 'rgba(214,51,108,0.2)',
+  TAIL = 65535; // levels of a probability
 
 // Those of the shown action; undefined where there are none.
-export const simulatedFor = ({ model, state }) => (model.simulated?.action === state.action ? model.simulated : undefined);
+export const simulatedFor = ({ model, state }) =>
+  model.simulated?.action === state.action ? model.simulated : undefined;
 
 // The step that belongs to a row, or -1 between two steps.
 function stepAt({ simulated, dt }, row) {
@@ -15,30 +17,44 @@ function stepAt({ simulated, dt }, row) {
 
 // Probabilities of a row's cells, (bins,), averaged with its neighbours, since continuations are few; null where none is left.
 export function simulatedRow(model, a, row) {
-  const { simulated, K } = model, step = simulated?.action === a ? stepAt(model, row) : -1;
+  const { simulated, K } = model,
+    step = simulated?.action === a ? stepAt(model, row) : -1;
   if (step < 0) return null;
-  const { tails, width, length } = simulated, far = Math.round(K / 80), found = new Float64Array(width - 1);
-  const first = Math.max(0, step - far), last = Math.min(length - 1, step + far);
+  const { tails, width, length } = simulated,
+    far = Math.round(K / 80),
+    found = new Float64Array(width - 1);
+  const first = Math.max(0, step - far),
+    last = Math.min(length - 1, step + far);
   if (!tails[step * width]) return null;
-  for (let at = first; at <= last; at++) for (let h = 0; h < width - 1; h++) {
-    found[h] += (tails[at * width + h] - tails[at * width + h + 1]) / TAIL / (last - first + 1);
-  }
+  for (let at = first; at <= last; at++)
+    for (let h = 0; h < width - 1; h++) {
+      found[h] += (tails[at * width + h] - tails[at * width + h + 1]) / TAIL / (last - first + 1);
+    }
   return found;
 }
 
 // W1 of each step's reward between the picture and the simulation, in reward, as laplace_core.encoding.reward_distance;
 // NaN where the picture has no row. What lies beyond the sensitivities counts at them: open ends have no width.
 export function distances({ simulated, dt }, { tau, thetas, H, n, open }) {
-  const { tails, width, length } = simulated, out = new Float64Array(length).fill(NaN), low = new Float64Array(H + 1);
+  const { tails, width, length } = simulated,
+    out = new Float64Array(length).fill(NaN),
+    low = new Float64Array(H + 1);
   if (width !== H + 1) return out;
   for (let step = 0; step < length; step++) {
-    const row = Math.round(step / dt), from = step * width;
+    const row = Math.round(step / dt),
+      from = step * width;
     if (row >= n || Math.abs(row * dt - step) >= 1e-9) continue;
-    for (let h = 0; h < H; h++) low[h + 1] = low[h] + tau[row * H + h] / dt - (tails[from + h] - tails[from + h + 1]) / TAIL;
+    for (let h = 0; h < H; h++)
+      low[h + 1] = low[h] + tau[row * H + h] / dt - (tails[from + h] - tails[from + h + 1]) / TAIL;
     out[step] = 0;
-    const area = (left, right, x, x2) => { out[step] += ((Math.abs(left) + Math.abs(right)) / 2) * (x2 - x); };
-    for (let h = Number(open); h < H - Number(open); h++) { // an episode that is over pays 0: below it counts what is lower, above it what is higher
-      const x = thetas[h], x2 = thetas[h + 1], zero = Math.min(x2, Math.max(x, 0));
+    const area = (left, right, x, x2) => {
+      out[step] += ((Math.abs(left) + Math.abs(right)) / 2) * (x2 - x);
+    };
+    for (let h = Number(open); h < H - Number(open); h++) {
+      // an episode that is over pays 0: below it counts what is lower, above it what is higher
+      const x = thetas[h],
+        x2 = thetas[h + 1],
+        zero = Math.min(x2, Math.max(x, 0));
       const middle = low[h] + ((zero - x) / (x2 - x)) * (low[h + 1] - low[h]);
       area(low[h], middle, x, zero);
       area(low[H] - middle, low[H] - low[h + 1], zero, x2);
@@ -47,21 +63,33 @@ export function distances({ simulated, dt }, { tau, thetas, H, n, open }) {
   return out;
 }
 
-export function distancesOf({ model, seen, images }) { // of the picture that is shown
+export function distancesOf({ model, seen, images }) {
+  // of the picture that is shown
   if (images.distancesFor !== seen) Object.assign(images, { distances: distances(model, seen), distancesFor: seen });
   return images.distances;
 }
 
 // Beside tau-space, on its axis: W1 of every step, and in grey what few continuations alone would make of it.
 export function drawDistances(pen, scene, strip, Y) {
-  const { model: { simulated, dt }, colours } = scene, found = distancesOf(scene);
+  const {
+      model: { simulated, dt },
+      colours,
+    } = scene,
+    found = distancesOf(scene);
   const steps = [...found.keys()].filter((step) => Number.isFinite(found[step]));
   if (!steps.length) return;
   const [, most] = rounded(0, Math.max(...steps.map((step) => Math.max(found[step], simulated.chance[step]))));
-  const X = (value) => strip.x + (strip.w * value) / most, half = 0.5 / dt, { y, h } = strip;
-  const area = (values) => [[X(0), Y(steps[0] / dt - half)],
-    ...steps.flatMap((step) => [[X(values[step]), Y(step / dt - half)], [X(values[step]), Y(step / dt + half)]]),
-    [X(0), Y(steps[steps.length - 1] / dt + half)]];
+  const X = (value) => strip.x + (strip.w * value) / most,
+    half = 0.5 / dt,
+    { y, h } = strip;
+  const area = (values) => [
+    [X(0), Y(steps[0] / dt - half)],
+    ...steps.flatMap((step) => [
+      [X(values[step]), Y(step / dt - half)],
+      [X(values[step]), Y(step / dt + half)],
+    ]),
+    [X(0), Y(steps[steps.length - 1] / dt + half)],
+  ];
   pen.clip(strip.x - 1, y, strip.w + 2, h, () => {
     pen.path(area(found), { fill: BAND, stroke: CAME_TRUE, width: 1, close: true });
     pen.path(area(simulated.chance), { fill: 'rgba(138,143,152,0.5)', close: true });
@@ -73,12 +101,16 @@ export function drawDistances(pen, scene, strip, Y) {
 
 // A simulated line with a band of two standard errors.
 export function drawSimulated(pen, mean, error, { X, Y }) {
-  const xs = Array.from(mean, (_, step) => X(step)), edge = (side) => Array.from(mean, (value, step) => [xs[step], Y(value + side * error[step])]);
+  const xs = Array.from(mean, (_, step) => X(step)),
+    edge = (side) => Array.from(mean, (value, step) => [xs[step], Y(value + side * error[step])]);
   pen.path([...edge(2), ...edge(-2).reverse()], { fill: BAND, close: true });
   line(pen, xs, mean.map(Y), { stroke: CAME_TRUE, width: 1.4 });
 }
 
 export const simulatedWords = (scene) => {
-  const found = simulatedFor(scene), far = found && distancesOf(scene).filter(Number.isFinite);
-  return far?.length ? ` ${found.count} simulated continuations are outlined; the distance to them is ${short(far.reduce((a, b) => a + b) / far.length)} reward on average.` : '';
+  const found = simulatedFor(scene),
+    far = found && distancesOf(scene).filter(Number.isFinite);
+  return far?.length
+    ? ` ${found.count} simulated continuations are outlined; the distance to them is ${short(far.reduce((a, b) => a + b) / far.length)} reward on average.`
+    : '';
 };

@@ -5,10 +5,15 @@ import { plot } from '../chart/plot.js';
 export function worldPanel(report) {
   const box = element('div', { class: 'world laplace-chart', role: 'group' });
   Object.assign(box, { clickable: true, report: (_, picked) => report(picked) });
-  return { box, show({ figure, alt, revision }) {
-    box.setAttribute('aria-label', alt);
-    if (box.wanted?.figure === figure) return;
-    box.wanted = { figure, revision, name: 'world' };
-    plot(box);
-  }, picture: (format) => window.Plotly.toImage(box, { format, width: 440, height: 260, scale: format === 'png' ? 2 : 1 }) };
+  return {
+    box,
+    show({ figure, alt, revision }) {
+      box.setAttribute('aria-label', alt);
+      if (box.wanted?.figure === figure) return;
+      box.wanted = { figure, revision, name: 'world' };
+      plot(box);
+    },
+    picture: (format) =>
+      window.Plotly.toImage(box, { format, width: 440, height: 260, scale: format === 'png' ? 2 : 1 }),
+  };
 }

@@ -10,7 +10,9 @@ async function inflated(block) {
 
 // Levels of all steps from 16-bit changes, whose low bytes come before their high ones; sums wrap around.
 export function levelsOf(halves, steps) {
-  const count = halves.length / 2, width = count / steps, out = new Int16Array(count);
+  const count = halves.length / 2,
+    width = count / steps,
+    out = new Int16Array(count);
   for (let i = 0; i < count; i++) {
     const change = halves[i] | (halves[count + i] << 8);
     out[i] = i < width ? change : out[i - width] + change;
@@ -19,8 +21,10 @@ export function levelsOf(halves, steps) {
 }
 
 export async function openReel(bytes) {
-  const view = new DataView(bytes.buffer, bytes.byteOffset), length = view.getUint32(0, true);
-  const header = JSON.parse(new TextDecoder().decode(bytes.subarray(4, 4 + length))), reel = { ...header };
+  const view = new DataView(bytes.buffer, bytes.byteOffset),
+    length = view.getUint32(0, true);
+  const header = JSON.parse(new TextDecoder().decode(bytes.subarray(4, 4 + length))),
+    reel = { ...header };
   for (const [name, [kind, at, size]] of Object.entries(header.blocks)) {
     const block = bytes.slice(4 + length + at, 4 + length + at + size);
     if (name === 'differences') reel.levels = levelsOf(await inflated(block), header.steps);
@@ -32,7 +36,10 @@ export async function openReel(bytes) {
 
 // Gamma-space of a step: differences (A, G, H+1), and the constant channel (A, G).
 export function spaceAt({ levels, constant, scales, steps, actions }, step) {
-  const size = levels.length / steps, G = scales.length, width = size / actions / G, from = step * size;
+  const size = levels.length / steps,
+    G = scales.length,
+    width = size / actions / G,
+    from = step * size;
   const differences = Float64Array.from({ length: size }, (_, i) => levels[from + i] * scales[((i / width) | 0) % G]);
   const one = constant.length / steps;
   return { differences, constant: Float64Array.from(constant.subarray(step * one, (step + 1) * one)) };
@@ -45,10 +52,11 @@ export function modelAt(reel, step, base) {
 }
 
 export const frameAt = ({ frames, ends }, step) =>
-  (ends.length ? frames.subarray(step ? ends[step - 1] : 0, ends[step]) : null);
+  ends.length ? frames.subarray(step ? ends[step - 1] : 0, ends[step]) : null;
 
 // Whether the agent's own value, which stands for what was cut off, has more than 5% of the weight in what came.
-export const ownAt = ({ acting_gamma: gamma, steps, terminated }, step) => !terminated && gamma ** (steps - step) > 0.05;
+export const ownAt = ({ acting_gamma: gamma, steps, terminated }, step) =>
+  !terminated && gamma ** (steps - step) > 0.05;
 
 // What the lens draws on the timeline of a step: see app/rolled.py.
 export function followedAt({ rewards, taken, steps, terminated }, step) {
@@ -62,4 +70,5 @@ export function nextMarked(marks, step) {
 }
 
 // Steps in the order of how much they surprise, the largest first.
-export const bySurprise = ({ surprise }) => [...surprise.keys()].sort((a, b) => Math.abs(surprise[b]) - Math.abs(surprise[a]));
+export const bySurprise = ({ surprise }) =>
+  [...surprise.keys()].sort((a, b) => Math.abs(surprise[b]) - Math.abs(surprise[a]));
