@@ -76,7 +76,9 @@ export function mount(root, model, told, report) {
     playing,
     dragging = false,
     lastState,
-    lastMost;
+    lastMost,
+    sizedState, // what the sizes of the artefacts are of
+    sizedModel;
   root.replaceChildren(host);
 
   const saved = {
@@ -317,8 +319,8 @@ export function mount(root, model, told, report) {
     if (!host.isConnected || playing) return;
     dragging = false;
     if (!seen.whole && lastMost < AT_REST) paint();
-    if (rest.of !== state || rest.model !== model) board.sizes(effects(model, state));
-    Object.assign(rest, { of: state, model });
+    if (sizedState !== state || sizedModel !== model) board.sizes(effects(model, state));
+    [sizedState, sizedModel] = [state, model];
     judge();
     for (const { panel, canvas } of panels) canvas.setAttribute('aria-label', panel.words(scene));
     if (said.textContent !== sentence.textContent) said.textContent = sentence.textContent;

@@ -206,7 +206,7 @@ export const tauPanel = {
   name: 'tau-space',
   rows: 'tau',
   draw(pen, w, h, scene) {
-    const { model, state, seen, hover, colours, images, resolution } = scene,
+    const { model, seen, hover, colours, images, resolution } = scene,
       limit = limitOfTau(scene);
     const values = model.dt === 1 ? seen.tau : seen.tau.map((value) => value / model.dt),
       { K, dt } = model;

@@ -2,7 +2,7 @@
 // the same on release, and why (laplace_core.verdict); this is what holds while a hand moves.
 import { short } from '../draw/drawing.js';
 import { ROUNDING, tieSize } from '../core/algebra.js';
-import { SWITCHES, available, effect, see, timelineError } from '../core/maths.js';
+import { SWITCHES, available, effect, timelineError } from '../core/maths.js';
 
 const VALUE_TOLERANCE = 0.1,
   SOUND = 0.1,
