@@ -124,10 +124,12 @@ function svgPen(font, measure) {
     width: measure
   };
 }
-function ticks(low, high, count = 5) {
+function stepOf(low, high, count) {
   const rough = (high - low) / count || 1, ten = 10 ** Math.floor(Math.log10(rough));
-  const step = [1, 2, 5, 10].map((n) => n * ten).find((size) => size >= rough * 0.999);
-  const first = Math.ceil(low / step - 1e-9);
+  return [1, 2, 5, 10].map((n) => n * ten).find((size) => size >= rough * 0.999);
+}
+function ticks(low, high, count = 5) {
+  const step = stepOf(low, high, count), first = Math.ceil(low / step - 1e-9);
   return Array.from({ length: Math.max(0, Math.floor(high / step + 1e-9) - first + 1) }, (_, i) => (first + i) * step);
 }
 function rounded(low, high, least = 1e-9) {
@@ -135,7 +137,7 @@ function rounded(low, high, least = 1e-9) {
     low -= 0.5 * least || 0.5;
     high += 0.5 * least || 0.5;
   }
-  const [a, b] = ticks(low, high, 4), step = b - a || high - low;
+  const step = stepOf(low, high, 4);
   return [Math.floor(low / step + 1e-6) * step, Math.ceil(high / step - 1e-6) * step];
 }
 var short = (value, digits = 3) => {
@@ -1777,7 +1779,7 @@ var tauPanel = {
   name: "tau-space",
   rows: "tau",
   draw(pen, w, h, scene) {
-    const { model, state, seen, hover, colours, images, resolution: resolution2 } = scene, limit = limitOfTau(scene);
+    const { model, seen, hover, colours, images, resolution: resolution2 } = scene, limit = limitOfTau(scene);
     const values = model.dt === 1 ? seen.tau : seen.tau.map((value) => value / model.dt), { K, dt } = model;
     const labels = Float64Array.from({ length: K }, (_, k) => k * dt), cell = hover.theta !== void 0 && hover.tau < seen.n;
     const simulated = simulatedFor(scene), far = simulated && cell ? distancesOf(scene)[hover.tau * dt] : NaN, aside = simulated ? 42 : 0;
@@ -2015,7 +2017,7 @@ var valuesPanel = {
   point: ({ model }, x) => ({
     tau: Math.min(model.K - 1, Math.max(0, Math.round((x - model.horizons[0]) / model.dt)))
   }),
-  words: ({ model, seen, state }) => `Value of each action over the horizon T. Read at T = ${short(model.horizons[seen.readRow])}: ${model.header.actions.map((name, a) => `${name} ${short(seen.values[a][seen.readRow], 4)}`).join(", ")}. Chosen: ${model.header.actions[seen.chosen]}.${seen.truth ? ` Best: ${model.header.actions[seen.best]}; ${short(seen.regret)} is lost.` : ""} The two leading lines cross ${crossings(model, seen).length} times.`
+  words: ({ model, seen }) => `Value of each action over the horizon T. Read at T = ${short(model.horizons[seen.readRow])}: ${model.header.actions.map((name, a) => `${name} ${short(seen.values[a][seen.readRow], 4)}`).join(", ")}. Chosen: ${model.header.actions[seen.chosen]}.${seen.truth ? ` Best: ${model.header.actions[seen.best]}; ${short(seen.regret)} is lost.` : ""} The two leading lines cross ${crossings(model, seen).length} times.`
 };
 function crossings({ horizons, K }, { values, chosenAt }) {
   const found = [], rows = [...Array(K).keys()].filter((k) => Number.isFinite(values[0][k]));
@@ -2588,7 +2590,7 @@ function mount(root, model, told, report) {
     ...told.kept?.scene
   };
   const history = { states: [told.state], at: 0 };
-  let { state } = told, seen, waiting, resting, later, playing, dragging = false, lastState, lastMost;
+  let { state } = told, seen, waiting, resting, later, playing, dragging = false, lastState, lastMost, sizedState, sizedModel;
   root.replaceChildren(host);
   const saved = {
     scene,
@@ -2799,8 +2801,8 @@ function mount(root, model, told, report) {
     if (!host.isConnected || playing) return;
     dragging = false;
     if (!seen.whole && lastMost < AT_REST) paint();
-    if (rest.of !== state || rest.model !== model) board.sizes(effects(model, state));
-    Object.assign(rest, { of: state, model });
+    if (sizedState !== state || sizedModel !== model) board.sizes(effects(model, state));
+    [sizedState, sizedModel] = [state, model];
     judge();
     for (const { panel, canvas } of panels) canvas.setAttribute("aria-label", panel.words(scene));
     if (said.textContent !== sentence.textContent) said.textContent = sentence.textContent;

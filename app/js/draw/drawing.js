@@ -130,12 +130,17 @@ export function svgPen(font, measure) {
 
 // ---- axes
 
-// Ticks of a linear axis: at most about `count`, at round numbers, inside the range.
-export function ticks(low, high, count = 5) {
+// The smallest round number that divides a range into about `count` parts or fewer.
+function stepOf(low, high, count) {
   const rough = (high - low) / count || 1,
     ten = 10 ** Math.floor(Math.log10(rough));
-  const step = [1, 2, 5, 10].map((n) => n * ten).find((size) => size >= rough * 0.999);
-  const first = Math.ceil(low / step - 1e-9);
+  return [1, 2, 5, 10].map((n) => n * ten).find((size) => size >= rough * 0.999);
+}
+
+// Ticks of a linear axis: at most about `count`, at round numbers, inside the range.
+export function ticks(low, high, count = 5) {
+  const step = stepOf(low, high, count),
+    first = Math.ceil(low / step - 1e-9);
   return Array.from({ length: Math.max(0, Math.floor(high / step + 1e-9) - first + 1) }, (_, i) => (first + i) * step);
 }
 
@@ -145,8 +150,7 @@ export function rounded(low, high, least = 1e-9) {
     low -= 0.5 * least || 0.5;
     high += 0.5 * least || 0.5;
   }
-  const [a, b] = ticks(low, high, 4),
-    step = b - a || high - low;
+  const step = stepOf(low, high, 4);
   return [Math.floor(low / step + 1e-6) * step, Math.ceil(high / step - 1e-6) * step];
 }
 
