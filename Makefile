@@ -25,7 +25,7 @@ verify: .venv/.dev
 	$(BIN)/python -m laplace_core report verdicts --jobs 2 --check
 	$(BIN)/python -m laplace_core report detectors --check
 	$(BIN)/python -m pytest -m long
-	LENS_VIEWS=1000 $(BIN)/python -m pytest tests/browser/test_lens.py -k verdict_of_the_lens
+	LENS_VIEWS=1000 $(BIN)/python -m pytest tests/test_js.py
 
 bench: .venv/.dev
 	OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 $(BIN)/python -m bench
