@@ -3,6 +3,8 @@
 PYTHON ?= python3
 PORT ?= 8501
 BIN = .venv/bin
+# Node comes into .venv with pip; npm and what it starts look for it on the path.
+NPM = PATH="$(CURDIR)/$(BIN):$$PATH" npm
 
 .PHONY: app test verify bench lint clean
 
@@ -19,6 +21,7 @@ lint: .venv/.dev
 	$(BIN)/ruff format --check .
 	$(BIN)/lint-imports
 	$(BIN)/mypy laplace_core app
+	$(NPM) run --silent lint
 
 # What takes long: random views against an independent judge, detectors against ground truth, the lens on 1,000 views.
 verify: .venv/.dev
@@ -31,7 +34,7 @@ bench: .venv/.dev
 	OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 $(BIN)/python -m bench
 
 clean:
-	rm -rf .venv
+	rm -rf .venv node_modules
 
 .venv/.app: requirements.txt pyproject.toml
 	$(PYTHON) -m venv .venv
@@ -39,6 +42,7 @@ clean:
 	$(BIN)/python -m pip install --quiet --no-deps --editable .
 	touch $@
 
-.venv/.dev: .venv/.app requirements-dev.txt
+.venv/.dev: .venv/.app requirements-dev.txt package-lock.json
 	$(BIN)/python -m pip install --quiet -r requirements-dev.txt
+	$(NPM) ci --silent --no-audit --no-fund
 	touch $@

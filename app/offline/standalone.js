@@ -22,11 +22,15 @@ function sheet(canvas, font) {
   if (!width) return void 0;
   const size = { width: Math.round(width * dense), height: Math.round(height * dense) };
   if (canvas.width !== size.width || canvas.height !== size.height) Object.assign(canvas, size);
-  const context = canvas.getContext("2d");
+  const context = contextOf(canvas);
   context.setTransform(dense, 0, 0, dense, 0, 0);
   context.clearRect(0, 0, width, height);
   return { pen: canvasPen(context, font), width, height };
 }
+var contextOf = (canvas) => (
+  /** @type {CanvasRenderingContext2D} */
+  canvas.getContext("2d")
+);
 function canvasPen(context, font) {
   return {
     path(points, { stroke, width = 1, dash = [], fill, close } = {}) {
@@ -126,7 +130,7 @@ function svgPen(font, measure) {
 }
 function stepOf(low, high, count) {
   const rough = (high - low) / count || 1, ten = 10 ** Math.floor(Math.log10(rough));
-  return [1, 2, 5, 10].map((n) => n * ten).find((size) => size >= rough * 0.999);
+  return [1, 2, 5].map((n) => n * ten).find((size) => size >= rough * 0.999) ?? 10 * ten;
 }
 function ticks(low, high, count = 5) {
   const step = stepOf(low, high, count), first = Math.ceil(low / step - 1e-9);
@@ -150,7 +154,7 @@ function axes(pen, box, { x, y, across = [Number, Number], xTicks, yTicks, xTitl
   const X = (value) => box.x + (to(value) - left) / (right - left) * box.w;
   const Y = (value) => box.y + box.h - (value - y[0]) / (y[1] - y[0]) * box.h;
   const named = (list) => list.map((tick) => Array.isArray(tick) ? tick : [tick, short(tick)]);
-  for (const [value, words] of named(yTicks ?? ticks(...y))) {
+  for (const [value, words] of named(yTicks ?? ticks(y[0], y[1]))) {
     if (grid)
       pen.path(
         [
@@ -161,7 +165,7 @@ function axes(pen, box, { x, y, across = [Number, Number], xTicks, yTicks, xTitl
       );
     pen.text(words, box.x - 5, Y(value) + 4, { align: "right", colour: colours.soft, size: 10.5 });
   }
-  for (const [value, words] of named(xTicks ?? ticks(...x))) {
+  for (const [value, words] of named(xTicks ?? ticks(x[0], x[1]))) {
     if (grid)
       pen.path(
         [
@@ -187,11 +191,11 @@ function axes(pen, box, { x, y, across = [Number, Number], xTicks, yTicks, xTitl
   };
 }
 function rowTicks(labels, [low, high]) {
-  const stride = [1, 2, 5, 10, 20, 50, 100, 200, 500].find((n) => (high - low) / n <= 8);
+  const stride = [1, 2, 5, 10, 20, 50, 100, 200].find((n) => (high - low) / n <= 8) ?? 500;
   return Array.from({ length: Math.ceil(labels.length / stride) }, (_, i) => [
     i * stride,
     short(labels[i * stride])
-  ]).filter(([row]) => row >= low && row <= high);
+  ]).filter(([row]) => +row >= low && +row <= high);
 }
 var line = (pen, xs, ys, style) => pen.path(
   Array.from(ys, (y, i) => Number.isFinite(y) ? [xs[i], y] : null),
@@ -202,7 +206,12 @@ var SCALE = (() => {
   const zero = UNDER / (1 + UNDER), stops = [
     [0, "#ff3b3b"],
     [0.75 * zero, "#a11a4a"],
-    ...VIRIDIS.map((colour, i) => [zero + (1 - zero) * i / (VIRIDIS.length - 1), colour])
+    ...VIRIDIS.map(
+      (colour, i) => (
+        /** @type {[number, string]} */
+        [zero + (1 - zero) * i / (VIRIDIS.length - 1), colour]
+      )
+    )
   ];
   return Uint32Array.from({ length: 512 }, (_, i) => {
     const at = i / 511, next = Math.max(
@@ -222,7 +231,7 @@ var heatColour = (value, limit) => {
 function heatmap(canvas, values, n, width, limit) {
   canvas.width = width;
   canvas.height = n;
-  const context = canvas.getContext("2d"), image = context.createImageData(width, n), words = new Uint32Array(image.data.buffer);
+  const context = contextOf(canvas), image = context.createImageData(width, n), words = new Uint32Array(image.data.buffer);
   const factor = 511 / (limit * (1 + UNDER)), zero = 511 * UNDER / (1 + UNDER) + 0.5;
   for (let k = 0; k < n; k++) {
     for (let x = 0, at = (n - 1 - k) * width; x < width; x++, at++) {
@@ -475,7 +484,10 @@ function softened(sensitivities, share, open2) {
 // app/js/core/model.js
 function read(bytes) {
   const view = new DataView(bytes.buffer, bytes.byteOffset), length = view.getUint32(0, true);
-  const header = JSON.parse(new TextDecoder().decode(bytes.subarray(4, 4 + length))), arrays = {};
+  const header = JSON.parse(new TextDecoder().decode(bytes.subarray(4, 4 + length))), arrays = (
+    /** @type {Arrays} */
+    {}
+  );
   for (const [name, [kind, at, shape]] of Object.entries(header.arrays)) {
     const count = shape.reduce((a, b) => a * b, 1), size = { f8: 8, f4: 4, u2: 2 }[kind];
     const block = bytes.slice(4 + length + at, 4 + length + at + count * size).buffer;
@@ -486,21 +498,21 @@ function read(bytes) {
 function open(header, arrays) {
   const A = header.actions.length, K = header.steps, dt = header.time_step, H = arrays.thetas.length;
   const grid = (name) => {
-    const G = arrays[`${name}gammas`].length, r = arrays[`${name}s`].length;
-    const U = arrays[`${name}U`], found = {
+    const part = (kind) => arrays[name + kind], gammas = part("gammas"), s = part("s"), U = part("U"), G = gammas.length, r = s.length;
+    const found = {
       name,
       G,
       r,
       K,
       U,
-      gammas: arrays[`${name}gammas`],
-      s: arrays[`${name}s`],
-      V: arrays[`${name}V`],
+      gammas,
+      s,
+      V: part("V"),
       Ut: transposed(U, G, r),
       columns: {}
     };
     for (const kind of ["shared", "per_gamma"]) {
-      const W = arrays[name + kind];
+      const W = part(kind);
       if (W) found.columns[kind] = channels(found, W, A, arrays.rewards.length);
     }
     if (!name && arrays.differences) {
@@ -511,7 +523,8 @@ function open(header, arrays) {
     }
     return found;
   };
-  const model = {
+  const horizons = Float64Array.from({ length: K }, (_, k) => k * dt + (1 + dt) / 2);
+  return {
     header,
     A,
     K,
@@ -520,15 +533,14 @@ function open(header, arrays) {
     truth: Boolean(arrays.timeline),
     arrays,
     cache: {},
-    grids: { own: grid(""), ...arrays.paper_gammas ? { paper: grid("paper_") } : {} }
+    grids: { own: grid(""), ...arrays.paper_gammas ? { paper: grid("paper_") } : {} },
+    horizons,
+    sloped: Boolean(arrays.shared),
+    simulated: header.simulated && arrays.simulated_tails && arrays.simulated_lines ? simulation(header.simulated, arrays.simulated_tails, arrays.simulated_lines) : void 0,
+    length: Math.ceil(horizons[K - 1] - 1e-9)
   };
-  model.horizons = Float64Array.from({ length: K }, (_, k) => k * dt + (1 + dt) / 2);
-  model.sloped = Boolean(arrays.shared);
-  model.simulated = header.simulated && arrays.simulated_tails && simulation(header.simulated, arrays);
-  model.length = Math.ceil(model.horizons[K - 1] - 1e-9);
-  return model;
 }
-function simulation({ action, count }, { simulated_tails: tails, simulated_lines: lines }) {
+function simulation({ action, count }, tails, lines) {
   const length = lines.length / 5, [reward, rewardError, survival, survivalError, chance] = Array.from(
     { length: 5 },
     (_, i) => lines.subarray(i * length, (i + 1) * length)
@@ -552,9 +564,12 @@ function projections({ Ut, r, G }, each, width, sums) {
     constants: sums.map((x) => product(U, x, r, G, 1))
   });
   let late;
-  return Object.defineProperty(under(Ut), "late", {
-    get: () => late ??= under(Ut.map((_, i) => i % G === G - 1 ? 0 : Ut[i + 1]))
-  });
+  return (
+    /** @type {Components} */
+    Object.defineProperty(under(Ut), "late", {
+      get: () => late ??= under(Ut.map((_, i) => i % G === G - 1 ? 0 : Ut[i + 1]))
+    })
+  );
 }
 function channels(grid, values, A, width, constant) {
   const { G } = grid, each = Array.from({ length: A }, (_, a) => values.subarray(a * G * width, (a + 1) * G * width));
@@ -684,15 +699,16 @@ function timelineError(model, state, seen) {
   return 0.5 * off / Math.max(all, 0.05);
 }
 function see(model, state, most = Infinity) {
-  const { A, K, dt, cache, arrays } = model, grid = model.grids[state.paper_grid && model.grids.paper ? "paper" : "own"];
-  const columns = grid.columns[state.mixed && grid.columns.per_gamma ? "per_gamma" : "shared"];
+  const { A, K, dt, cache, arrays } = model, grid = state.paper_grid && model.grids.paper || model.grids.own;
+  const columns = state.mixed && grid.columns.per_gamma || grid.columns.shared;
   const open2 = Boolean(arrays.bin_edges);
-  const sensitivities = state.clip && arrays.clipped_thetas && !columns.plain ? arrays.clipped_thetas : arrays.thetas;
-  const thetas = open2 ? arrays.bin_edges : sensitivities, H = thetas.length - 1;
-  const midpoints = open2 ? arrays.bin_values : Float64Array.from({ length: H }, (_, h) => (thetas[h] + thetas[h + 1]) / 2);
+  const sensitivities = state.clip && !columns.plain && arrays.clipped_thetas || arrays.thetas;
+  const thetas = arrays.bin_edges ?? sensitivities, H = thetas.length - 1;
+  const midpoints = arrays.bin_values ?? Float64Array.from({ length: H }, (_, h) => (thetas[h] + thetas[h + 1]) / 2);
   const spaceKey = [state.slope, sensitivities === arrays.thetas];
   const M = model.truth ? remember(cache, "masses", spaceKey, () => masses(arrays.rewards, thetas, state.slope)) : null;
-  const soft = arrays.places && state.slope_share < 1 ? remember(cache, "soft", state.slope_share, () => softened(arrays.places, state.slope_share, open2)) : null;
+  const { places } = arrays;
+  const soft = places && state.slope_share < 1 ? remember(cache, "soft", state.slope_share, () => softened(places, state.slope_share, open2)) : null;
   const map = columns.plain ? soft?.map : M, width = columns.width;
   const drawn = () => noiseOf(model, grid, state.noise_seed);
   const hum = state.noise > 0 ? remember(cache, "noise", [grid.name, state.noise_seed], drawn) : null;
@@ -700,14 +716,13 @@ function see(model, state, most = Infinity) {
   const leftRow = rowAt(model, Math.max(0, state.horizon - state.used)), n = state.fold ? readRow + 1 : K;
   const means = map ? product(map, midpoints, width, H, 1) : midpoints;
   const plus = (x, y) => hum ? x.map((value, i) => value + state.noise * y[i]) : x;
-  const rescaled = state.normalise !== "none";
   const inComponents = state.shift ? columns.late : columns, humming = state.shift ? hum?.late : hum;
   const parts = Array.from({ length: A }, (_, a) => ({
     columns: inComponents.projected[a],
     hum: humming?.projected[a],
     mean: plus(
       product(inComponents.projected[a], means, grid.r, width, 1),
-      hum && product(humming.projected[a], midpoints, grid.r, H, 1)
+      humming && product(humming.projected[a], midpoints, grid.r, H, 1)
     ),
     constant: plus(inComponents.constants[a], humming?.constants[a])
   }));
@@ -743,13 +758,14 @@ function see(model, state, most = Infinity) {
   };
   const tauSpace = (part, inverse2) => {
     const rows = rawRows(part, inverse2);
-    if (rescaled) normalise(rows, survivalOf(part, inverse2), state.normalise, H, dt, roundingOf(part, inverse2));
+    if (state.normalise !== "none")
+      normalise(rows, survivalOf(part, inverse2), state.normalise, H, dt, roundingOf(part, inverse2));
     return rows;
   };
   const rewardsOf = (part, inverse2) => {
     if (state.normalise === "paper") return product(tauSpace(part, inverse2), midpoints, inverse2.n, H, 1);
     const rows = rowsOf(inverse2, part.mean, 1);
-    if (rescaled) normalise(rows, survivalOf(part, inverse2), "survival", 1, dt);
+    if (state.normalise !== "none") normalise(rows, survivalOf(part, inverse2), "survival", 1, dt);
     return rows;
   };
   const inverse = inverseOf(grid, state, n);
@@ -793,7 +809,7 @@ function see(model, state, most = Infinity) {
     values.map((line2) => line2[row]),
     scale
   );
-  const seen = {
+  const decoded = {
     grid,
     thetas,
     midpoints,
@@ -807,7 +823,6 @@ function see(model, state, most = Infinity) {
     survival,
     rewards,
     values,
-    masses: M,
     columns,
     map,
     hum,
@@ -818,13 +833,18 @@ function see(model, state, most = Infinity) {
     whole: !values[0].some(Number.isNaN),
     d
   };
-  if (model.truth) {
-    const truth = truthOf(model, state), optimumAt = (row) => values.map((_, a) => arrays.optimum[a * K + row]);
-    const best = greedy(optimumAt(leftRow));
-    Object.assign(seen, { truth, optimumAt, best, bestAt: (row) => greedy(optimumAt(row)) });
-    seen.regret = Math.max(...optimumAt(leftRow)) - optimumAt(leftRow)[seen.chosen];
-  }
-  return seen;
+  if (!M) return { ...decoded, masses: null };
+  const truth = truthOf(model, state), optimumAt = (row) => values.map((_, a) => arrays.optimum[a * K + row]);
+  const optimum = optimumAt(leftRow);
+  return {
+    ...decoded,
+    masses: M,
+    truth,
+    optimumAt,
+    best: greedy(optimum),
+    bestAt: (row) => greedy(optimumAt(row)),
+    regret: Math.max(...optimum) - optimum[decoded.chosen]
+  };
 }
 function normalise(rows, survival, how, width, dt, rounding) {
   for (let k = 0; k < survival.length; k++) {
@@ -860,10 +880,7 @@ function differencesOf(columns, grid, map, H, a, hum, noise) {
   const Z = map ? product(columns.values[a], map, grid.G, columns.width, H) : columns.values[a];
   return hum ? Z.map((value, i) => value + noise * hum.differences[a][i]) : Z;
 }
-var gammaSpace = ({ grid, columns, map, hum, H }, state) => (
-  // differences of the shown action, (G, bins)
-  differencesOf(columns, grid, map, H, state.action, hum, state.noise)
-);
+var gammaSpace = ({ grid, columns, map, hum, H }, state) => differencesOf(columns, grid, map, H, state.action, hum, state.noise);
 function weightsOf({ U, Ut, G, r }, state, inverse, target) {
   const weights = inverse.weights(target);
   if (!state.shift) return weights;
@@ -1103,7 +1120,7 @@ function sliders(model, base, wish) {
     shown[name] = (state) => {
       if (name === "noise") extra[0].disabled = !state.noise;
       const at = scale.of(state[name]), words = `${short(state[name], 4)}${unit ? ` ${unit}` : ""}`;
-      if (+input.value !== at) input.value = at;
+      if (+input.value !== at) input.value = String(at);
       if (output.value !== words) {
         output.value = words;
         input.setAttribute("aria-valuetext", words);
@@ -1144,7 +1161,7 @@ function switchboard(model, wish) {
     sizes(effects2) {
       for (const [name, found] of Object.entries(effects2)) {
         const moves = name === "constant" ? "" : found.size < 5e-4 ? "moves nothing here" : `moves ${short(found.size, 2)} probability`;
-        const more = found.on - found.off, told = found.on === void 0 || model.A === 1 ? "" : Math.abs(more) > 1e-6 ? `regret ${short(found.off)} → ${short(found.on)}` : "same choice";
+        const more = (found.on ?? NaN) - (found.off ?? NaN), told = found.on === void 0 || found.off === void 0 || model.A === 1 ? "" : Math.abs(more) > 1e-6 ? `regret ${short(found.off)} → ${short(found.on)}` : "same choice";
         shown[name].size.textContent = [moves, told].filter(Boolean).join(" · ");
         shown[name].size.classList.toggle("large", more > 1e-6 || found.size >= 0.05 && !(more < -1e-6));
       }
@@ -1162,7 +1179,13 @@ function toolbar(model, wish, told) {
   const looks = ["heatmap", "surface"].map((look) => button("chip", look, () => wish({ look }, true)));
   const rows = element(
     "select",
-    { "aria-label": "rows of tau-space", onchange: () => wish({ normalise: rows.value }, true) },
+    {
+      "aria-label": "rows of tau-space",
+      onchange: () => wish({ normalise: (
+        /** @type {State['normalise']} */
+        rows.value
+      ) }, true)
+    },
     ...[
       ["none", "rows as decoded"],
       ["survival", "rows given survival"],
@@ -1221,7 +1244,7 @@ function toolbar(model, wish, told) {
       chips.forEach((chip, a) => chip.setAttribute("aria-pressed", String(a === state.action)));
       looks.forEach((chip) => chip.setAttribute("aria-pressed", String(chip.textContent === state.look)));
       rows.value = state.normalise;
-      added.value = state.added;
+      added.value = String(state.added);
       undo.disabled = history.at <= 0;
       redo.disabled = history.at >= history.states.length - 1;
       pin.textContent = pinned ? "unpin A" : "pin as A";
@@ -1279,12 +1302,14 @@ var CAME_TRUE = "#d6336c";
 var BAND = "rgba(214,51,108,0.2)";
 var TAIL = 65535;
 var simulatedFor = ({ model, state }) => model.simulated?.action === state.action ? model.simulated : void 0;
-function stepAt({ simulated, dt }, row) {
+function stepAt(simulated, dt, row) {
   const step = Math.round(row * dt);
   return Math.abs(step - row * dt) < 1e-9 && step < simulated.length ? step : -1;
 }
 function simulatedRow(model, a, row) {
-  const { simulated, K } = model, step = simulated?.action === a ? stepAt(model, row) : -1;
+  const { simulated, K } = model;
+  if (!simulated || simulated.action !== a) return null;
+  const step = stepAt(simulated, model.dt, row);
   if (step < 0) return null;
   const { tails, width, length } = simulated, far = Math.round(K / 80), found = new Float64Array(width - 1);
   const first = Math.max(0, step - far), last = Math.min(length - 1, step + far);
@@ -1296,6 +1321,7 @@ function simulatedRow(model, a, row) {
   return found;
 }
 function distances({ simulated, dt }, { tau, thetas, H, n, open: open2 }) {
+  if (!simulated) return new Float64Array();
   const { tails, width, length } = simulated, out = new Float64Array(length).fill(NaN), low = new Float64Array(H + 1);
   if (width !== H + 1) return out;
   for (let step = 0; step < length; step++) {
@@ -1326,7 +1352,7 @@ function drawDistances(pen, scene, strip, Y) {
     colours
   } = scene, found = distancesOf(scene);
   const steps = [...found.keys()].filter((step) => Number.isFinite(found[step]));
-  if (!steps.length) return;
+  if (!simulated || !steps.length) return;
   const [, most] = rounded(0, Math.max(...steps.map((step) => Math.max(found[step], simulated.chance[step]))));
   const X = (value) => strip.x + strip.w * value / most, half = 0.5 / dt, { y, h } = strip;
   const area = (values) => [
@@ -1351,7 +1377,7 @@ function drawSimulated(pen, mean, error, { X, Y }) {
 }
 var simulatedWords = (scene) => {
   const found = simulatedFor(scene), far = found && distancesOf(scene).filter(Number.isFinite);
-  return far?.length ? ` ${found.count} simulated continuations are outlined; the distance to them is ${short(far.reduce((a, b) => a + b) / far.length)} reward on average.` : "";
+  return found && far?.length ? ` ${found.count} simulated continuations are outlined; the distance to them is ${short(far.reduce((a, b) => a + b) / far.length)} reward on average.` : "";
 };
 
 // app/js/lens/export.js
@@ -1398,7 +1424,7 @@ async function savePng(lens2) {
   const dense = 2, { colours } = lens2.scene, worlds = await worldOf(lens2, "png");
   const canvas = document.createElement("canvas"), high = heightOf(worlds.length + lens2.panels.length);
   Object.assign(canvas, { width: WIDE * dense, height: high * dense });
-  const context = canvas.getContext("2d"), pen = canvasPen(context, colours.font);
+  const context = contextOf(canvas), pen = canvasPen(context, colours.font);
   context.scale(dense, dense);
   context.fillStyle = colours.paper;
   context.fillRect(0, 0, WIDE, high);
@@ -1406,18 +1432,20 @@ async function savePng(lens2) {
   for (const address of worlds) {
     const image = Object.assign(new Image(), { src: address });
     await image.decode();
-    context.drawImage(image, ...place(0), SIZE.w, SIZE.h);
+    const [x, y] = place(0);
+    context.drawImage(image, x, y, SIZE.w, SIZE.h);
   }
   lens2.panels.forEach((each, i) => {
     context.save();
-    context.translate(...place(i + worlds.length));
+    const [x, y] = place(i + worlds.length);
+    context.translate(x, y);
     lens2.drawOne(pen, each, SIZE.w, SIZE.h);
     context.restore();
   });
-  canvas.toBlob((blob) => save(blob, `${nameOf(lens2)}.png`));
+  canvas.toBlob((blob) => blob && save(blob, `${nameOf(lens2)}.png`));
 }
 async function svgOf(lens2) {
-  const { colours } = lens2.scene, measure = canvasPen(document.createElement("canvas").getContext("2d"), colours.font).width;
+  const { colours } = lens2.scene, measure = canvasPen(contextOf(document.createElement("canvas")), colours.font).width;
   const worlds = await worldOf(lens2, "svg"), pen = svgPen(colours.font, measure), high = heightOf(worlds.length + lens2.panels.length);
   heading(pen, lens2);
   for (const address of worlds) {
@@ -1434,10 +1462,7 @@ async function svgOf(lens2) {
 var saveSvg = async (lens2) => save(await svgOf(lens2), `${nameOf(lens2)}.svg`, "image/svg+xml");
 function csvOf({ scene }) {
   const { model, seen, state } = scene, simulated = simulatedFor(scene), far = simulated && distancesOf(scene);
-  const came = (tau) => [
-    ...["reward", "rewardError", "survival", "survivalError"].map((name) => simulated[name][tau]),
-    far[tau]
-  ];
+  const came = (tau) => simulated && far ? [...["reward", "rewardError", "survival", "survivalError"].map((name) => simulated[name][tau]), far[tau]] : [];
   const quoted = (words) => `"${String(words).replace(/"/g, '""')}"`, names = model.header.actions, a = state.action;
   const head = [
     "tau",
@@ -1460,7 +1485,7 @@ function csvOf({ scene }) {
     ...seen.truth ? [seen.truth.rewards[a][k], seen.truth.survival[a][k]] : [],
     model.horizons[k],
     ...seen.values.map((line2) => line2[k]),
-    ...simulated ? came(k * model.dt) : [],
+    ...came(k * model.dt),
     ...seen.truth ? [quoted(names[seen.bestAt(k)])] : [],
     ...k < seen.n ? seen.tau.slice(k * seen.H, (k + 1) * seen.H) : Array(seen.H).fill("")
   ]);
@@ -1473,13 +1498,18 @@ function csvOf({ scene }) {
 var saveCsv = (lens2) => save(csvOf(lens2), `${nameOf(lens2)}.csv`, "text/csv");
 var HELD = '<script id="held" type="application/json">';
 function htmlOf({ told, scene: { model, state } }, still, template) {
+  const bytes = model.bytes ?? new Uint8Array();
   let text = "";
-  for (let i = 0; i < model.bytes.length; i += 8192) text += String.fromCharCode(...model.bytes.subarray(i, i + 8192));
+  for (let i = 0; i < bytes.length; i += 8192) text += String.fromCharCode(...bytes.subarray(i, i + 8192));
   const held = { state, base: told.base, still, payload: btoa(text) };
   return template.replace(HELD, (tag) => tag + JSON.stringify(held).replace(/</g, "\\u003c"));
 }
-var saveHtml = async (lens2) => lens2.scene.model.bytes && // none while a player runs through an episode
-save(htmlOf(lens2, (await worldOf(lens2, "svg"))[0], await lens2.told.template()), `${nameOf(lens2)}.html`, "text/html");
+var saveHtml = async (lens2) => {
+  const { template } = lens2.told;
+  if (!lens2.scene.model.bytes || !template) return;
+  const [still] = await worldOf(lens2, "svg");
+  save(htmlOf(lens2, still, await template()), `${nameOf(lens2)}.html`, "text/html");
+};
 
 // app/js/lens/hand.js
 var isSpace = (panel) => Boolean(panel.rows);
@@ -1504,6 +1534,7 @@ function listen(canvas, panel, scene, draw) {
   }
   function show(across, up) {
     const { scale } = canvas, { seen, model } = scene, { thetas, H } = seen, least = 8;
+    if (!scale || !panel.rows) return;
     const rows = panel.rows === "tau" ? model.K : seen.grid.G, sorted = (a, b) => [Math.min(a, b), Math.max(a, b)];
     const within = (ends, low, high) => sorted(...ends.map((end) => limited(end, low, high)));
     const theta = within(across.map(scale.toX), thetas[0], thetas[H]), row = within(up.map(scale.toY), -0.5, rows - 0.5);
@@ -1512,6 +1543,7 @@ function listen(canvas, panel, scene, draw) {
     draw();
   }
   function zoomBy(factor) {
+    if (!canvas.scale || !panel.rows) return;
     const { X, Y, box } = canvas.scale, { hover } = scene, row = hover[panel.rows];
     const place2 = (at, from, length) => [at - factor * (at - from), at + factor * (from + length - at)];
     show(
@@ -1533,7 +1565,9 @@ function listen(canvas, panel, scene, draw) {
       if (event.buttons) turn(event.movementX * 0.01, event.movementY * 0.01);
       return;
     }
-    const { scale } = canvas, { box } = scale, [x, y] = at;
+    const { scale } = canvas, [x, y] = at;
+    if (!scale) return;
+    const { box } = scale;
     const within = x >= box.x && x <= box.x + box.w && y >= box.y - 2 && y <= box.y + box.h + 2;
     point(within ? panel.point(scene, scale.toX(x), scale.toY(y)) : {});
   };
@@ -1556,7 +1590,7 @@ function listen(canvas, panel, scene, draw) {
       return;
     }
     const stepped = (name, by, count2) => limited((hover[name] ?? -1) + by * far, 0, count2 - 1);
-    if (!space) {
+    if (!panel.rows) {
       point({ tau: stepped("tau", across || up, model.K) });
       return;
     }
@@ -1595,16 +1629,16 @@ function titled(pen, w, words, note, { colours }, under = true) {
     pen.text(note, w - 4, beside ? 15 : 26, { size: beside ? 11 : 10.5, align: "right", colour: colours.soft });
 }
 function marked(pen, { box, X, Y }, { x, y }, colours) {
-  const lines = [];
-  if (X(x) >= box.x && X(x) <= box.x + box.w)
+  const across = x === void 0 ? NaN : X(x), up = y === void 0 ? NaN : Y(y), lines = [];
+  if (across >= box.x && across <= box.x + box.w)
     lines.push([
-      [X(x), box.y],
-      [X(x), box.y + box.h]
+      [across, box.y],
+      [across, box.y + box.h]
     ]);
-  if (Y(y) >= box.y && Y(y) <= box.y + box.h)
+  if (up >= box.y && up <= box.y + box.h)
     lines.push([
-      [box.x, Y(y)],
-      [box.x + box.w, Y(y)]
+      [box.x, up],
+      [box.x + box.w, up]
     ]);
   for (const each of lines) {
     pen.path(each, { stroke: colours.halo, width: 3 });
@@ -1781,8 +1815,8 @@ var tauPanel = {
   draw(pen, w, h, scene) {
     const { model, seen, hover, colours, images, resolution: resolution2 } = scene, limit = limitOfTau(scene);
     const values = model.dt === 1 ? seen.tau : seen.tau.map((value) => value / model.dt), { K, dt } = model;
-    const labels = Float64Array.from({ length: K }, (_, k) => k * dt), cell = hover.theta !== void 0 && hover.tau < seen.n;
-    const simulated = simulatedFor(scene), far = simulated && cell ? distancesOf(scene)[hover.tau * dt] : NaN, aside = simulated ? 42 : 0;
+    const labels = Float64Array.from({ length: K }, (_, k) => k * dt), { theta, tau } = hover, cell = theta !== void 0 && tau !== void 0 && tau < seen.n;
+    const simulated = simulatedFor(scene), far = simulated && cell ? distancesOf(scene)[tau * dt] : NaN, aside = simulated ? 42 : 0;
     const scale = drawSpace(pen, w, h, scene, {
       values,
       n: seen.n,
@@ -1794,7 +1828,7 @@ var tauPanel = {
       margin: { right: 84 + aside },
       image: "tau",
       version: seen.tau,
-      note: cell && hover.tau !== void 0 ? `θ ${rewardWords(seen, hover.theta)} · τ ${short(hover.tau * dt)} · p ${short(seen.tau[hover.tau * seen.H + columnAt(seen, hover.theta)] / dt)}${Number.isFinite(far) ? ` · W1 ${short(far)}` : ""}` : simulated ? `outlined: ${simulated.count} continuations` : scene.followed ? "white: what came" : "probability"
+      note: cell ? `θ ${rewardWords(seen, theta)} · τ ${short(tau * dt)} · p ${short(seen.tau[tau * seen.H + columnAt(seen, theta)] / dt)}${Number.isFinite(far) ? ` · W1 ${short(far)}` : ""}` : simulated ? `outlined: ${simulated.count} continuations` : scene.followed ? "white: what came" : "probability"
     });
     const { box, X, Y } = scale;
     if (seen.truth ? seen.masses : simulated) {
@@ -1994,7 +2028,7 @@ var valuesPanel = {
       strip(under + 12, (k) => best[k]);
       pen.text("best", box.x - 5, under + 21, { size: 10.5, align: "right", colour: colours.soft });
     }
-    const spots = K <= 8 ? [...horizons] : ticks(...x).filter((tick) => tick >= x[0]);
+    const spots = K <= 8 ? [...horizons] : ticks(x[0], x[1]).filter((tick) => tick >= x[0]);
     for (const tick of spots)
       pen.text(short(tick), X(tick), under + 36, { size: 10.5, align: "center", colour: colours.soft });
     pen.text(used ? "time to go (steps)" : "horizon T (steps)", box.x + box.w / 2, under + 50, {
@@ -2002,7 +2036,8 @@ var valuesPanel = {
       align: "center",
       colour: colours.soft
     });
-    for (const [row, dash] of [[seen.leftRow, [5, 4]], ...used ? [[seen.readRow, [1, 4]]] : []]) {
+    const rowsRead = [{ row: seen.leftRow, dash: [5, 4] }, ...used ? [{ row: seen.readRow, dash: [1, 4] }] : []];
+    for (const { row, dash } of rowsRead) {
       pen.path(
         [
           [xs[row], box.y],
@@ -2070,7 +2105,8 @@ var spectrumPanel = {
       );
       pen.path(disc(x, Y(Math.log10(s[i])), 3.2), { fill: factor > 0.5 ? colours.primary : NEUTRAL, close: true });
     });
-    const weights = hover.gamma !== void 0 ? factors.map((_, i) => Math.abs(U[hover.gamma * r + i])) : hover.tau !== void 0 ? factors.map((_, i) => Math.abs(V[hover.tau * r + i])) : null;
+    const { gamma, tau } = hover;
+    const weights = gamma !== void 0 ? factors.map((_, i) => Math.abs(U[gamma * r + i])) : tau !== void 0 ? factors.map((_, i) => Math.abs(V[tau * r + i])) : null;
     if (weights)
       line(
         pen,
@@ -2122,11 +2158,12 @@ var kernelPanel = {
       width: 1,
       close: true
     });
-    if (hover.gamma !== void 0)
+    const gamma = hover.gamma === void 0 ? void 0 : seen.grid.gammas[hover.gamma];
+    if (gamma !== void 0)
       line(
         pen,
         xs,
-        xs.map((_, k) => Y(seen.grid.gammas[hover.gamma] ** (k * dt))),
+        xs.map((_, k) => Y(gamma ** (k * dt))),
         { stroke: colours.mark, width: 1.2, dash: [3, 3] }
       );
     line(pen, xs, kernel2.actual.map(Y), { stroke: colours.primary, width: 2.2 });
@@ -2146,7 +2183,7 @@ var kernelPanel = {
   }
 };
 var CAME = "rgba(138,143,152,0.55)";
-var cameNote = ({ model, state, followed }) => followed.action === state.action ? "grey: what came" : `grey: what came after ${model.header.actions[followed.action]}`;
+var cameNote = ({ model, state }, followed) => followed.action === state.action ? "grey: what came" : `grey: what came after ${model.header.actions[followed.action]}`;
 var rewardsPanel = {
   name: "rewards",
   draw(pen, w, h, scene) {
@@ -2162,7 +2199,7 @@ var rewardsPanel = {
       pen,
       w,
       "expected reward and survival",
-      hover.tau < seen.n ? `τ ${short(hover.tau * dt)}: ${short(rewards[hover.tau])}, alive ${short(seen.survival[a][hover.tau] / dt)}` : Math.max(...seen.survival[a]) / dt > 1.05 ? "alive above 1: impossible" : seen.truth ? "grey: true" : simulated ? "red: simulated, ± 2 errors" : followed ? cameNote(scene) : "",
+      hover.tau !== void 0 && hover.tau < seen.n ? `τ ${short(hover.tau * dt)}: ${short(rewards[hover.tau])}, alive ${short(seen.survival[a][hover.tau] / dt)}` : Math.max(...seen.survival[a]) / dt > 1.05 ? "alive above 1: impossible" : seen.truth ? "grey: true" : simulated ? "red: simulated, ± 2 errors" : followed ? cameNote(scene, followed) : "",
       scene
     );
     const span = 1e-3 * (seen.thetas[seen.H] - seen.thetas[0]), scale = axes(pen, upper, { x, y: rounded(low, high, span), xTicks: [], yTitle: "E[r]", colours });
@@ -2269,7 +2306,7 @@ var fitPanel = {
       xTitle: "time constant of γ (steps)",
       yTitle: "(1 − γ) value",
       colours,
-      xTicks: ticks(...x, 4).filter((tick) => Number.isInteger(tick)).map((tick) => [tick, short(10 ** tick)])
+      xTicks: ticks(x[0], x[1], 4).filter((tick) => Number.isInteger(tick)).map((tick) => [tick, short(10 ** tick)])
     });
     const xs = Array.from(times, scale.X);
     given.forEach(
@@ -2528,7 +2565,7 @@ function plot(box) {
       if (!box.isConnected) resized.disconnect();
       else if (box.offsetParent) Plotly.Plots.resize(box);
     });
-    resized.observe(box.parentElement);
+    if (box.parentElement) resized.observe(box.parentElement);
     matchMedia("(prefers-color-scheme: dark)").addEventListener(
       "change",
       () => setTimeout(() => {
@@ -2543,7 +2580,11 @@ function plot(box) {
 
 // app/js/lens/world.js
 function worldPanel(report) {
-  const box = element("div", { class: "world laplace-chart", role: "group" });
+  const div = element("div", { class: "world laplace-chart", role: "group" });
+  const box = (
+    /** @type {ChartBox} */
+    div
+  );
   Object.assign(box, { clickable: true, report: (_, picked) => report(picked) });
   return {
     box,
@@ -2564,7 +2605,7 @@ var AT_REST = 2e7;
 function coloursOf(host) {
   const style = getComputedStyle(host), named = (name, other) => style.getPropertyValue(name).trim() || other;
   const text = style.color, primary = named("--st-primary-color", "#0b7285"), paper = named("--st-background-color", "#ffffff");
-  const light = (text.match(/\d+/g) ?? [0]).slice(0, 3).reduce((a, b) => a + +b, 0) > 382;
+  const light = (text.match(/\d+/g) ?? ["0"]).slice(0, 3).reduce((a, b) => a + +b, 0) > 382;
   return {
     text,
     primary,
@@ -2580,24 +2621,27 @@ function coloursOf(host) {
 var same = (a, b) => Object.keys(a).every((name) => name === "look" || name === "action" || a[name] === b?.[name]);
 function mount(root, model, told, report) {
   const host = element("div", { class: "laplace-lens" });
-  const scene = {
-    model,
-    state: told.state,
-    hover: {},
-    images: {},
-    zoom: {},
-    camera: { turn: -0.6, tilt: 0.75 },
-    ...told.kept?.scene
-  };
+  const scene = (
+    /** @type {Scene} */
+    {
+      model,
+      state: told.state,
+      hover: {},
+      images: {},
+      zoom: {},
+      camera: { turn: -0.6, tilt: 0.75 },
+      ...told.kept?.scene
+    }
+  );
   const history = { states: [told.state], at: 0 };
-  let { state } = told, seen, waiting, resting, later, playing, dragging = false, lastState, lastMost, sizedState, sizedModel;
+  let { state } = told, seen, waiting, resting, later, playing, dragging = false, lastState, lastMost, sizedState, sizedModel, uncoloured = true;
   root.replaceChildren(host);
   const saved = {
     scene,
     drawOne,
     panels: [],
     get verdict() {
-      return sentence.textContent;
+      return sentence.textContent ?? "";
     },
     get told() {
       return told;
@@ -2606,9 +2650,9 @@ function mount(root, model, told, report) {
   const files = [
     ["PNG", () => savePng(saved)],
     ["SVG", () => saveSvg(saved)],
-    ["CSV", () => saveCsv(saved)],
-    ...told.template ? [["HTML", () => saveHtml(saved)]] : []
+    ["CSV", () => saveCsv(saved)]
   ];
+  if (told.template) files.push(["HTML", () => saveHtml(saved)]);
   const sentence = element("p", {}), remedies = element("span", { class: "remedies" });
   const verdict = element("div", { class: "verdict" }, sentence, remedies), said = element("div", { class: "said", role: "status" });
   const tools = toolbar(model, wish, told), handles = sliders(model, told.base, wish), board = switchboard(model, wish);
@@ -2672,6 +2716,10 @@ function mount(root, model, told, report) {
     history.at = history.states.length - 1;
     tools.sync(state, history, told);
   }
+  function sweepButton(sign) {
+    const button = host.querySelector(".play");
+    if (button) button.textContent = sign;
+  }
   function play() {
     let began, from = Math.log10(Math.min(10, Math.max(1e-6, state.alpha))), way = -1;
     const step = (now) => {
@@ -2687,12 +2735,12 @@ function mount(root, model, told, report) {
       playing = requestAnimationFrame(step);
     };
     playing = requestAnimationFrame(step);
-    host.querySelector(".play").textContent = "❚❚";
+    sweepButton("❚❚");
   }
   function stop(release = true) {
     cancelAnimationFrame(playing);
     playing = void 0;
-    host.querySelector(".play").textContent = "▶";
+    sweepButton("▶");
     if (release) set(state, true);
   }
   function drawOne(pen, { panel }, w, h) {
@@ -2701,8 +2749,9 @@ function mount(root, model, told, report) {
       return null;
     }
     const scale = panel.draw(pen, w, h, scene);
-    if (scene.band?.panel === panel) {
-      const [[x, y], [x2, y2]] = [scene.band.from, scene.band.to];
+    const { band } = scene;
+    if (band && band.panel === panel) {
+      const [[x, y], [x2, y2]] = [band.from, band.to];
       pen.path(
         [
           [x, y],
@@ -2747,13 +2796,14 @@ function mount(root, model, told, report) {
       waiting = void 0;
       const began = performance.now();
       paint();
-      host.frames.push(performance.now() - began);
-      if (host.frames.length > 500) host.frames.shift();
+      frames.push(performance.now() - began);
+      if (frames.length > 500) frames.shift();
       clearTimeout(resting);
       resting = setTimeout(rest, REST);
     });
   }
-  host.frames = [];
+  const frames = host.frames = /** @type {number[]} */
+  [];
   function look(most) {
     if (lastState !== state || most > lastMost && !seen.whole) {
       seen = see(model, state, most);
@@ -2776,7 +2826,8 @@ function mount(root, model, told, report) {
   function paint() {
     if (!host.isConnected) return;
     look(dragging ? PER_FRAME : AT_REST);
-    scene.colours ??= coloursOf(host);
+    if (uncoloured) scene.colours = coloursOf(host);
+    uncoloured = false;
     for (const each of panels) {
       const { canvas } = each, found = sheet(canvas, scene.colours.font);
       if (found) canvas.scale = drawOne(found.pen, each, found.width, found.height) ?? canvas.scale;
@@ -2787,14 +2838,16 @@ function mount(root, model, told, report) {
     judge();
   }
   function judge() {
-    const heard = told.said && same(told.said.state, state), { tone, sentence: words } = heard ? told.said : judged(model, state, seen);
-    const buttons = heard ? told.said.remedies.map((label, i) => [label, () => report({ state, remedy: i })]) : [];
+    const heard = told.said && same(told.said.state, state) ? told.said : void 0, { tone, sentence: words } = heard ?? judged(model, state, seen);
+    const labels = heard?.remedies ?? [];
     const whole = `${WORDS[tone]}. ${words}`;
-    if (sentence.textContent === whole && remedies.children.length === buttons.length) return;
+    if (sentence.textContent === whole && remedies.children.length === labels.length) return;
     sentence.replaceChildren(element("b", {}, `${WORDS[tone]}.`), ` ${words}`);
     verdict.className = `verdict ${tone === "bad" || tone === "ok" ? tone : "warn"}`;
     remedies.replaceChildren(
-      ...buttons.map(([label, does]) => element("button", { type: "button", class: "remedy", onclick: does }, label))
+      ...labels.map(
+        (label, i) => element("button", { type: "button", class: "remedy", onclick: () => report({ state, remedy: i }) }, label)
+      )
     );
   }
   function rest() {
@@ -2808,14 +2861,14 @@ function mount(root, model, told, report) {
     if (said.textContent !== sentence.textContent) said.textContent = sentence.textContent;
   }
   const recolour = () => {
-    scene.colours = void 0;
+    uncoloured = true;
     draw();
   };
   host.addEventListener("transitionend", (event) => {
     if (event.target === host) recolour();
   });
   new ResizeObserver(draw).observe(host);
-  scene.world?.show(told.world);
+  if (told.world) scene.world?.show(told.world);
   draw();
   const controls = () => [...host.querySelectorAll("button, input, select, canvas")];
   const nameOf2 = (control) => `${control.className} ${control.name ?? ""} ${control.textContent}`;
@@ -2826,10 +2879,13 @@ function mount(root, model, told, report) {
     // Python has news: another model of the same shape, another state, or words about the present one.
     show(next, news, moved) {
       if (next.grids.own.G !== model.grids.own.G) Object.assign(scene, { hover: {}, zoom: {} });
-      if (next !== model) [model, scene.images, scene.pinnedOf, lastState] = [next, {}];
+      if (next !== model) {
+        [model, scene.images] = [next, {}];
+        scene.pinnedOf = lastState = void 0;
+      }
       told = { ...told, ...news };
       if (moved && JSON.stringify(told.state) !== JSON.stringify(state)) remember2(state = told.state);
-      scene.world?.show(told.world);
+      if (told.world) scene.world?.show(told.world);
       draw();
     },
     get lead() {
@@ -2869,4 +2925,4 @@ function standalone(held) {
   return mount(box, { ...read(bytes), id: "file" }, { ...held, payload: void 0 }, () => {
   });
 }
-standalone(JSON.parse(document.querySelector("#held").textContent));
+standalone(JSON.parse(document.querySelector("#held")?.textContent ?? ""));

@@ -1,5 +1,6 @@
 // A plotly figure drawn into a box and updated in place, so that zoom, camera and scroll survive. The box holds what is
 // wanted: `wanted` { figure, revision, name }, `clickable`, and `report(name, value)` for what is clicked.
+/** @import { ChartBox } from '../types.js' */
 import { plotly } from './plotly.js';
 
 // On opening, charts are drawn one at a time: the first is on screen before the last is computed. Updates do not wait.
@@ -44,6 +45,11 @@ const TO_SVG = {
   click: (plot) => window.Plotly.downloadImage(plot, { format: 'svg', filename: plot.dataset.name }),
 };
 
+/**
+ * Draws what a box wants, in turn.
+ * @param {ChartBox} box
+ * @returns {void}
+ */
 export function plot(box) {
   inTurn(box, async () => {
     const Plotly = await plotly();
@@ -73,7 +79,7 @@ export function plot(box) {
       if (!box.isConnected) resized.disconnect();
       else if (box.offsetParent) Plotly.Plots.resize(box);
     });
-    resized.observe(box.parentElement);
+    if (box.parentElement) resized.observe(box.parentElement);
     matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () =>
       setTimeout(() => {
         box.drawn = null;

@@ -1,6 +1,11 @@
 // One load of plotly.js for all charts of a page, as an ordinary script: a browser keeps the compiled code of those.
 let loading;
 
+/**
+ * Loads plotly.js once.
+ * @param {string} address
+ * @returns {Promise<any>}
+ */
 export function loadPlotly(address) {
   loading ??= new Promise((done, fail) => {
     const script = document.createElement('script');
@@ -12,5 +17,8 @@ export function loadPlotly(address) {
   return loading;
 }
 
-// The promise of plotly.js, once something has asked for it.
+/**
+ * The promise of plotly.js, once something has asked for it.
+ * @returns {Promise<any>}
+ */
 export const plotly = () => loading ?? Promise.reject(new Error('plotly.js was not asked for'));

@@ -1,4 +1,11 @@
 // A button that copies a text and says so.
+/** @import { Message } from '../types.js' */
+
+/**
+ * Shows a message of Streamlit.
+ * @param {Message} message
+ * @returns {void}
+ */
 export default function ({ data, parentElement }) {
   let button = parentElement.querySelector('button');
   if (!button) {

@@ -1,4 +1,5 @@
 // The mathematics of the lens: from a model and a state to everything that is drawn. Knows no page.
+/** @import { DecodedWithTruth, Effect, Kernel, Model, Resolution, Seen, State } from '../types.js' */
 import {
   ROUNDING,
   greedy,
@@ -19,6 +20,14 @@ export const FLOOR = 0.05; // below this decoded survival a conditional distribu
 
 // ---- reading
 
+/**
+ * How much of each row lies before a deadline.
+ * @param {number} horizon - in steps of the world
+ * @param {number} steps - K
+ * @param {number} softness - width of the deadline as a share of the horizon
+ * @param {number} [dt] - length of a row
+ * @returns {Float64Array} (K,), from 0 to 1
+ */
 export function deadlineWeights(horizon, steps, softness, dt = 1) {
   return Float64Array.from({ length: steps }, (_, k) => {
     const left = horizon - 0.5 - k * dt;
@@ -91,8 +100,14 @@ function truthOf(model, state) {
   };
 }
 
-// Share of the shown action's probability that its drawn rows have at the wrong step or reward, as
-// laplace_core.grades.timeline_error: each midpoint counts for the nearest reward, each row for the nearest step.
+/**
+ * The share of the shown action's probability that its rows have at the wrong step or reward, as
+ * laplace_core.grades.timeline_error: each midpoint counts for the nearest reward, each row for the nearest step.
+ * @param {Model} model
+ * @param {State} state
+ * @param {DecodedWithTruth} seen
+ * @returns {number} 0 is right; more than 1 is more than all that truly comes
+ */
 export function timelineError(model, state, seen) {
   const {
       dt,
@@ -153,24 +168,29 @@ export function timelineError(model, state, seen) {
 
 // ---- everything at once
 
-// What a state of the controls shows. `most` bounds the work on values over all horizons where every horizon has an
-// inverse of its own: beyond it some horizons are left out (NaN); 0 leaves all out but the one that is read.
+/**
+ * What a state of the controls shows.
+ * @param {Model} model
+ * @param {State} state
+ * @param {number} [most] - bounds the work on values over all horizons where every horizon has an inverse of its own:
+ *   beyond it some horizons are left out (NaN); 0 leaves all out but the one that is read
+ * @returns {Seen}
+ */
 export function see(model, state, most = Infinity) {
   const { A, K, dt, cache, arrays } = model,
-    grid = model.grids[state.paper_grid && model.grids.paper ? 'paper' : 'own'];
-  const columns = grid.columns[state.mixed && grid.columns.per_gamma ? 'per_gamma' : 'shared'];
+    grid = (state.paper_grid && model.grids.paper) || model.grids.own;
+  const columns = (state.mixed && grid.columns.per_gamma) || grid.columns.shared;
   const open = Boolean(arrays.bin_edges); // what lies beyond the sensitivities counts, in bins of its own
-  const sensitivities = state.clip && arrays.clipped_thetas && !columns.plain ? arrays.clipped_thetas : arrays.thetas;
-  const thetas = open ? arrays.bin_edges : sensitivities,
+  const sensitivities = (state.clip && !columns.plain && arrays.clipped_thetas) || arrays.thetas;
+  const thetas = arrays.bin_edges ?? sensitivities,
     H = thetas.length - 1; // edges of the bins, and how many bins
-  const midpoints = open
-    ? arrays.bin_values
-    : Float64Array.from({ length: H }, (_, h) => (thetas[h] + thetas[h + 1]) / 2);
+  const midpoints = arrays.bin_values ?? Float64Array.from({ length: H }, (_, h) => (thetas[h] + thetas[h + 1]) / 2);
   const spaceKey = [state.slope, sensitivities === arrays.thetas];
   const M = model.truth ? remember(cache, 'masses', spaceKey, () => masses(arrays.rewards, thetas, state.slope)) : null;
+  const { places } = arrays;
   const soft =
-    arrays.places && state.slope_share < 1
-      ? remember(cache, 'soft', state.slope_share, () => softened(arrays.places, state.slope_share, open))
+    places && state.slope_share < 1
+      ? remember(cache, 'soft', state.slope_share, () => softened(places, state.slope_share, open))
       : null;
   const map = columns.plain ? soft?.map : M,
     width = columns.width; // columns -> midpoints; null: they are the midpoints
@@ -182,7 +202,6 @@ export function see(model, state, most = Infinity) {
 
   const means = map ? product(map, midpoints, width, H, 1) : midpoints;
   const plus = (x, y) => (hum ? x.map((value, i) => value + state.noise * y[i]) : x);
-  const rescaled = state.normalise !== 'none';
   // Everything of one action that an inverse is applied to, in components.
   const inComponents = state.shift ? columns.late : columns,
     humming = state.shift ? hum?.late : hum;
@@ -191,7 +210,7 @@ export function see(model, state, most = Infinity) {
     hum: humming?.projected[a],
     mean: plus(
       product(inComponents.projected[a], means, grid.r, width, 1),
-      hum && product(humming.projected[a], midpoints, grid.r, H, 1),
+      humming && product(humming.projected[a], midpoints, grid.r, H, 1),
     ),
     constant: plus(inComponents.constants[a], humming?.constants[a]),
   }));
@@ -228,13 +247,14 @@ export function see(model, state, most = Infinity) {
   };
   const tauSpace = (part, inverse) => {
     const rows = rawRows(part, inverse);
-    if (rescaled) normalise(rows, survivalOf(part, inverse), state.normalise, H, dt, roundingOf(part, inverse));
+    if (state.normalise !== 'none')
+      normalise(rows, survivalOf(part, inverse), state.normalise, H, dt, roundingOf(part, inverse));
     return rows;
   };
   const rewardsOf = (part, inverse) => {
     if (state.normalise === 'paper') return product(tauSpace(part, inverse), midpoints, inverse.n, H, 1);
     const rows = rowsOf(inverse, part.mean, 1);
-    if (rescaled) normalise(rows, survivalOf(part, inverse), 'survival', 1, dt);
+    if (state.normalise !== 'none') normalise(rows, survivalOf(part, inverse), 'survival', 1, dt);
     return rows;
   };
 
@@ -281,7 +301,7 @@ export function see(model, state, most = Infinity) {
       values.map((line) => line[row]),
       scale,
     );
-  const seen = {
+  const decoded = {
     grid,
     thetas,
     midpoints,
@@ -295,7 +315,6 @@ export function see(model, state, most = Infinity) {
     survival,
     rewards,
     values,
-    masses: M,
     columns,
     map,
     hum,
@@ -306,16 +325,32 @@ export function see(model, state, most = Infinity) {
     whole: !values[0].some(Number.isNaN),
     d,
   };
-  if (model.truth) {
-    const truth = truthOf(model, state),
-      optimumAt = (row) => values.map((_, a) => arrays.optimum[a * K + row]);
-    const best = greedy(optimumAt(leftRow));
-    Object.assign(seen, { truth, optimumAt, best, bestAt: (row) => greedy(optimumAt(row)) });
-    seen.regret = Math.max(...optimumAt(leftRow)) - optimumAt(leftRow)[seen.chosen];
-  }
-  return seen;
+  if (!M) return { ...decoded, masses: null };
+  const truth = truthOf(model, state),
+    /** @type {(row: number) => number[]} */
+    optimumAt = (row) => values.map((_, a) => arrays.optimum[a * K + row]);
+  const optimum = optimumAt(leftRow);
+  return {
+    ...decoded,
+    masses: M,
+    truth,
+    optimumAt,
+    best: greedy(optimum),
+    bestAt: (row) => greedy(optimumAt(row)),
+    regret: Math.max(...optimum) - optimum[decoded.chosen],
+  };
 }
 
+/**
+ * Rescales rows in place: given survival, or to probability 1.
+ * @param {Float64Array} rows - (n, width)
+ * @param {Float64Array} survival - (n,)
+ * @param {'survival' | 'paper'} how
+ * @param {number} width
+ * @param {number} dt - length of a row
+ * @param {Float64Array} [rounding] - what a row holds at least that is not rounding, (n,)
+ * @returns {void}
+ */
 export function normalise(rows, survival, how, width, dt, rounding) {
   for (let k = 0; k < survival.length; k++) {
     const row = rows.subarray(k * width, (k + 1) * width);
@@ -361,8 +396,13 @@ function differencesOf(columns, grid, map, H, a, hum, noise) {
   return hum ? Z.map((value, i) => value + noise * hum.differences[a][i]) : Z;
 }
 
+/**
+ * Differences of gamma-space of the shown action.
+ * @param {Seen} seen
+ * @param {State} state
+ * @returns {Float64Array} (G, H)
+ */
 export const gammaSpace = ({ grid, columns, map, hum, H }, state) =>
-  // differences of the shown action, (G, bins)
   differencesOf(columns, grid, map, H, state.action, hum, state.noise);
 
 // Weights over the discounts in components, (r,): decoding values that are shifted by one is decoding by weights that
@@ -380,7 +420,13 @@ function weightsOf({ U, Ut, G, r }, state, inverse, target) {
   );
 }
 
-// What alpha and T really weigh each future step with, what they should, and how much noise it lets through.
+/**
+ * What alpha and T really weigh each future step with, what they should, and how much noise it lets through.
+ * @param {Model} model
+ * @param {State} state
+ * @param {Seen} seen
+ * @returns {Kernel}
+ */
 export function kernel(model, state, { grid, n, readRow, d, inverse }) {
   const { K } = model,
     { V, s, r } = grid,
@@ -401,7 +447,14 @@ export function kernel(model, state, { grid, n, readRow, d, inverse }) {
   };
 }
 
-// The averaging kernel: through which window of the true timeline row tau is seen, and its half width in steps.
+/**
+ * The averaging kernel: through which window of the true timeline a row is seen.
+ * @param {Model} model
+ * @param {State} state
+ * @param {Seen} seen
+ * @param {number} row
+ * @returns {Resolution}
+ */
 export function resolution(model, state, { grid, n, inverse }, row) {
   const { K, dt } = model,
     { V, s, r } = grid,
@@ -468,6 +521,12 @@ for (const [name, each] of Object.entries(SWITCHES)) {
   each.isOn ??= (state) => Boolean(state[name]);
 }
 
+/**
+ * Whether a model has what a switch switches.
+ * @param {Model} model
+ * @param {string} name
+ * @returns {boolean}
+ */
 export function available({ grids, arrays, truth }, name) {
   const own = grids.own.columns;
   return (
@@ -480,8 +539,14 @@ export function available({ grids, arrays, truth }, name) {
   );
 }
 
-// What a switch does to this picture: the probability that it adds to or takes from a row, in the worst row, and the
-// regret with and without it.
+/**
+ * What a switch does to this picture: the probability that it adds to or takes from a row, in the worst row, and the
+ * regret with and without it.
+ * @param {Model} model
+ * @param {State} state
+ * @param {string} name
+ * @returns {Effect}
+ */
 export function effect(model, state, name) {
   const rule = SWITCHES[name],
     least = 0; // of the values, only those of the horizon that is read

@@ -1,12 +1,19 @@
 // A payload as a model: what Python sent, in the components of its transforms.
+/** @import { Arrays, Components, Grid, Header, Model, Simulation } from '../types.js' */
 import { product, transposed } from './algebra.js';
 import { filled } from './network.js';
 
+/**
+ * A model of a payload.
+ * @param {Uint8Array} bytes - as app/lens/payload.py packs them
+ * @returns {Model & { bytes: Uint8Array }}
+ */
 export function read(bytes) {
   const view = new DataView(bytes.buffer, bytes.byteOffset),
     length = view.getUint32(0, true);
+  /** @type {Header} */
   const header = JSON.parse(new TextDecoder().decode(bytes.subarray(4, 4 + length))),
-    arrays = {};
+    arrays = /** @type {Arrays} */ ({});
   for (const [name, [kind, at, shape]] of Object.entries(header.arrays)) {
     const count = shape.reduce((a, b) => a * b, 1),
       size = { f8: 8, f4: 4, u2: 2 }[kind];
@@ -19,29 +26,39 @@ export function read(bytes) {
   return { ...open(header, arrays), bytes };
 }
 
+/**
+ * A model of the arrays of a payload.
+ * @param {Header} header
+ * @param {Arrays} arrays
+ * @returns {Model}
+ */
 function open(header, arrays) {
   const A = header.actions.length,
     K = header.steps,
     dt = header.time_step,
     H = arrays.thetas.length;
+  /** @type {(name: Grid['name']) => Grid} */
   const grid = (name) => {
-    const G = arrays[`${name}gammas`].length,
-      r = arrays[`${name}s`].length;
-    const U = arrays[`${name}U`],
-      found = {
-        name,
-        G,
-        r,
-        K,
-        U,
-        gammas: arrays[`${name}gammas`],
-        s: arrays[`${name}s`],
-        V: arrays[`${name}V`],
-        Ut: transposed(U, G, r),
-        columns: {},
-      };
+    const part = (kind) => arrays[name + kind],
+      gammas = part('gammas'),
+      s = part('s'),
+      U = part('U'),
+      G = gammas.length,
+      r = s.length;
+    const found = {
+      name,
+      G,
+      r,
+      K,
+      U,
+      gammas,
+      s,
+      V: part('V'),
+      Ut: transposed(U, G, r),
+      columns: /** @type {Grid['columns']} */ ({}),
+    };
     for (const kind of ['shared', 'per_gamma']) {
-      const W = arrays[name + kind];
+      const W = part(kind);
       if (W) found.columns[kind] = channels(found, W, A, arrays.rewards.length);
     }
     if (!name && arrays.differences) {
@@ -52,7 +69,8 @@ function open(header, arrays) {
     }
     return found;
   };
-  const model = {
+  const horizons = Float64Array.from({ length: K }, (_, k) => k * dt + (1 + dt) / 2);
+  return {
     header,
     A,
     K,
@@ -62,16 +80,23 @@ function open(header, arrays) {
     arrays,
     cache: {},
     grids: { own: grid(''), ...(arrays.paper_gammas ? { paper: grid('paper_') } : {}) },
+    horizons,
+    sloped: Boolean(arrays.shared),
+    simulated:
+      header.simulated && arrays.simulated_tails && arrays.simulated_lines
+        ? simulation(header.simulated, arrays.simulated_tails, arrays.simulated_lines)
+        : undefined,
+    length: Math.ceil(horizons[K - 1] - 1e-9),
   };
-  model.horizons = Float64Array.from({ length: K }, (_, k) => k * dt + (1 + dt) / 2);
-  model.sloped = Boolean(arrays.shared);
-  model.simulated = header.simulated && arrays.simulated_tails && simulation(header.simulated, arrays);
-  model.length = Math.ceil(model.horizons[K - 1] - 1e-9);
-  return model;
 }
 
-// The same model of another gamma-space at the trained discounts, of which nothing is simulated: differences
-// (A, G, bins) and constant channel (A, G).
+/**
+ * The same model of another gamma-space at the trained discounts; nothing of it is simulated.
+ * @param {Model} model
+ * @param {Float64Array} differences - (A, trained, bins)
+ * @param {Float64Array} constant - the constant channel, (A, trained)
+ * @returns {Model}
+ */
 export const remade = ({ header, arrays }, differences, constant) =>
   open(header, {
     ...arrays,
@@ -80,7 +105,14 @@ export const remade = ({ header, arrays }, differences, constant) =>
     simulated_tails: undefined,
   });
 
-function simulation({ action, count }, { simulated_tails: tails, simulated_lines: lines }) {
+/**
+ * What was simulated, line by line.
+ * @param {{ action: number, count: number }} header
+ * @param {Float64Array} tails - (N, width)
+ * @param {Float64Array} lines - (5, N)
+ * @returns {Simulation}
+ */
+function simulation({ action, count }, tails, lines) {
   const length = lines.length / 5,
     [reward, rewardError, survival, survivalError, chance] = Array.from({ length: 5 }, (_, i) =>
       lines.subarray(i * length, (i + 1) * length),
@@ -99,17 +131,26 @@ function simulation({ action, count }, { simulated_tails: tails, simulated_lines
   };
 }
 
-// Components of values over the discounts, (r, width) a time. `late` is what a decoder makes of them whose index was
-// raised before a row was stored: each discount goes through the row of the next one, and the last is lost.
+/**
+ * Values over the discounts in the components of a transform. `late` is what a decoder makes of them whose index was
+ * raised before a row was stored: each discount goes through the row of the next one, and the last is lost.
+ * @param {Pick<Grid, 'Ut' | 'r' | 'G'>} grid
+ * @param {Float64Array[]} each - (G, width) an action
+ * @param {number} width
+ * @param {Float64Array[]} sums - the constant channel, (G,) an action
+ * @returns {Components}
+ */
 export function projections({ Ut, r, G }, each, width, sums) {
   const under = (U) => ({
     projected: each.map((x) => product(U, x, r, G, width)),
     constants: sums.map((x) => product(U, x, r, G, 1)),
   });
   let late;
-  return Object.defineProperty(under(Ut), 'late', {
-    get: () => (late ??= under(Ut.map((_, i) => (i % G === G - 1 ? 0 : Ut[i + 1])))),
-  });
+  return /** @type {Components} */ (
+    Object.defineProperty(under(Ut), 'late', {
+      get: () => (late ??= under(Ut.map((_, i) => (i % G === G - 1 ? 0 : Ut[i + 1])))),
+    })
+  );
 }
 
 // Columns of gamma-space (one a reward, or one a bin) in the components of the transform.
@@ -126,7 +167,12 @@ function channels(grid, values, A, width, constant) {
   return Object.assign(projections(grid, each, width, steps), { width, values: each });
 }
 
-// Which row of the values belongs to a horizon, or to the time that is left of it.
+/**
+ * The row of the values that belongs to a horizon, or to the time that is left of it.
+ * @param {Model} model
+ * @param {number} horizon - in steps of the world
+ * @returns {number} from 0 to K - 1
+ */
 export function rowAt(model, horizon) {
   return Math.min(model.K - 1, Math.max(0, Math.ceil((horizon - (1 + model.dt) / 2) / model.dt - 0.5)));
 }

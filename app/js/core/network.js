@@ -1,5 +1,6 @@
 // What only a network's gamma-space can be asked for: discounts between those that were trained, and a softer slope.
 // Both are linear maps of what was learned (laplace_core/interpolation.py, laplace_core/encoding.py).
+/** @import { Arrays, Header, Model } from '../types.js' */
 import { masses, product } from './algebra.js';
 
 const logTime = (gamma) => Math.log(-1 / Math.log(gamma));
@@ -10,7 +11,13 @@ function weightsBetween(low, gamma, high) {
   return [((1 - share) * (1 - low)) / (1 - gamma), (share * (1 - high)) / (1 - gamma)];
 }
 
-// Values (A, trained, width), and those of the discounts that are added between.
+/**
+ * Values at the trained discounts, and at those that are added between.
+ * @param {Pick<Header, 'actions' | 'added'>} header
+ * @param {Pick<Arrays, 'gammas'>} arrays
+ * @param {Float64Array} values - (A, trained, width)
+ * @returns {Float64Array} (A, G, width)
+ */
 export function filled({ actions, added }, { gammas }, values) {
   if (!added) return values;
   const A = actions.length,
@@ -32,8 +39,12 @@ export function filled({ actions, added }, { gammas }, values) {
   return out;
 }
 
-// The most that interpolation misses of (1 - gamma) Q where a trained discount is left out, for each of them but the
-// outermost two; differences (G, bins) of one action.
+/**
+ * The most that interpolation misses of (1 - gamma) Q where a trained discount is left out.
+ * @param {Model} model
+ * @param {Float64Array} Z - differences of one action, (G, bins)
+ * @returns {Float64Array} of each trained discount but the outermost two
+ */
 export function leftOut({ header: { added }, arrays: { gammas } }, Z) {
   const every = added + 1,
     T = (gammas.length - 1) / every + 1,
@@ -51,8 +62,15 @@ export function leftOut({ header: { added }, arrays: { gammas } }, Z) {
   });
 }
 
-// A softer slope: `map`, what a difference leaves in each bin, (bins, bins), and `off`, the most that it misses of the
-// chance to lie above a threshold, for rewards across the middle gap. In an open end lies all that is beyond its edge.
+/**
+ * A softer slope as a linear map. It is off for rewards across the middle gap; an open end holds all that is beyond
+ * its edge.
+ * @param {Float64Array} sensitivities - on the axis of the activation, (H,)
+ * @param {number} share - of the trained slope, from 0 to 1
+ * @param {boolean} open - whether there are bins beyond the outermost sensitivities
+ * @returns {{ map: Float64Array, off: number }} what a difference leaves in each bin, (bins, bins), and the most that
+ *   it misses of the chance to lie above a threshold
+ */
 export function softened(sensitivities, share, open) {
   const last = sensitivities.length - 1,
     steep = Math.tan((Math.PI * share) / 2),

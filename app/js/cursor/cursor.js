@@ -1,15 +1,31 @@
 // A cursor over steps, dragged, stepped or played, over what the server sends once; Python hears where it comes to rest.
+/** @import { Message, Mounted, Stepper } from '../types.js' */
 import { element } from '../draw/elements.js';
 
 const REST = 250; // ms without a move before the server hears the step
 const HELD = 4; // payloads kept of each kind, across mounts; Python counts on as many
 const shelves = {};
 
+/**
+ * A button with words on it, and others that say what it does.
+ * @param {string} words
+ * @param {string} title
+ * @param {() => void} does
+ * @returns {HTMLButtonElement}
+ */
 export const button = (words, title, does) =>
   element('button', { type: 'button', title, 'aria-label': title, onclick: does }, words);
 
-// What Streamlit calls with every message, a small JSON and, if it is not held yet, a payload for `open`. While what is
-// `shown` stays the same, so does what `mount(host, opened, told, report)` made: { stop, place(step), news(told) }.
+/**
+ * What Streamlit calls with every message, a small JSON and, if it is not held yet, a payload for `open`. While what
+ * is `shown` stays the same, so does what `mount` made.
+ * @param {object} options
+ * @param {string} options.kind
+ * @param {(bytes: Uint8Array, id: string) => any} options.open
+ * @param {(host: HTMLElement, opened: any, told: any, report: (heard: object) => void) => Mounted} options.mount
+ * @param {(told: any) => string} [options.shown]
+ * @returns {(message: Message) => Promise<void>}
+ */
 export const component = ({ kind, open, mount, shown = (told) => told.id }) => {
   const shelf = (shelves[kind] ??= new Map()),
     mounted = new WeakMap();
@@ -48,7 +64,18 @@ export const component = ({ kind, open, mount, shown = (told) => told.id }) => {
   };
 };
 
-// The cursor from 0 to `last`; `show` draws its step. `bar` and `moves` are to be put somewhere.
+/**
+ * The cursor from 0 to `last`. `bar` and `moves` are to be put somewhere.
+ * @param {object} options
+ * @param {HTMLElement} options.host
+ * @param {{ at: number, seconds: number, id: string }} options.told - the step that it begins at, and seconds a step
+ * @param {number} options.last
+ * @param {string} options.name
+ * @param {string} options.label
+ * @param {() => void} options.show - draws its step
+ * @param {(heard: { step: number, id: string }) => void} options.report
+ * @returns {Stepper}
+ */
 export function stepper({ host, told, last, name, label, show, report }) {
   let step = Math.min(told.at, last),
     reported = step,
@@ -140,10 +167,10 @@ export function stepper({ host, told, last, name, label, show, report }) {
     over(canvas) {
       canvas.onpointerdown = (event) => {
         canvas.setPointerCapture(event.pointerId);
-        to(canvas.toStep(event.offsetX));
+        to(canvas.toStep?.(event.offsetX) ?? step);
       };
       canvas.onpointermove = (event) => {
-        if (event.buttons) to(canvas.toStep(event.offsetX));
+        if (event.buttons) to(canvas.toStep?.(event.offsetX) ?? step);
       };
     },
   };

@@ -1,11 +1,17 @@
 // The theta axis of the spaces: all columns are equally wide, as all rows are equally high, whatever they stand for. So
 // sensitivities that are close together around reward 0 and far apart at +-100 can all be seen.
+/** @import { Bins, Range } from '../types.js' */
 import { short, ticks } from './drawing.js';
 
 const APART = 34; // pixels between two labels
 
+/**
+ * The column that holds a reward.
+ * @param {Bins} seen
+ * @param {number} theta
+ * @returns {number} from 0 to H - 1
+ */
 export function columnAt({ thetas, H }, theta) {
-  // the column that holds theta
   let low = 0,
     high = H - 1;
   while (low < high) {
@@ -16,26 +22,47 @@ export function columnAt({ thetas, H }, theta) {
   return low;
 }
 
-// The reward under the cursor in words: an open end has one edge only.
+/**
+ * The reward under the cursor in words: an open end has one edge only.
+ * @param {Bins} seen
+ * @param {number} theta
+ * @returns {string}
+ */
 export function rewardWords(seen, theta) {
   const { thetas, H, open } = seen,
     h = columnAt(seen, theta);
   return open && !h ? `below ${short(thetas[1])}` : open && h === H - 1 ? `above ${short(thetas[h])}` : short(theta);
 }
 
-// Where a reward is drawn: one beyond the sensitivities in the middle of its open end.
+/**
+ * Where a reward is drawn: one beyond the sensitivities in the middle of its open end.
+ * @param {Bins} seen
+ * @param {number} reward
+ * @returns {number} in reward
+ */
 export function placeOf({ thetas, H, open }, reward) {
   if (open && reward < thetas[1]) return (thetas[0] + thetas[1]) / 2;
   return open && reward > thetas[H - 1] ? (thetas[H - 1] + thetas[H]) / 2 : reward;
 }
 
-// Columns from the left, with fractions, and back; beyond the outermost the outermost goes on.
+/**
+ * Columns from the left, with fractions; beyond the outermost the outermost goes on.
+ * @param {Bins} seen
+ * @param {number} theta
+ * @returns {number}
+ */
 export function acrossOf(seen, theta) {
   const h = columnAt(seen, theta),
     { thetas } = seen;
   return h + (theta - thetas[h]) / (thetas[h + 1] - thetas[h]);
 }
 
+/**
+ * The reward at so many columns from the left: the way back of `acrossOf`.
+ * @param {Bins} seen
+ * @param {number} across
+ * @returns {number}
+ */
 export function thetaOf({ thetas, H }, across) {
   const h = Math.min(H - 1, Math.max(0, Math.floor(across)));
   return thetas[h] + (across - h) * (thetas[h + 1] - thetas[h]);
@@ -46,7 +73,14 @@ function even({ thetas, H }) {
   return thetas.every((theta, h) => Math.abs(theta - thetas[0] - step * h) < 1e-3 * step);
 }
 
-// Labels of a range: evenly stepped where columns are, else 0 and powers of ten first, and others where they have room.
+/**
+ * Labels of a range: evenly stepped where columns are, else 0 and powers of ten first, and others where they have
+ * room.
+ * @param {Bins} seen
+ * @param {Range} range - in reward
+ * @param {number} width - in pixels
+ * @returns {number[]} in reward
+ */
 export function thetaTicks(seen, [first, last], width) {
   const { thetas, H, open } = seen,
     low = open ? Math.max(first, thetas[1]) : first,

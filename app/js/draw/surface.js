@@ -1,4 +1,5 @@
 // A space as a surface: a mesh seen from a camera that only the hand moves, drawn from the back to the front.
+/** @import { Box, Camera, Colours, Pen, Range } from '../types.js' */
 import { NEUTRAL, heatColour, short } from './drawing.js';
 
 const MOST = 46; // cells a side; larger spaces keep the largest value of each cell
@@ -17,8 +18,17 @@ function thinned(values, n, width) {
   return { out, rows, columns };
 }
 
-// `space` is { values, n, width, limit, x: [[place from 0 to 1, words]], y: [low, high], titles: [x, y],
-// truth: [[height of the row, row]] }.
+/**
+ * Draws a space as a surface.
+ * @param {Pen} pen
+ * @param {Box} box
+ * @param {{ values: Float64Array, n: number, width: number, limit: number, x: (number | string)[][], y: Range, titles:
+ *   string[], truth?: any[][] }} space - values (n, width), the value at the top of the scale, labels across at places
+ *   from 0 to 1, low and high end along, titles of both, and true rows, (width,) each, with their heights from 0 to 1
+ * @param {Camera} camera
+ * @param {Colours} colours
+ * @returns {void}
+ */
 export function drawSurface(pen, box, space, camera, colours) {
   const { out, rows, columns } = thinned(space.values, space.n, space.width),
     { turn, tilt } = camera;

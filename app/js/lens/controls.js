@@ -1,9 +1,17 @@
 // What moves the lens: native sliders, switches and buttons. They show a state and report a wish; they keep nothing.
+/** @import { Effect, Model, Places, Preset, State, Told, Wish } from '../types.js' */
 import { actionColour, short } from '../draw/drawing.js';
 import { element } from '../draw/elements.js';
 import { SWITCHES, available } from '../core/maths.js';
 
-// Two digits, or three where two would lead back to the same place: a key that moves nothing is a key that is stuck.
+/**
+ * Places that are evenly spaced in the logarithm. Values have two digits, or three where two would lead back to the
+ * same place: a key that moves nothing is a key that is stuck.
+ * @param {number} low
+ * @param {number} high
+ * @param {number} [perDecade]
+ * @returns {Places}
+ */
 export const logarithmic = (low, high, perDecade = 40) => {
   const count = Math.round(perDecade * Math.log10(high / low));
   const of = (value) => Math.round((count * Math.log10(Math.max(low, value) / low)) / Math.log10(high / low));
@@ -33,7 +41,11 @@ const near1 = {
   of: (value) => Math.round(((-Math.log10(1 - value) - 0.3) * 120) / 2.7),
 };
 
-// Name, label, unit, help, scale; a scale that depends on the world is a function of the model and the opening state.
+/**
+ * Name, label, unit, help, scale; a scale that depends on the world is a function of the model and the opening state.
+ * @type {[keyof State & string, string, string, string, Places | ((model: Model, base: State) => Places | false |
+ *   undefined)][]}
+ */
 export const SLIDERS = [
   [
     'alpha',
@@ -87,6 +99,13 @@ export const SLIDERS = [
   ],
 ];
 
+/**
+ * The sliders of a model.
+ * @param {Model} model
+ * @param {State} base - the opening state
+ * @param {Wish} wish
+ * @returns {{ box: HTMLElement, sync: (state: State) => void }}
+ */
 export function sliders(model, base, wish) {
   const box = element('div', { class: 'sliders' }),
     shown = {};
@@ -141,7 +160,7 @@ export function sliders(model, base, wish) {
       if (name === 'noise') extra[0].disabled = !state.noise;
       const at = scale.of(state[name]),
         words = `${short(state[name], 4)}${unit ? ` ${unit}` : ''}`;
-      if (+input.value !== at) input.value = at;
+      if (+input.value !== at) input.value = String(at);
       if (output.value !== words) {
         output.value = words;
         input.setAttribute('aria-valuetext', words);
@@ -151,6 +170,12 @@ export function sliders(model, base, wish) {
   return { box, sync: (state) => Object.values(shown).forEach((show) => show(state)) };
 }
 
+/**
+ * The switches of the artefacts, each with its size.
+ * @param {Model} model
+ * @param {Wish} wish
+ * @returns {{ box: HTMLElement, sync: (state: State) => void, sizes: (effects: Record<string, Effect>) => void }}
+ */
 export function switchboard(model, wish) {
   const box = element('div', { class: 'switches', role: 'group', 'aria-label': 'artefacts' }),
     shown = {};
@@ -192,9 +217,9 @@ export function switchboard(model, wish) {
             : found.size < 5e-4
               ? 'moves nothing here'
               : `moves ${short(found.size, 2)} probability`;
-        const more = found.on - found.off,
+        const more = (found.on ?? NaN) - (found.off ?? NaN),
           told =
-            found.on === undefined || model.A === 1
+            found.on === undefined || found.off === undefined || model.A === 1
               ? ''
               : Math.abs(more) > 1e-6
                 ? `regret ${short(found.off)} → ${short(found.on)}`
@@ -206,7 +231,13 @@ export function switchboard(model, wish) {
   };
 }
 
-// The row above the pictures: which action, how the spaces are drawn, what is done to rows, history, A, the link.
+/**
+ * The row above the pictures: which action, how the spaces are drawn, what is done to rows, history, A, the link.
+ * @param {Model} model
+ * @param {Wish} wish
+ * @param {Told} told
+ * @returns {{ box: HTMLElement, sync: (state: State, history: { states: State[], at: number }, told: Told) => void }}
+ */
 export function toolbar(model, wish, told) {
   const button = (kind, words, does, more) =>
     element('button', { type: 'button', class: kind, onclick: does, ...more }, words);
@@ -219,7 +250,10 @@ export function toolbar(model, wish, told) {
   const looks = ['heatmap', 'surface'].map((look) => button('chip', look, () => wish({ look }, true)));
   const rows = element(
     'select',
-    { 'aria-label': 'rows of tau-space', onchange: () => wish({ normalise: rows.value }, true) },
+    {
+      'aria-label': 'rows of tau-space',
+      onchange: () => wish({ normalise: /** @type {State['normalise']} */ (rows.value) }, true),
+    },
     ...[
       ['none', 'rows as decoded'],
       ['survival', 'rows given survival'],
@@ -282,7 +316,7 @@ export function toolbar(model, wish, told) {
       chips.forEach((chip, a) => chip.setAttribute('aria-pressed', String(a === state.action)));
       looks.forEach((chip) => chip.setAttribute('aria-pressed', String(chip.textContent === state.look)));
       rows.value = state.normalise;
-      added.value = state.added;
+      added.value = String(state.added);
       undo.disabled = history.at <= 0;
       redo.disabled = history.at >= history.states.length - 1;
       pin.textContent = pinned ? 'unpin A' : 'pin as A';
@@ -290,6 +324,13 @@ export function toolbar(model, wish, told) {
   };
 }
 
+/**
+ * The row below: examples, and files to save.
+ * @param {Preset[]} presets
+ * @param {[string, () => void][]} files - a name each, and what saves it
+ * @param {Wish} wish
+ * @returns {HTMLElement}
+ */
 export function footer(presets, files, wish) {
   const box = element('div', { class: 'footer' });
   if (presets.length)

@@ -1,4 +1,5 @@
 // The lens inside Streamlit: a message is a small JSON and, if the browser does not hold it yet, a payload.
+/** @import { Message } from '../types.js' */
 import { element } from '../draw/elements.js';
 import { mount, shapeOf } from './lens.js';
 import { modelOf } from './models.js';
@@ -20,6 +21,11 @@ function led(model, told) {
   return [shown, { ...told, ...news }];
 }
 
+/**
+ * Shows a message of Streamlit.
+ * @param {Message} message
+ * @returns {void}
+ */
 export default function ({ data, parentElement, setTriggerValue }) {
   const view = new DataView(data.buffer, data.byteOffset),
     length = view.getUint32(0, true);
@@ -41,8 +47,9 @@ export default function ({ data, parentElement, setTriggerValue }) {
     kept.lens.show(model, told, moved);
     return;
   }
-  let box = parentElement.querySelector('.laplace-lens-box');
-  if (!box) parentElement.append((box = element('div', { class: 'laplace-lens-box' })));
+  const there = /** @type {HTMLElement | null} */ (parentElement.querySelector('.laplace-lens-box')),
+    box = there ?? element('div', { class: 'laplace-lens-box' });
+  if (!there) parentElement.append(box);
   const last = released.get(name),
     state = last?.id === id && last.revision === revision ? last.state : message.state;
   const fresh = { id, revision, shape, world: model.header.world, report: setTriggerValue };

@@ -1,5 +1,6 @@
 // Taking the lens along, without a server: pictures of all panels, a table, and the lens itself as one file.
-import { canvasPen, escaped, short, svgPen } from '../draw/drawing.js';
+/** @import { Saved, Scene } from '../types.js' */
+import { canvasPen, contextOf, escaped, short, svgPen } from '../draw/drawing.js';
 import { distancesOf, simulatedFor } from './simulated.js';
 
 const SIZE = { w: 440, h: 260, gap: 16, head: 66, columns: 3 };
@@ -10,6 +11,13 @@ const place = (i) => [
 ];
 const heightOf = (count) => SIZE.head + Math.ceil(count / SIZE.columns) * (SIZE.h + SIZE.gap);
 
+/**
+ * Hands a file to the browser to be saved.
+ * @param {Blob | string} content
+ * @param {string} name
+ * @param {string} [type]
+ * @returns {void}
+ */
 export function save(content, name, type) {
   const link = document.createElement('a');
   link.href = URL.createObjectURL(content instanceof Blob ? content : new Blob([content], { type }));
@@ -51,6 +59,11 @@ function heading(pen, { verdict, scene: { model, state, colours } }) {
 // The world's graph as a picture, if there is one: it stands first.
 const worldOf = async (lens, format) => (lens.world ? [await lens.world.picture(format)] : []);
 
+/**
+ * Saves all pictures as one PNG.
+ * @param {Saved} lens
+ * @returns {Promise<void>}
+ */
 export async function savePng(lens) {
   const dense = 2,
     { colours } = lens.scene,
@@ -58,7 +71,7 @@ export async function savePng(lens) {
   const canvas = document.createElement('canvas'),
     high = heightOf(worlds.length + lens.panels.length);
   Object.assign(canvas, { width: WIDE * dense, height: high * dense });
-  const context = canvas.getContext('2d'),
+  const context = contextOf(canvas),
     pen = canvasPen(context, colours.font);
   context.scale(dense, dense);
   context.fillStyle = colours.paper;
@@ -67,20 +80,27 @@ export async function savePng(lens) {
   for (const address of worlds) {
     const image = Object.assign(new Image(), { src: address });
     await image.decode();
-    context.drawImage(image, ...place(0), SIZE.w, SIZE.h);
+    const [x, y] = place(0);
+    context.drawImage(image, x, y, SIZE.w, SIZE.h);
   }
   lens.panels.forEach((each, i) => {
     context.save();
-    context.translate(...place(i + worlds.length));
+    const [x, y] = place(i + worlds.length);
+    context.translate(x, y);
     lens.drawOne(pen, each, SIZE.w, SIZE.h);
     context.restore();
   });
-  canvas.toBlob((blob) => save(blob, `${nameOf(lens)}.png`));
+  canvas.toBlob((blob) => blob && save(blob, `${nameOf(lens)}.png`));
 }
 
+/**
+ * All pictures as one SVG.
+ * @param {Saved} lens
+ * @returns {Promise<string>}
+ */
 export async function svgOf(lens) {
   const { colours } = lens.scene,
-    measure = canvasPen(document.createElement('canvas').getContext('2d'), colours.font).width;
+    measure = canvasPen(contextOf(document.createElement('canvas')), colours.font).width;
   const worlds = await worldOf(lens, 'svg'),
     pen = svgPen(colours.font, measure),
     high = heightOf(worlds.length + lens.panels.length);
@@ -97,17 +117,27 @@ export async function svgOf(lens) {
   return `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${WIDE} ${high}" width="${WIDE}" height="${high}"><rect width="100%" height="100%" fill="${colours.paper}"/>${pen.parts.join('\n')}</svg>`;
 }
 
+/**
+ * Saves all pictures as one SVG.
+ * @param {Saved} lens
+ * @returns {Promise<void>}
+ */
 export const saveSvg = async (lens) => save(await svgOf(lens), `${nameOf(lens)}.svg`, 'image/svg+xml');
 
-// One row a future step: decoded and true reward and survival, the value of the horizon that ends there, tau-space.
+/**
+ * A table, one row a future step: decoded and true reward and survival, the value of the horizon that ends there,
+ * tau-space.
+ * @param {{ scene: Pick<Scene, 'model' | 'state' | 'seen' | 'images'> }} lens
+ * @returns {string} as CSV
+ */
 export function csvOf({ scene }) {
   const { model, seen, state } = scene,
     simulated = simulatedFor(scene),
     far = simulated && distancesOf(scene);
-  const came = (tau) => [
-    ...['reward', 'rewardError', 'survival', 'survivalError'].map((name) => simulated[name][tau]),
-    far[tau],
-  ];
+  const came = (tau) =>
+    simulated && far
+      ? [...['reward', 'rewardError', 'survival', 'survivalError'].map((name) => simulated[name][tau]), far[tau]]
+      : [];
   const quoted = (words) => `"${String(words).replace(/"/g, '""')}"`,
     names = model.header.actions,
     a = state.action;
@@ -132,7 +162,7 @@ export function csvOf({ scene }) {
     ...(seen.truth ? [seen.truth.rewards[a][k], seen.truth.survival[a][k]] : []),
     model.horizons[k],
     ...seen.values.map((line) => line[k]),
-    ...(simulated ? came(k * model.dt) : []),
+    ...came(k * model.dt),
     ...(seen.truth ? [quoted(names[seen.bestAt(k)])] : []),
     ...(k < seen.n ? seen.tau.slice(k * seen.H, (k + 1) * seen.H) : Array(seen.H).fill('')),
   ]);
@@ -143,17 +173,38 @@ export function csvOf({ scene }) {
   ].join('\n');
 }
 
+/**
+ * Saves the table.
+ * @param {Saved} lens
+ * @returns {void}
+ */
 export const saveCsv = (lens) => save(csvOf(lens), `${nameOf(lens)}.csv`, 'text/csv');
 
 const HELD = '<script id="held" type="application/json">';
 
+/**
+ * The lens in a file of its own.
+ * @param {Pick<Saved, 'told' | 'scene'>} lens
+ * @param {string | undefined} still - the address of a picture of the world
+ * @param {string} template - the page, as app/offline/page.html
+ * @returns {string} as HTML
+ */
 export function htmlOf({ told, scene: { model, state } }, still, template) {
+  const bytes = model.bytes ?? new Uint8Array();
   let text = '';
-  for (let i = 0; i < model.bytes.length; i += 8192) text += String.fromCharCode(...model.bytes.subarray(i, i + 8192));
+  for (let i = 0; i < bytes.length; i += 8192) text += String.fromCharCode(...bytes.subarray(i, i + 8192));
   const held = { state, base: told.base, still, payload: btoa(text) };
   return template.replace(HELD, (tag) => tag + JSON.stringify(held).replace(/</g, '\\u003c'));
 }
 
-export const saveHtml = async (lens) =>
-  lens.scene.model.bytes && // none while a player runs through an episode
-  save(htmlOf(lens, (await worldOf(lens, 'svg'))[0], await lens.told.template()), `${nameOf(lens)}.html`, 'text/html');
+/**
+ * Saves the lens in a file of its own; there is none while a player runs through an episode.
+ * @param {Saved} lens
+ * @returns {Promise<void>}
+ */
+export const saveHtml = async (lens) => {
+  const { template } = lens.told;
+  if (!lens.scene.model.bytes || !template) return;
+  const [still] = await worldOf(lens, 'svg');
+  save(htmlOf(lens, still, await template()), `${nameOf(lens)}.html`, 'text/html');
+};

@@ -1,13 +1,27 @@
 // What a hand does to the pictures themselves: pointing, zooming, turning, and the same by keys. It keeps its marks in
 // the scene (hover, band, zoom, camera) and asks for a new drawing.
+/** @import { Panel, Scene } from '../types.js' */
 
 import { acrossOf, thetaOf } from '../draw/columns.js';
 
+/**
+ * Whether a picture is one of the two that can be zoomed, or drawn as surfaces.
+ * @param {Panel} panel
+ * @returns {boolean}
+ */
 export const isSpace = (panel) => Boolean(panel.rows); // of the two that can be zoomed, or drawn as surfaces
 
 const limited = (value, low, high) => Math.min(high, Math.max(low, value));
 const KEYS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
 
+/**
+ * Listens to what a hand does on a picture.
+ * @param {HTMLCanvasElement} canvas
+ * @param {Panel} panel
+ * @param {Scene} scene
+ * @param {() => void} draw - asks for a new drawing
+ * @returns {void}
+ */
 export function listen(canvas, panel, scene, draw) {
   const space = isSpace(panel),
     solid = () => space && scene.state.look === 'surface';
@@ -38,6 +52,7 @@ export function listen(canvas, panel, scene, draw) {
       { seen, model } = scene,
       { thetas, H } = seen,
       least = 8;
+    if (!scale || !panel.rows) return; // not drawn yet
     const rows = panel.rows === 'tau' ? model.K : seen.grid.G,
       sorted = (a, b) => [Math.min(a, b), Math.max(a, b)];
     const within = (ends, low, high) => sorted(...ends.map((end) => limited(end, low, high)));
@@ -50,6 +65,7 @@ export function listen(canvas, panel, scene, draw) {
 
   function zoomBy(factor) {
     // around the cursor
+    if (!canvas.scale || !panel.rows) return; // not drawn yet
     const { X, Y, box } = canvas.scale,
       { hover } = scene,
       row = hover[panel.rows];
@@ -76,8 +92,9 @@ export function listen(canvas, panel, scene, draw) {
       return;
     }
     const { scale } = canvas,
-      { box } = scale,
       [x, y] = at;
+    if (!scale) return; // not drawn yet
+    const { box } = scale;
     const within = x >= box.x && x <= box.x + box.w && y >= box.y - 2 && y <= box.y + box.h + 2;
     point(within ? panel.point(scene, scale.toX(x), scale.toY(y)) : {});
   };
@@ -103,7 +120,7 @@ export function listen(canvas, panel, scene, draw) {
       return;
     }
     const stepped = (name, by, count) => limited((hover[name] ?? -1) + by * far, 0, count - 1);
-    if (!space) {
+    if (!panel.rows) {
       point({ tau: stepped('tau', across || up, model.K) });
       return;
     }

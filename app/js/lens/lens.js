@@ -1,4 +1,5 @@
 // The lens: one state, the pictures that it makes, and what is done to both. Python hears releases only.
+/** @import { Lens, Model, Released, Saved, Scene, Told } from '../types.js' */
 import { acrossOf, thetaTicks } from '../draw/columns.js';
 import { element } from '../draw/elements.js';
 import { footer, sliders, switchboard, toolbar } from './controls.js';
@@ -24,7 +25,7 @@ function coloursOf(host) {
   const text = style.color,
     primary = named('--st-primary-color', '#0b7285'),
     paper = named('--st-background-color', '#ffffff');
-  const light = (text.match(/\d+/g) ?? [0]).slice(0, 3).reduce((a, b) => a + +b, 0) > 382;
+  const light = (text.match(/\d+/g) ?? ['0']).slice(0, 3).reduce((a, b) => a + +b, 0) > 382;
   return {
     text,
     primary,
@@ -41,7 +42,11 @@ function coloursOf(host) {
 // States are equal where everything is that decides what is seen.
 const same = (a, b) => Object.keys(a).every((name) => name === 'look' || name === 'action' || a[name] === b?.[name]);
 
-// What controls are made from; models that share it may take each other's place under the hand.
+/**
+ * What controls are made from; models that share it may take each other's place under the hand.
+ * @param {Model} model
+ * @returns {string}
+ */
 export const shapeOf = ({ header, grids, arrays, sloped }) =>
   JSON.stringify([
     header.world,
@@ -55,10 +60,17 @@ export const shapeOf = ({ header, grids, arrays, sloped }) =>
     arrays.thetas.length,
   ]);
 
-// `told` is { state, base, presets, said, world, pin, live, template }; `report` hears { state, ... } on release.
+/**
+ * Puts a lens on the page.
+ * @param {HTMLElement} root
+ * @param {Model} model
+ * @param {Told} told
+ * @param {(heard: Released) => void} report - hears what is let go of
+ * @returns {Lens}
+ */
 export function mount(root, model, told, report) {
   const host = element('div', { class: 'laplace-lens' });
-  const scene = {
+  const scene = /** @type {Scene} */ ({
     model,
     state: told.state,
     hover: {},
@@ -66,7 +78,7 @@ export function mount(root, model, told, report) {
     zoom: {},
     camera: { turn: -0.6, tilt: 0.75 },
     ...told.kept?.scene,
-  };
+  });
   const history = { states: [told.state], at: 0 };
   let { state } = told,
     seen,
@@ -78,26 +90,29 @@ export function mount(root, model, told, report) {
     lastState,
     lastMost,
     sizedState, // what the sizes of the artefacts are of
-    sizedModel;
+    sizedModel,
+    uncoloured = true; // the page may have other colours now
   root.replaceChildren(host);
 
+  /** @type {Saved} */
   const saved = {
     scene,
     drawOne,
     panels: [],
     get verdict() {
-      return sentence.textContent;
+      return sentence.textContent ?? '';
     },
     get told() {
       return told;
     },
   };
+  /** @type {[string, () => void][]} */
   const files = [
     ['PNG', () => savePng(saved)],
     ['SVG', () => saveSvg(saved)],
     ['CSV', () => saveCsv(saved)],
-    ...(told.template ? [['HTML', () => saveHtml(saved)]] : []),
   ];
+  if (told.template) files.push(['HTML', () => saveHtml(saved)]);
   const sentence = element('p', {}),
     remedies = element('span', { class: 'remedies' });
   const verdict = element('div', { class: 'verdict' }, sentence, remedies),
@@ -171,6 +186,11 @@ export function mount(root, model, told, report) {
     tools.sync(state, history, told);
   }
 
+  function sweepButton(sign) {
+    const button = host.querySelector('.play');
+    if (button) button.textContent = sign;
+  }
+
   function play() {
     let began,
       from = Math.log10(Math.min(10, Math.max(1e-6, state.alpha))),
@@ -188,13 +208,13 @@ export function mount(root, model, told, report) {
       playing = requestAnimationFrame(step);
     };
     playing = requestAnimationFrame(step);
-    host.querySelector('.play').textContent = '❚❚';
+    sweepButton('❚❚');
   }
 
   function stop(release = true) {
     cancelAnimationFrame(playing);
     playing = undefined;
-    host.querySelector('.play').textContent = '▶';
+    sweepButton('▶');
     if (release) set(state, true);
   }
 
@@ -206,8 +226,9 @@ export function mount(root, model, told, report) {
       return null;
     }
     const scale = panel.draw(pen, w, h, scene);
-    if (scene.band?.panel === panel) {
-      const [[x, y], [x2, y2]] = [scene.band.from, scene.band.to];
+    const { band } = scene;
+    if (band && band.panel === panel) {
+      const [[x, y], [x2, y2]] = [band.from, band.to];
       pen.path(
         [
           [x, y],
@@ -258,13 +279,13 @@ export function mount(root, model, told, report) {
       waiting = undefined;
       const began = performance.now();
       paint();
-      host.frames.push(performance.now() - began);
-      if (host.frames.length > 500) host.frames.shift();
+      frames.push(performance.now() - began);
+      if (frames.length > 500) frames.shift();
       clearTimeout(resting);
       resting = setTimeout(rest, REST);
     });
   }
-  host.frames = [];
+  const frames = (host.frames = /** @type {number[]} */ ([]));
 
   function look(most) {
     if (lastState !== state || (most > lastMost && !seen.whole)) {
@@ -289,7 +310,8 @@ export function mount(root, model, told, report) {
   function paint() {
     if (!host.isConnected) return;
     look(dragging ? PER_FRAME : AT_REST);
-    scene.colours ??= coloursOf(host);
+    if (uncoloured) scene.colours = coloursOf(host);
+    uncoloured = false;
     for (const each of panels) {
       const { canvas } = each,
         found = sheet(canvas, scene.colours.font);
@@ -303,15 +325,17 @@ export function mount(root, model, told, report) {
 
   // The library's verdict where it speaks of this very state; else what the lens sees itself.
   function judge() {
-    const heard = told.said && same(told.said.state, state),
-      { tone, sentence: words } = heard ? told.said : judged(model, state, seen);
-    const buttons = heard ? told.said.remedies.map((label, i) => [label, () => report({ state, remedy: i })]) : [];
+    const heard = told.said && same(told.said.state, state) ? told.said : undefined,
+      { tone, sentence: words } = heard ?? judged(model, state, seen);
+    const labels = heard?.remedies ?? [];
     const whole = `${WORDS[tone]}. ${words}`;
-    if (sentence.textContent === whole && remedies.children.length === buttons.length) return;
+    if (sentence.textContent === whole && remedies.children.length === labels.length) return;
     sentence.replaceChildren(element('b', {}, `${WORDS[tone]}.`), ` ${words}`);
     verdict.className = `verdict ${tone === 'bad' || tone === 'ok' ? tone : 'warn'}`;
     remedies.replaceChildren(
-      ...buttons.map(([label, does]) => element('button', { type: 'button', class: 'remedy', onclick: does }, label)),
+      ...labels.map((label, i) =>
+        element('button', { type: 'button', class: 'remedy', onclick: () => report({ state, remedy: i }) }, label),
+      ),
     );
   }
 
@@ -327,15 +351,16 @@ export function mount(root, model, told, report) {
   }
 
   const recolour = () => {
-    scene.colours = undefined;
+    uncoloured = true;
     draw();
   };
   host.addEventListener('transitionend', (event) => {
     if (event.target === host) recolour();
   }); // its colour follows the theme
   new ResizeObserver(draw).observe(host);
-  scene.world?.show(told.world);
+  if (told.world) scene.world?.show(told.world);
   draw();
+  /** @returns {any[]} controls of all kinds */
   const controls = () => [...host.querySelectorAll('button, input, select, canvas')];
   const nameOf = (control) => `${control.className} ${control.name ?? ''} ${control.textContent}`;
   controls()
@@ -349,10 +374,13 @@ export function mount(root, model, told, report) {
       // Python has news: another model of the same shape, another state, or words about the present one.
       show(next, news, moved) {
         if (next.grids.own.G !== model.grids.own.G) Object.assign(scene, { hover: {}, zoom: {} }); // other rows
-        if (next !== model) [model, scene.images, scene.pinnedOf, lastState] = [next, {}];
+        if (next !== model) {
+          [model, scene.images] = [next, {}];
+          scene.pinnedOf = lastState = undefined;
+        }
         told = { ...told, ...news };
         if (moved && JSON.stringify(told.state) !== JSON.stringify(state)) remember((state = told.state));
-        scene.world?.show(told.world);
+        if (told.world) scene.world?.show(told.world);
         draw();
       },
       get lead() {

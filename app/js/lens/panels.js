@@ -1,5 +1,6 @@
 // The pictures of the lens. Each draws itself with a pen into a box and says in words what it shows.
 // `scene` is { model, state, seen, pinned, hover, colours, kernel, resolution, images }.
+/** @import { Panel, Told } from '../types.js' */
 import { NEUTRAL, actionColour, axes, line, rounded, short, ticks } from '../draw/drawing.js';
 import { GHOST, disc, inside, marked, titled } from '../draw/frame.js';
 import { gammaSpace } from '../core/maths.js';
@@ -7,6 +8,7 @@ import { drawSimulated, simulatedFor } from './simulated.js';
 import { gammaPanel, isAdded, tauPanel } from './spaces.js';
 import { valuesPanel } from './values.js';
 
+/** @type {Panel} */
 export const spectrumPanel = {
   name: 'spectrum',
   draw(pen, w, h, scene) {
@@ -53,11 +55,12 @@ export const spectrumPanel = {
       );
       pen.path(disc(x, Y(Math.log10(s[i])), 3.2), { fill: factor > 0.5 ? colours.primary : NEUTRAL, close: true });
     });
+    const { gamma, tau } = hover;
     const weights =
-      hover.gamma !== undefined
-        ? factors.map((_, i) => Math.abs(U[hover.gamma * r + i]))
-        : hover.tau !== undefined
-          ? factors.map((_, i) => Math.abs(V[hover.tau * r + i]))
+      gamma !== undefined
+        ? factors.map((_, i) => Math.abs(U[gamma * r + i]))
+        : tau !== undefined
+          ? factors.map((_, i) => Math.abs(V[tau * r + i]))
           : null;
     if (weights)
       line(
@@ -85,6 +88,7 @@ export const spectrumPanel = {
     `Alpha ${short(state.alpha)} lets ${seen.grid.s.filter((value) => value > state.alpha).length} of them through by more than half.`,
 };
 
+/** @type {Panel} */
 export const kernelPanel = {
   name: 'kernel',
   draw(pen, w, h, scene) {
@@ -118,11 +122,12 @@ export const kernelPanel = {
       width: 1,
       close: true,
     });
-    if (hover.gamma !== undefined)
+    const gamma = hover.gamma === undefined ? undefined : seen.grid.gammas[hover.gamma];
+    if (gamma !== undefined)
       line(
         pen,
         xs,
-        xs.map((_, k) => Y(seen.grid.gammas[hover.gamma] ** (k * dt))),
+        xs.map((_, k) => Y(gamma ** (k * dt))),
         { stroke: colours.mark, width: 1.2, dash: [3, 3] },
       );
     line(pen, xs, kernel.actual.map(Y), { stroke: colours.primary, width: 2.2 });
@@ -144,11 +149,12 @@ export const kernelPanel = {
 };
 
 const CAME = 'rgba(138,143,152,0.55)';
-const cameNote = ({ model, state, followed }) =>
+const cameNote = ({ model, state }, followed) =>
   followed.action === state.action
     ? 'grey: what came'
     : `grey: what came after ${model.header.actions[followed.action]}`;
 
+/** @type {Panel} */
 export const rewardsPanel = {
   name: 'rewards',
   draw(pen, w, h, scene) {
@@ -173,7 +179,7 @@ export const rewardsPanel = {
       pen,
       w,
       'expected reward and survival',
-      hover.tau < seen.n
+      hover.tau !== undefined && hover.tau < seen.n
         ? `τ ${short(hover.tau * dt)}: ${short(rewards[hover.tau])}, alive ${short(seen.survival[a][hover.tau] / dt)}`
         : Math.max(...seen.survival[a]) / dt > 1.05
           ? 'alive above 1: impossible'
@@ -182,7 +188,7 @@ export const rewardsPanel = {
             : simulated
               ? 'red: simulated, ± 2 errors'
               : followed
-                ? cameNote(scene)
+                ? cameNote(scene, followed)
                 : '',
       scene,
     );
@@ -282,7 +288,11 @@ export const rewardsPanel = {
   },
 };
 
-// Whether the decoded timeline explains the gamma-space that it came from: (1 - gamma) times the value at each discount.
+/**
+ * Whether the decoded timeline explains the gamma-space that it came from: (1 - gamma) times the value at each
+ * discount.
+ * @type {Panel}
+ */
 export const fitPanel = {
   name: 'fit',
   draw(pen, w, h, scene) {
@@ -309,7 +319,7 @@ export const fitPanel = {
       xTitle: 'time constant of γ (steps)',
       yTitle: '(1 − γ) value',
       colours,
-      xTicks: ticks(...x, 4)
+      xTicks: ticks(x[0], x[1], 4)
         .filter((tick) => Number.isInteger(tick))
         .map((tick) => [tick, short(10 ** tick)]),
     });
@@ -355,7 +365,11 @@ function fitOf({ state, seen, images, model }) {
   return images.fit;
 }
 
-// Without a world to draw, its place shows whether the inverse explains what was learned.
+/**
+ * The pictures in their order. Without a world to draw, its place shows whether the inverse explains what was learned.
+ * @param {Pick<Told, 'world' | 'still'>} told
+ * @returns {Panel[]}
+ */
 export const panelsOf = ({ world, still }) => [
   ...(world || still ? [] : [fitPanel]),
   gammaPanel,

@@ -1,24 +1,36 @@
 // What simulated continuations of the state came to, and how far tau-space is off from it. Whole steps, no rescaling.
+/** @import { Box, Model, ModelAndState, Pen, Scale, Scene, Seen, Simulation } from '../types.js' */
 import { line, rounded, short } from '../draw/drawing.js';
 
 export const CAME_TRUE = '#d6336c';
 const BAND = 'rgba(214,51,108,0.2)',
   TAIL = 65535; // levels of a probability
 
-// Those of the shown action; undefined where there are none.
+/**
+ * What was simulated of the shown action; undefined where there is nothing.
+ * @param {ModelAndState} scene
+ * @returns {Simulation | undefined}
+ */
 export const simulatedFor = ({ model, state }) =>
   model.simulated?.action === state.action ? model.simulated : undefined;
 
 // The step that belongs to a row, or -1 between two steps.
-function stepAt({ simulated, dt }, row) {
+function stepAt(simulated, dt, row) {
   const step = Math.round(row * dt);
   return Math.abs(step - row * dt) < 1e-9 && step < simulated.length ? step : -1;
 }
 
-// Probabilities of a row's cells, (bins,), averaged with its neighbours, since continuations are few; null where none is left.
+/**
+ * Probabilities of a row's bins, averaged with its neighbours, since continuations are few; null where none is left.
+ * @param {Model} model
+ * @param {number} a
+ * @param {number} row
+ * @returns {Float64Array | null} (bins,)
+ */
 export function simulatedRow(model, a, row) {
-  const { simulated, K } = model,
-    step = simulated?.action === a ? stepAt(model, row) : -1;
+  const { simulated, K } = model;
+  if (!simulated || simulated.action !== a) return null;
+  const step = stepAt(simulated, model.dt, row);
   if (step < 0) return null;
   const { tails, width, length } = simulated,
     far = Math.round(K / 80),
@@ -33,9 +45,15 @@ export function simulatedRow(model, a, row) {
   return found;
 }
 
-// W1 of each step's reward between the picture and the simulation, in reward, as laplace_core.encoding.reward_distance;
-// NaN where the picture has no row. What lies beyond the sensitivities counts at them: open ends have no width.
+/**
+ * W1 of each step's reward between the picture and the simulation, as laplace_core.encoding.reward_distance. What lies
+ * beyond the sensitivities counts at them: open ends have no width.
+ * @param {Model} model
+ * @param {Seen} seen
+ * @returns {Float64Array} (N,), in reward; NaN where the picture has no row; empty where nothing is simulated
+ */
 export function distances({ simulated, dt }, { tau, thetas, H, n, open }) {
+  if (!simulated) return new Float64Array();
   const { tails, width, length } = simulated,
     out = new Float64Array(length).fill(NaN),
     low = new Float64Array(H + 1);
@@ -63,13 +81,24 @@ export function distances({ simulated, dt }, { tau, thetas, H, n, open }) {
   return out;
 }
 
+/**
+ * Those distances of the picture that is shown.
+ * @param {Pick<Scene, 'model' | 'seen' | 'images'>} scene
+ * @returns {Float64Array} (N,), in reward
+ */
 export function distancesOf({ model, seen, images }) {
-  // of the picture that is shown
   if (images.distancesFor !== seen) Object.assign(images, { distances: distances(model, seen), distancesFor: seen });
   return images.distances;
 }
 
-// Beside tau-space, on its axis: W1 of every step, and in grey what few continuations alone would make of it.
+/**
+ * Draws beside tau-space, on its axis, W1 of every step, and in grey what few continuations alone would make of it.
+ * @param {Pen} pen
+ * @param {Scene} scene
+ * @param {Box} strip
+ * @param {(row: number) => number} Y
+ * @returns {void}
+ */
 export function drawDistances(pen, scene, strip, Y) {
   const {
       model: { simulated, dt },
@@ -77,7 +106,7 @@ export function drawDistances(pen, scene, strip, Y) {
     } = scene,
     found = distancesOf(scene);
   const steps = [...found.keys()].filter((step) => Number.isFinite(found[step]));
-  if (!steps.length) return;
+  if (!simulated || !steps.length) return;
   const [, most] = rounded(0, Math.max(...steps.map((step) => Math.max(found[step], simulated.chance[step]))));
   const X = (value) => strip.x + (strip.w * value) / most,
     half = 0.5 / dt,
@@ -99,7 +128,14 @@ export function drawDistances(pen, scene, strip, Y) {
   pen.text('W1', strip.x + strip.w / 2, y + h + 27, { size: 11, align: 'center', colour: colours.text });
 }
 
-// A simulated line with a band of two standard errors.
+/**
+ * Draws a simulated line with a band of two standard errors.
+ * @param {Pen} pen
+ * @param {Float64Array} mean - (N,)
+ * @param {Float64Array} error - (N,)
+ * @param {Scale} scale
+ * @returns {void}
+ */
 export function drawSimulated(pen, mean, error, { X, Y }) {
   const xs = Array.from(mean, (_, step) => X(step)),
     edge = (side) => Array.from(mean, (value, step) => [xs[step], Y(value + side * error[step])]);
@@ -107,10 +143,15 @@ export function drawSimulated(pen, mean, error, { X, Y }) {
   line(pen, xs, mean.map(Y), { stroke: CAME_TRUE, width: 1.4 });
 }
 
+/**
+ * What is simulated, in words; nothing where nothing is.
+ * @param {Pick<Scene, 'model' | 'state' | 'seen' | 'images'>} scene
+ * @returns {string}
+ */
 export const simulatedWords = (scene) => {
   const found = simulatedFor(scene),
     far = found && distancesOf(scene).filter(Number.isFinite);
-  return far?.length
+  return found && far?.length
     ? ` ${found.count} simulated continuations are outlined; the distance to them is ${short(far.reduce((a, b) => a + b) / far.length)} reward on average.`
     : '';
 };

@@ -1,4 +1,5 @@
 // Gamma-space and tau-space as maps.
+/** @import { Panel, Range, Scene, Seen } from '../types.js' */
 import { acrossOf, columnAt, placeOf, rewardWords, thetaOf, thetaTicks } from '../draw/columns.js';
 import { NEUTRAL, axes, colourBar, heatmap, rowTicks, short } from '../draw/drawing.js';
 import { inside, marked, titled, top } from '../draw/frame.js';
@@ -9,9 +10,20 @@ import { distancesOf, drawDistances, simulatedFor, simulatedRow, simulatedWords 
 const TRUTH = { stroke: '#ffffff', width: 1.5 },
   HALO = { stroke: '#111111', width: 3.5 };
 
+/**
+ * Low and high end of what is drawn of theta.
+ * @param {Seen} seen
+ * @returns {Range} in reward
+ */
 export const thetaRange = ({ thetas }) => [thetas[0], thetas[thetas.length - 1]];
 
-// True rows of an action, smeared by the activation, (H,) each; null where nothing is left. Few rewards share a row.
+/**
+ * The true row of an action, smeared by the activation; null where nothing is left. Few rewards share a row.
+ * @param {Pick<Scene, 'model' | 'seen'>} scene
+ * @param {number} a
+ * @param {number} k
+ * @returns {Float64Array | null} (H,)
+ */
 export function trueRow({ model, seen }, a, k) {
   if (!seen.truth) return simulatedRow(model, a, k);
   const { masses, H } = seen,
@@ -27,7 +39,11 @@ export function trueRow({ model, seen }, a, k) {
   return row;
 }
 
-// Top of the colour scale: the truth's own peak, which knows the encoding, but not alpha or T.
+/**
+ * The top of the colour scale: the truth's own peak, which knows the encoding, but not alpha or T.
+ * @param {Scene} scene
+ * @returns {number} a probability
+ */
 export const limitOfTau = (scene) => {
   const { model, seen, images } = scene;
   if (!seen.truth) return top(seen.tau.map(Math.abs)) / model.dt || 1;
@@ -78,6 +94,12 @@ function drawSpace(pen, w, h, scene, { values, n, rows, limit, title, note, yTit
   return scale;
 }
 
+/**
+ * Whether a discount was added between trained ones.
+ * @param {Pick<Scene, 'model'>} scene
+ * @param {number} gamma - its index
+ * @returns {boolean}
+ */
 export const isAdded = ({ model }, gamma) => Boolean(model.header.added && gamma % (model.header.added + 1));
 
 // What interpolation misses at each trained discount that is left out; null where nothing is interpolated.
@@ -88,6 +110,7 @@ function missed({ model, seen, state, images }) {
   return images.missed;
 }
 
+/** @type {Panel} */
 export const gammaPanel = {
   name: 'gamma-space',
   rows: 'gamma',
@@ -202,6 +225,7 @@ function outline(scene) {
   return found;
 }
 
+/** @type {Panel} */
 export const tauPanel = {
   name: 'tau-space',
   rows: 'tau',
@@ -211,9 +235,10 @@ export const tauPanel = {
     const values = model.dt === 1 ? seen.tau : seen.tau.map((value) => value / model.dt),
       { K, dt } = model;
     const labels = Float64Array.from({ length: K }, (_, k) => k * dt),
-      cell = hover.theta !== undefined && hover.tau < seen.n;
+      { theta, tau } = hover,
+      cell = theta !== undefined && tau !== undefined && tau < seen.n;
     const simulated = simulatedFor(scene),
-      far = simulated && cell ? distancesOf(scene)[hover.tau * dt] : NaN,
+      far = simulated && cell ? distancesOf(scene)[tau * dt] : NaN,
       aside = simulated ? 42 : 0;
     const scale = drawSpace(pen, w, h, scene, {
       values,
@@ -226,14 +251,13 @@ export const tauPanel = {
       margin: { right: 84 + aside },
       image: 'tau',
       version: seen.tau,
-      note:
-        cell && hover.tau !== undefined
-          ? `θ ${rewardWords(seen, hover.theta)} · τ ${short(hover.tau * dt)} · p ${short(seen.tau[hover.tau * seen.H + columnAt(seen, hover.theta)] / dt)}${Number.isFinite(far) ? ` · W1 ${short(far)}` : ''}`
-          : simulated
-            ? `outlined: ${simulated.count} continuations`
-            : scene.followed
-              ? 'white: what came'
-              : 'probability',
+      note: cell
+        ? `θ ${rewardWords(seen, theta)} · τ ${short(tau * dt)} · p ${short(seen.tau[tau * seen.H + columnAt(seen, theta)] / dt)}${Number.isFinite(far) ? ` · W1 ${short(far)}` : ''}`
+        : simulated
+          ? `outlined: ${simulated.count} continuations`
+          : scene.followed
+            ? 'white: what came'
+            : 'probability',
     });
     const { box, X, Y } = scale;
     if (seen.truth ? seen.masses : simulated) {

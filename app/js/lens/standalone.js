@@ -9,4 +9,4 @@ function standalone(held) {
   return mount(box, { ...read(bytes), id: 'file' }, { ...held, payload: undefined }, () => {});
 }
 
-standalone(JSON.parse(document.querySelector('#held').textContent));
+standalone(JSON.parse(document.querySelector('#held')?.textContent ?? ''));

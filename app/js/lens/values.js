@@ -1,4 +1,5 @@
 // The value of each action over the horizon, and which one is chosen.
+/** @import { Model, Panel, Seen } from '../types.js' */
 import { tieSize } from '../core/algebra.js';
 import { actionColour, axes, line, rounded, short, ticks } from '../draw/drawing.js';
 import { GHOST, disc, inside, leastSpan, marked, titled } from '../draw/frame.js';
@@ -33,6 +34,7 @@ function legendOf(pen, { model, seen, state }, w) {
   return inOrder.length === names.length ? inOrder : laid(new Set([...first, ...names.keys()]));
 }
 
+/** @type {Panel} */
 export const valuesPanel = {
   name: 'values',
   draw(pen, w, h, scene) {
@@ -136,7 +138,7 @@ export const valuesPanel = {
       strip(under + 12, (k) => best[k]);
       pen.text('best', box.x - 5, under + 21, { size: 10.5, align: 'right', colour: colours.soft });
     }
-    const spots = K <= 8 ? [...horizons] : ticks(...x).filter((tick) => tick >= x[0]);
+    const spots = K <= 8 ? [...horizons] : ticks(x[0], x[1]).filter((tick) => tick >= x[0]);
     for (const tick of spots)
       pen.text(short(tick), X(tick), under + 36, { size: 10.5, align: 'center', colour: colours.soft });
     pen.text(used ? 'time to go (steps)' : 'horizon T (steps)', box.x + box.w / 2, under + 50, {
@@ -144,7 +146,8 @@ export const valuesPanel = {
       align: 'center',
       colour: colours.soft,
     });
-    for (const [row, dash] of [[seen.leftRow, [5, 4]], ...(used ? [[seen.readRow, [1, 4]]] : [])]) {
+    const rowsRead = [{ row: seen.leftRow, dash: [5, 4] }, ...(used ? [{ row: seen.readRow, dash: [1, 4] }] : [])];
+    for (const { row, dash } of rowsRead) {
       pen.path(
         [
           [xs[row], box.y],
@@ -164,7 +167,12 @@ export const valuesPanel = {
     `Chosen: ${model.header.actions[seen.chosen]}.${seen.truth ? ` Best: ${model.header.actions[seen.best]}; ${short(seen.regret)} is lost.` : ''} The two leading lines cross ${crossings(model, seen).length} times.`,
 };
 
-// Where the leading action changes hands: T and value at the crossing of the two lines.
+/**
+ * Where the leading action changes hands.
+ * @param {Model} model
+ * @param {Seen} seen
+ * @returns {number[][]} T and value at each crossing of two lines
+ */
 export function crossings({ horizons, K }, { values, chosenAt }) {
   const found = [],
     rows = [...Array(K).keys()].filter((k) => Number.isFinite(values[0][k]));

@@ -1,5 +1,6 @@
 // The sentence over the pictures: what the values choose, whether that is right, and what is to blame. The library says
 // the same on release, and why (laplace_core.verdict); this is what holds while a hand moves.
+/** @import { Effect, Model, Seen, State, Verdict } from '../types.js' */
 import { short } from '../draw/drawing.js';
 import { ROUNDING, tieSize } from '../core/algebra.js';
 import { SWITCHES, available, effect, timelineError } from '../core/maths.js';
@@ -38,7 +39,13 @@ function numbers(values, scale, chosen, names) {
   return ` (${first} v ${second}${values.length > 2 ? ` for ${names[rival]}` : ''})`;
 }
 
-// { tone, sentence } of what is seen; where there is a truth, the largest error of a value and that of the timeline.
+/**
+ * The verdict on what is seen; where there is a truth, with the largest error of a value and that of the timeline.
+ * @param {Model} model
+ * @param {State} state
+ * @param {Seen} seen
+ * @returns {Verdict}
+ */
 export function judged(model, state, seen) {
   const names = model.header.actions,
     row = seen.readRow,
@@ -97,7 +104,12 @@ export function judged(model, state, seen) {
   return { tone, error, timeline, sentence: `${choice}, and no action is better.${but}${rows}` };
 }
 
-// What every switch does here, by name.
+/**
+ * What every switch does here, by name.
+ * @param {Model} model
+ * @param {State} state
+ * @returns {Record<string, Effect>}
+ */
 export const effects = (model, state) =>
   Object.fromEntries(
     Object.keys(SWITCHES)

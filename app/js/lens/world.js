@@ -1,9 +1,17 @@
 // The world of the lens as a graph, drawn by plotly from a figure of the library; a click looks from another state.
+/** @import { ChartBox, WorldPanel } from '../types.js' */
 import { element } from '../draw/elements.js';
 import { plot } from '../chart/plot.js';
 
+/**
+ * The graph of the world.
+ * @param {(picked: number) => void} report - hears the state that is clicked
+ * @returns {WorldPanel}
+ */
 export function worldPanel(report) {
-  const box = element('div', { class: 'world laplace-chart', role: 'group' });
+  /** @type {HTMLElement} */
+  const div = element('div', { class: 'world laplace-chart', role: 'group' });
+  const box = /** @type {ChartBox} */ (div);
   Object.assign(box, { clickable: true, report: (_, picked) => report(picked) });
   return {
     box,

@@ -1,7 +1,10 @@
 // The pictures of an agent without a gamma-space follow the cursor: what app/figures/returns.py draws at rest.
+/** @import { ChartBox, Range, Reel } from '../types.js' */
 import { short } from '../draw/drawing.js';
 
 const TAIL = 0.002; // mass at either end of a law that the axis need not reach
+
+/** @type {(name: string) => ChartBox | null} */
 const boxOf = (name) => document.querySelector(`.laplace-chart[data-name="${name}"]`);
 
 // Places and masses of what was said of the return after an action.
@@ -40,6 +43,12 @@ function staircase({ places }, below, low, high) {
   return { x: [...x, high], y: [...y, last] };
 }
 
+/**
+ * What was said of the return of each action at a step: staircases of P(return at most x), and then the means.
+ * @param {Required<Pick<Reel, 'locations' | 'masses' | 'actions' | 'steps'>>} reel
+ * @param {number} step
+ * @returns {{ x: number[][], y: number[][], range: Range }} a line each, and the range of x, in reward
+ */
 export function lawsAt(reel, step) {
   const laws = Array.from({ length: reel.actions }, (_, a) => lawAt(reel, step, a)),
     below = laws.map(belowOf);
@@ -79,6 +88,12 @@ const cursor = (at) => ({ 'shapes[0].x0': at, 'shapes[0].x1': at });
 
 let wanted; // the step to be drawn with the next frame: a hand is faster than plotly
 
+/**
+ * Draws a step with the next frame.
+ * @param {Reel} reel
+ * @param {number} step
+ * @returns {void}
+ */
 export function follow(reel, step) {
   if (!wanted)
     requestAnimationFrame(() => {

@@ -140,7 +140,7 @@ function mount(host, reel, told, report) {
       frame.src = url = URL.createObjectURL(new Blob([picture], { type: 'image/jpeg' }));
       if (old) setTimeout(() => URL.revokeObjectURL(old), 500);
     }
-    at.bar.value = step;
+    at.bar.value = String(step);
     where.textContent = `step ${step} of ${last}`;
     here.textContent = flags?.names.filter((_, i) => flags.marks[step] & (1 << i)).join(' · ') ?? '';
     [reel.rewards[step], returns[step], reel.predicted[step], reel.received[step], reel.surprise[step]].forEach(

@@ -54,7 +54,7 @@ function mount(host, race, told, report) {
   function show() {
     const { step } = at;
     lanes.forEach((one) => one.at(step));
-    at.bar.value = step;
+    at.bar.value = String(step);
     at.bar.setAttribute('aria-valuetext', `${step} of ${race.horizon} steps`);
     where.textContent = `step ${step} of ${race.horizon}`;
     const lead = returnAfter(sides[1], step) - returnAfter(sides[0], step);
@@ -136,7 +136,7 @@ function course(pen, w, h, { sides, horizon, parting, last }, told, step, colour
     const [from, to] = [Math.min(0, ...all), Math.max(0, ...all)];
     return to - from > 1e-6 ? rounded(from, to) : [-1, 1];
   };
-  const whole = ticks(...x, Math.max(3, Math.min(10, w / 90))).filter((t) => Number.isInteger(t));
+  const whole = ticks(x[0], x[1], Math.max(3, Math.min(10, w / 90))).filter((t) => Number.isInteger(t));
   const y = range(sides.flatMap((side) => side.returns)),
     below = range(differences);
   const top = axes(pen, upper, { x, y, xTicks: whole.map((t) => [t, '']), yTitle: 'return', colours });
