@@ -1,7 +1,7 @@
-// The shapes of what the modules hand to each other. Sizes: A actions, G discounts, H bins between the sensitivities (in
-// `Seen`; in `Model` H is the number of sensitivities), K rows of tau-space, N whole steps, V distinct rewards, r usable
-// singular values. An array of shape (n, m) is a Float64Array in row-major order. A row is `time_step` steps of the world
-// long. Values and rewards are in units of reward; horizons and steps are in steps of the world.
+// The shapes of what the modules hand to each other. Sizes: A actions, G discounts, H bins between the sensitivities
+// (in `Seen`; in `Model` H is the number of sensitivities), K rows of tau-space, N whole steps, V distinct rewards, r
+// usable singular values. An array of shape (n, m) is a Float64Array in row-major order. A row is `time_step` steps of
+// the world long. Values and rewards are in units of reward; horizons and steps are in steps of the world.
 
 /** What stands before the arrays of a payload: app/lens/payload.py. */
 export interface Header {

@@ -509,7 +509,10 @@ function open(header, arrays) {
       s,
       V: part("V"),
       Ut: transposed(U, G, r),
-      columns: {}
+      columns: (
+        /** @type {Grid['columns']} */
+        {}
+      )
     };
     for (const kind of ["shared", "per_gamma"]) {
       const W = part(kind);
@@ -1489,8 +1492,9 @@ function csvOf({ scene }) {
     ...seen.truth ? [quoted(names[seen.bestAt(k)])] : [],
     ...k < seen.n ? seen.tau.slice(k * seen.H, (k + 1) * seen.H) : Array(seen.H).fill("")
   ]);
+  const { world, state: from_state } = model.header, gammas = Array.from(seen.grid.gammas);
   return [
-    `# ${JSON.stringify({ world: model.header.world, from_state: model.header.state, ...state, action: names[a], gammas: Array.from(seen.grid.gammas) })}`,
+    `# ${JSON.stringify({ world, from_state, ...state, action: names[a], gammas })}`,
     head.map(quoted).join(","),
     ...rows.map((row) => row.map((x) => x ?? "").join(","))
   ].join("\n");
@@ -1754,7 +1758,7 @@ var gammaPanel = {
       margin,
       image: "gamma",
       version,
-      note: hover.theta !== void 0 && hover.gamma !== void 0 ? `θ ${rewardWords(seen, hover.theta)} · γ ${short(gammas[hover.gamma])} · ${short(Z[hover.gamma * seen.H + columnAt(seen, hover.theta)])}${isAdded(scene, hover.gamma) ? " interpolated" : ""}` : notes.filter(Boolean).join(" · ") || "discounted steps"
+      note: hover.theta !== void 0 && hover.gamma !== void 0 ? `θ ${rewardWords(seen, hover.theta)} · γ ${short(gammas[hover.gamma])} · ` + short(Z[hover.gamma * seen.H + columnAt(seen, hover.theta)]) + (isAdded(scene, hover.gamma) ? " interpolated" : "") : notes.filter(Boolean).join(" · ") || "discounted steps"
     });
     pen.clip(
       scale.box.x - 5,
@@ -1785,8 +1789,8 @@ var gammaPanel = {
   },
   point: ({ seen }, x, y) => ({ theta: x, gamma: Math.min(seen.grid.G - 1, Math.max(0, Math.round(y))) }),
   words: (scene) => {
-    const { model, state, seen, images } = scene, found = missed(scene);
-    return `Gamma-space of ${model.header.actions[state.action]}: ${seen.grid.G} discounts from ${short(seen.grid.gammas[0])} to ${short(seen.grid.gammas[seen.grid.G - 1])}, ${seen.open ? `${seen.H - 1} sensitivities from ${short(seen.thetas[1])} to ${short(seen.thetas[seen.H - 1])} and what lies beyond them` : `${seen.H} sensitivities from ${short(seen.thetas[0])} to ${short(seen.thetas[seen.H])}`}; the largest entry is ${short(top(images.Z ?? []))} discounted steps.` + (found ? ` The dotted discounts are interpolated: where a trained one is left out, a probability is off by up to ${short(top(found), 2)}.` : "") + (seen.soft ? ` At ${short(state.slope_share)} of the trained slope, a probability is off by up to ${short(seen.soft.off, 2)}.` : "");
+    const { model, state, seen, images } = scene, found = missed(scene), low = seen.thetas[seen.open ? 1 : 0], high = seen.thetas[seen.open ? seen.H - 1 : seen.H];
+    return `Gamma-space of ${model.header.actions[state.action]}: ${seen.grid.G} discounts from ${short(seen.grid.gammas[0])} to ${short(seen.grid.gammas[seen.grid.G - 1])}, ${seen.open ? seen.H - 1 : seen.H} sensitivities from ${short(low)} to ${short(high)}${seen.open ? " and what lies beyond them" : ""}; the largest entry is ${short(top(images.Z ?? []))} discounted steps.` + (found ? ` The dotted discounts are interpolated: where a trained one is left out, a probability is off by up to ${short(top(found), 2)}.` : "") + (seen.soft ? ` At ${short(state.slope_share)} of the trained slope, a probability is off by up to ${short(seen.soft.off, 2)}.` : "");
   }
 };
 function outline(scene) {
@@ -1828,7 +1832,7 @@ var tauPanel = {
       margin: { right: 84 + aside },
       image: "tau",
       version: seen.tau,
-      note: cell ? `θ ${rewardWords(seen, theta)} · τ ${short(tau * dt)} · p ${short(seen.tau[tau * seen.H + columnAt(seen, theta)] / dt)}${Number.isFinite(far) ? ` · W1 ${short(far)}` : ""}` : simulated ? `outlined: ${simulated.count} continuations` : scene.followed ? "white: what came" : "probability"
+      note: cell ? `θ ${rewardWords(seen, theta)} · τ ${short(tau * dt)} · p ` + short(seen.tau[tau * seen.H + columnAt(seen, theta)] / dt) + (Number.isFinite(far) ? ` · W1 ${short(far)}` : "") : simulated ? `outlined: ${simulated.count} continuations` : scene.followed ? "white: what came" : "probability"
     });
     const { box, X, Y } = scale;
     if (seen.truth ? seen.masses : simulated) {
@@ -1916,7 +1920,7 @@ var tauPanel = {
   words: ({ model, state, seen, resolution: resolution2, at, images }) => {
     let mass = 0;
     for (let h = 0; h < seen.H; h++) mass += seen.tau[h] / model.dt;
-    return `Tau-space of ${model.header.actions[state.action]}: ${seen.n} future steps. Row 0 holds probability ${short(mass)} with mean reward ${short(seen.rewards[state.action][0] / model.dt)}. Step ${short(at * model.dt)} is seen through a window of plus or minus ${short(resolution2.half, 2)} steps.${seen.truth ? " The truth is outlined in white." : simulatedWords({ model, state, seen, images })}`;
+    return `Tau-space of ${model.header.actions[state.action]}: ${seen.n} future steps. Row 0 holds probability ${short(mass)} with mean reward ${short(seen.rewards[state.action][0] / model.dt)}. Step ${short(at * model.dt)} is seen through a window of plus or minus ${short(resolution2.half, 2)} steps.` + (seen.truth ? " The truth is outlined in white." : simulatedWords({ model, state, seen, images }));
   }
 };
 
@@ -2052,7 +2056,7 @@ var valuesPanel = {
   point: ({ model }, x) => ({
     tau: Math.min(model.K - 1, Math.max(0, Math.round((x - model.horizons[0]) / model.dt)))
   }),
-  words: ({ model, seen }) => `Value of each action over the horizon T. Read at T = ${short(model.horizons[seen.readRow])}: ${model.header.actions.map((name, a) => `${name} ${short(seen.values[a][seen.readRow], 4)}`).join(", ")}. Chosen: ${model.header.actions[seen.chosen]}.${seen.truth ? ` Best: ${model.header.actions[seen.best]}; ${short(seen.regret)} is lost.` : ""} The two leading lines cross ${crossings(model, seen).length} times.`
+  words: ({ model, seen }) => `Value of each action over the horizon T. Read at T = ${short(model.horizons[seen.readRow])}: ${model.header.actions.map((name, a) => `${name} ${short(seen.values[a][seen.readRow], 4)}`).join(", ")}. Chosen: ${model.header.actions[seen.chosen]}.` + (seen.truth ? ` Best: ${model.header.actions[seen.best]}; ${short(seen.regret)} is lost.` : "") + ` The two leading lines cross ${crossings(model, seen).length} times.`
 };
 function crossings({ horizons, K }, { values, chosenAt }) {
   const found = [], rows = [...Array(K).keys()].filter((k) => Number.isFinite(values[0][k]));
@@ -2456,7 +2460,7 @@ function judged(model, state, seen) {
   const names = model.header.actions, row = seen.readRow, values = seen.values.map((line2) => line2[row]);
   const T = short(model.horizons[row]), left = short(model.horizons[seen.leftRow]);
   const where = state.used > 0 ? `With ${left} of ${short(state.horizon)} steps to go, read at T = ${T},` : `At T = ${T}`;
-  const choice = `${where} the decoded values choose ${names[seen.chosen]}${numbers(values, seen.scale, seen.chosen, names)}`;
+  const choice = `${where} the decoded values choose ${names[seen.chosen]}` + numbers(values, seen.scale, seen.chosen, names);
   if (!seen.truth) {
     return {
       tone: "unknown",
@@ -2903,7 +2907,8 @@ function mount(root, model, told, report) {
     get hover() {
       return scene.hover;
     },
-    // Another lens takes its place: what it is handed of the pictures, of the focus, and of a change not yet reported.
+    // Another lens takes its place: what it is handed of the pictures, of the focus, and of a change not yet
+    // reported.
     leave() {
       clearTimeout(later);
       cancelAnimationFrame(playing);

@@ -39,7 +39,8 @@ function shownBy(model, state, tau) {
 
 /**
  * How far the lens is off from the library.
- * @param {{ payloads: Record<string, string>, cases: object[] }} fixture - as `fixture` of tests/lens_agreement.py makes it
+ * @param {{ payloads: Record<string, string>, cases: object[] }} fixture - as `fixture` of tests/lens_agreement.py
+ *   makes it
  * @returns {{ off: Record<string, number>, problems: string[], leftOut: number, entries: number }} `off`: the largest
  *   difference of every array as a share of its range; `problems`: what is of another kind, row, length or choice;
  *   `leftOut` of `entries` numbers are rounding in the library itself.

@@ -48,7 +48,8 @@ function discounts({ cache, horizons, K, dt }, softness, gamma) {
   });
 }
 
-// How much of the whole step n is held by row k, (K, N), as laplace_core.pipeline.row_shares: all of it where they meet.
+// How much of the whole step n is held by row k, (K, N), as laplace_core.pipeline.row_shares: all of it where they
+// meet.
 function shares({ K, dt, length }) {
   const out = new Float64Array(K * length);
   for (let n = 0; n < length; n++) {

@@ -1,4 +1,5 @@
-// A cursor over steps, dragged, stepped or played, over what the server sends once; Python hears where it comes to rest.
+// A cursor over steps, dragged, stepped or played, over what the server sends once; Python hears where it comes to
+// rest.
 /** @import { Message, Mounted, Stepper } from '../types.js' */
 import { element } from '../draw/elements.js';
 

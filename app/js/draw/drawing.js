@@ -135,7 +135,8 @@ export function svgPen(font, measure) {
         down = Boolean(point);
       }
       parts.push(
-        `<path d="${d}${close ? 'Z' : ''}" fill="${fill}" stroke="${stroke}" stroke-width="${width}" stroke-dasharray="${dash}" stroke-linejoin="round"/>`,
+        `<path d="${d}${close ? 'Z' : ''}" fill="${fill}" stroke="${stroke}" stroke-width="${width}" ` +
+          `stroke-dasharray="${dash}" stroke-linejoin="round"/>`,
       );
     },
     text(words, x, y, { size = 11, weight = 400, align = 'left', colour, turn } = {}) {
@@ -144,18 +145,21 @@ export function svgPen(font, measure) {
         ? `transform="translate(${short(x)} ${short(y)}) rotate(-90)"`
         : `x="${short(x)}" y="${short(y)}"`;
       parts.push(
-        `<text ${place} font-family="${escaped(font)}" font-size="${size}" font-weight="${weight}" text-anchor="${anchor}" fill="${colour}">${escaped(words)}</text>`,
+        `<text ${place} font-family="${escaped(font)}" font-size="${size}" font-weight="${weight}" ` +
+          `text-anchor="${anchor}" fill="${colour}">${escaped(words)}</text>`,
       );
     },
     image(source, x, y, w, h) {
       parts.push(
-        `<image href="${source.toDataURL()}" x="${short(x)}" y="${short(y)}" width="${short(w)}" height="${short(h)}" preserveAspectRatio="none" style="image-rendering:pixelated"/>`,
+        `<image href="${source.toDataURL()}" x="${short(x)}" y="${short(y)}" width="${short(w)}" ` +
+          `height="${short(h)}" preserveAspectRatio="none" style="image-rendering:pixelated"/>`,
       );
     },
     clip(x, y, w, h, draw) {
       const name = `clip${clips++}`;
       parts.push(
-        `<clipPath id="${name}"><rect x="${x}" y="${y}" width="${w}" height="${h}"/></clipPath><g clip-path="url(#${name})">`,
+        `<clipPath id="${name}"><rect x="${x}" y="${y}" width="${w}" height="${h}"/></clipPath>` +
+          `<g clip-path="url(#${name})">`,
       );
       draw();
       parts.push('</g>');

@@ -65,7 +65,8 @@ export const SLIDERS = [
     'slope_share',
     'slope',
     '· trained',
-    'Softer than the trained activation, by a linear map over θ; gamma-space says how far it is off. What is softened over an edge of θ lies in the outermost column, and means move with it.',
+    'Softer than the trained activation, by a linear map over θ; gamma-space says how far it is off. ' +
+      'What is softened over an edge of θ lies in the outermost column, and means move with it.',
     ({ arrays }) => arrays.places && linear(0.1, 0.05, 18),
   ],
   [
@@ -266,7 +267,8 @@ export function toolbar(model, wish, told) {
       name: 'added',
       'aria-label': 'discounts added',
       title:
-        'Discounts that were never trained, each a mean of its two neighbours. They add no information, and at the same α let more noise through.',
+        'Discounts that were never trained, each a mean of its two neighbours. They add no information, ' +
+        'and at the same α let more noise through.',
       onchange: () => wish({ added: +added.value }, true),
     },
     ...['trained discounts', '+ 1 in each gap', '+ 2 in each gap', '+ 3 in each gap'].map((words, value) =>

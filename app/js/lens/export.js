@@ -114,7 +114,10 @@ export async function svgOf(lens) {
     lens.drawOne(pen, each, SIZE.w, SIZE.h);
     pen.parts.push('</g>');
   });
-  return `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${WIDE} ${high}" width="${WIDE}" height="${high}"><rect width="100%" height="100%" fill="${colours.paper}"/>${pen.parts.join('\n')}</svg>`;
+  return (
+    `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${WIDE} ${high}" width="${WIDE}" height="${high}">` +
+    `<rect width="100%" height="100%" fill="${colours.paper}"/>${pen.parts.join('\n')}</svg>`
+  );
 }
 
 /**
@@ -166,8 +169,10 @@ export function csvOf({ scene }) {
     ...(seen.truth ? [quoted(names[seen.bestAt(k)])] : []),
     ...(k < seen.n ? seen.tau.slice(k * seen.H, (k + 1) * seen.H) : Array(seen.H).fill('')),
   ]);
+  const { world, state: from_state } = model.header,
+    gammas = Array.from(seen.grid.gammas);
   return [
-    `# ${JSON.stringify({ world: model.header.world, from_state: model.header.state, ...state, action: names[a], gammas: Array.from(seen.grid.gammas) })}`,
+    `# ${JSON.stringify({ world, from_state, ...state, action: names[a], gammas })}`,
     head.map(quoted).join(','),
     ...rows.map((row) => row.map((x) => x ?? '').join(',')),
   ].join('\n');

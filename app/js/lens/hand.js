@@ -46,7 +46,8 @@ export function listen(canvas, panel, scene, draw) {
     if (band) show([band.from[0], band.to[0]], [band.from[1], band.to[1]]);
   }
 
-  // What lies between two places of the picture, in pixels, as far as there is something; nothing if they are too close.
+  // What lies between two places of the picture, in pixels, as far as there is something; nothing if they are too
+  // close.
   function show(across, up) {
     const { scale } = canvas,
       { seen, model } = scene,

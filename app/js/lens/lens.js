@@ -398,7 +398,8 @@ export function mount(root, model, told, report) {
       get hover() {
         return scene.hover;
       },
-      // Another lens takes its place: what it is handed of the pictures, of the focus, and of a change not yet reported.
+      // Another lens takes its place: what it is handed of the pictures, of the focus, and of a change not yet
+      // reported.
       leave() {
         clearTimeout(later);
         cancelAnimationFrame(playing);

@@ -84,8 +84,10 @@ export const spectrumPanel = {
   },
   point: () => ({}),
   words: ({ state, seen }) =>
-    `Singular values of the transform: ${seen.grid.r} usable, the smallest ${short(seen.grid.s[seen.grid.r - 1] / seen.grid.s[0])} of the largest. ` +
-    `Alpha ${short(state.alpha)} lets ${seen.grid.s.filter((value) => value > state.alpha).length} of them through by more than half.`,
+    `Singular values of the transform: ${seen.grid.r} usable, the smallest ` +
+    `${short(seen.grid.s[seen.grid.r - 1] / seen.grid.s[0])} of the largest. ` +
+    `Alpha ${short(state.alpha)} lets ${seen.grid.s.filter((value) => value > state.alpha).length} of ` +
+    `them through by more than half.`,
 };
 
 /** @type {Panel} */
@@ -144,7 +146,10 @@ export const kernelPanel = {
       off += Math.abs(value - kernel.wanted[k]);
       all += Math.abs(kernel.wanted[k]);
     });
-    return `Discount kernel for T = ${short(model.horizons[seen.readRow])}: it misses the wanted weights by ${short((100 * off) / (all || 1), 2)} percent of their sum; noise gain ${short(kernel.gain)}.`;
+    return (
+      `Discount kernel for T = ${short(model.horizons[seen.readRow])}: it misses the wanted weights by ` +
+      `${short((100 * off) / (all || 1), 2)} percent of their sum; noise gain ${short(kernel.gain)}.`
+    );
   },
 };
 
@@ -282,7 +287,8 @@ export const rewardsPanel = {
     const true_ = seen.truth?.steps,
       at = model.dt < 1 ? 'at the first rows' : 'at the first steps';
     return (
-      `Expected reward of ${model.header.actions[a]} ${at}: decoded ${tell(seen.rewards[a])}${true_ ? `, true at the first steps ${tell(true_.rewards[a], 1)}` : ''}. ` +
+      `Expected reward of ${model.header.actions[a]} ${at}: decoded ` +
+      `${tell(seen.rewards[a])}${true_ ? `, true at the first steps ${tell(true_.rewards[a], 1)}` : ''}. ` +
       `Survival: decoded ${tell(seen.survival[a])}${true_ ? `, true ${tell(true_.survival[a], 1)}` : ''}.`
     );
   },
@@ -345,7 +351,10 @@ export const fitPanel = {
   words: (scene) => {
     const { given, back } = fitOf(scene),
       off = Math.max(...given.map((value, g) => Math.abs(value - back[g])));
-    return `Value of ${scene.model.header.actions[scene.state.action]} at ${given.length} discounts, as learned and as tau-space gives it back: they differ by at most ${short(off)} a step.`;
+    return (
+      `Value of ${scene.model.header.actions[scene.state.action]} at ${given.length} discounts, as learned ` +
+      `and as tau-space gives it back: they differ by at most ${short(off)} a step.`
+    );
   },
 };
 

@@ -152,6 +152,7 @@ export const simulatedWords = (scene) => {
   const found = simulatedFor(scene),
     far = found && distancesOf(scene).filter(Number.isFinite);
   return found && far?.length
-    ? ` ${found.count} simulated continuations are outlined; the distance to them is ${short(far.reduce((a, b) => a + b) / far.length)} reward on average.`
+    ? ` ${found.count} simulated continuations are outlined; the distance to them is ` +
+        `${short(far.reduce((a, b) => a + b) / far.length)} reward on average.`
     : '';
 };

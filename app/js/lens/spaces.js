@@ -149,7 +149,9 @@ export const gammaPanel = {
       version,
       note:
         hover.theta !== undefined && hover.gamma !== undefined
-          ? `θ ${rewardWords(seen, hover.theta)} · γ ${short(gammas[hover.gamma])} · ${short(Z[hover.gamma * seen.H + columnAt(seen, hover.theta)])}${isAdded(scene, hover.gamma) ? ' interpolated' : ''}`
+          ? `θ ${rewardWords(seen, hover.theta)} · γ ${short(gammas[hover.gamma])} · ` +
+            short(Z[hover.gamma * seen.H + columnAt(seen, hover.theta)]) +
+            (isAdded(scene, hover.gamma) ? ' interpolated' : '')
           : notes.filter(Boolean).join(' · ') || 'discounted steps',
     });
     pen.clip(scale.box.x - 5, scale.box.y, scale.box.w + 5, scale.box.h, () =>
@@ -180,15 +182,22 @@ export const gammaPanel = {
   point: ({ seen }, x, y) => ({ theta: x, gamma: Math.min(seen.grid.G - 1, Math.max(0, Math.round(y))) }),
   words: (scene) => {
     const { model, state, seen, images } = scene,
-      found = missed(scene);
+      found = missed(scene),
+      low = seen.thetas[seen.open ? 1 : 0],
+      high = seen.thetas[seen.open ? seen.H - 1 : seen.H];
     return (
-      `Gamma-space of ${model.header.actions[state.action]}: ${seen.grid.G} discounts from ${short(seen.grid.gammas[0])} to ${short(seen.grid.gammas[seen.grid.G - 1])}, ` +
-      `${seen.open ? `${seen.H - 1} sensitivities from ${short(seen.thetas[1])} to ${short(seen.thetas[seen.H - 1])} and what lies beyond them` : `${seen.H} sensitivities from ${short(seen.thetas[0])} to ${short(seen.thetas[seen.H])}`}; the largest entry is ${short(top(images.Z ?? []))} discounted steps.` +
+      `Gamma-space of ${model.header.actions[state.action]}: ${seen.grid.G} discounts from ` +
+      `${short(seen.grid.gammas[0])} to ${short(seen.grid.gammas[seen.grid.G - 1])}, ` +
+      `${seen.open ? seen.H - 1 : seen.H} sensitivities from ${short(low)} to ${short(high)}` +
+      `${seen.open ? ' and what lies beyond them' : ''}; ` +
+      `the largest entry is ${short(top(images.Z ?? []))} discounted steps.` +
       (found
-        ? ` The dotted discounts are interpolated: where a trained one is left out, a probability is off by up to ${short(top(found), 2)}.`
+        ? ` The dotted discounts are interpolated: where a trained one is left out, a probability is off ` +
+          `by up to ${short(top(found), 2)}.`
         : '') +
       (seen.soft
-        ? ` At ${short(state.slope_share)} of the trained slope, a probability is off by up to ${short(seen.soft.off, 2)}.`
+        ? ` At ${short(state.slope_share)} of the trained slope, a probability is off by up to ` +
+          `${short(seen.soft.off, 2)}.`
         : '')
     );
   },
@@ -252,7 +261,9 @@ export const tauPanel = {
       image: 'tau',
       version: seen.tau,
       note: cell
-        ? `θ ${rewardWords(seen, theta)} · τ ${short(tau * dt)} · p ${short(seen.tau[tau * seen.H + columnAt(seen, theta)] / dt)}${Number.isFinite(far) ? ` · W1 ${short(far)}` : ''}`
+        ? `θ ${rewardWords(seen, theta)} · τ ${short(tau * dt)} · p ` +
+          short(seen.tau[tau * seen.H + columnAt(seen, theta)] / dt) +
+          (Number.isFinite(far) ? ` · W1 ${short(far)}` : '')
         : simulated
           ? `outlined: ${simulated.count} continuations`
           : scene.followed
@@ -347,8 +358,11 @@ export const tauPanel = {
     let mass = 0;
     for (let h = 0; h < seen.H; h++) mass += seen.tau[h] / model.dt;
     return (
-      `Tau-space of ${model.header.actions[state.action]}: ${seen.n} future steps. Row 0 holds probability ${short(mass)} with mean reward ${short(seen.rewards[state.action][0] / model.dt)}. ` +
-      `Step ${short(at * model.dt)} is seen through a window of plus or minus ${short(resolution.half, 2)} steps.${seen.truth ? ' The truth is outlined in white.' : simulatedWords({ model, state, seen, images })}`
+      `Tau-space of ${model.header.actions[state.action]}: ${seen.n} future steps. Row 0 holds ` +
+      `probability ${short(mass)} with mean reward ${short(seen.rewards[state.action][0] / model.dt)}. ` +
+      `Step ${short(at * model.dt)} is seen through a window of plus or minus ` +
+      `${short(resolution.half, 2)} steps.` +
+      (seen.truth ? ' The truth is outlined in white.' : simulatedWords({ model, state, seen, images }))
     );
   },
 };

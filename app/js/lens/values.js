@@ -163,8 +163,12 @@ export const valuesPanel = {
     tau: Math.min(model.K - 1, Math.max(0, Math.round((x - model.horizons[0]) / model.dt))),
   }),
   words: ({ model, seen }) =>
-    `Value of each action over the horizon T. Read at T = ${short(model.horizons[seen.readRow])}: ${model.header.actions.map((name, a) => `${name} ${short(seen.values[a][seen.readRow], 4)}`).join(', ')}. ` +
-    `Chosen: ${model.header.actions[seen.chosen]}.${seen.truth ? ` Best: ${model.header.actions[seen.best]}; ${short(seen.regret)} is lost.` : ''} The two leading lines cross ${crossings(model, seen).length} times.`,
+    `Value of each action over the horizon T. Read at T = ${short(model.horizons[seen.readRow])}: ` +
+    `${model.header.actions.map((name, a) => `${name} ${short(seen.values[a][seen.readRow], 4)}`).join(', ')}. ` +
+    `Chosen: ${model.header.actions[seen.chosen]}.` +
+    (seen.truth ? ` Best: ${model.header.actions[seen.best]}; ${short(seen.regret)} is lost.` : '') +
+    ' ' +
+    `The two leading lines cross ${crossings(model, seen).length} times.`,
 };
 
 /**

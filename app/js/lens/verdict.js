@@ -54,7 +54,8 @@ export function judged(model, state, seen) {
     left = short(model.horizons[seen.leftRow]);
   const where =
     state.used > 0 ? `With ${left} of ${short(state.horizon)} steps to go, read at T = ${T},` : `At T = ${T}`;
-  const choice = `${where} the decoded values choose ${names[seen.chosen]}${numbers(values, seen.scale, seen.chosen, names)}`;
+  const choice =
+    `${where} the decoded values choose ${names[seen.chosen]}` + numbers(values, seen.scale, seen.chosen, names);
   if (!seen.truth) {
     return {
       tone: 'unknown',

@@ -1,4 +1,5 @@
-// The player inside Streamlit: the frame, a timeline to drag over, buttons, and the numbers of the step under the cursor.
+// The player inside Streamlit: the frame, a timeline to drag over, buttons, and the numbers of the step under the
+// cursor.
 import { element } from '../draw/elements.js';
 import { button, component, stepper } from '../cursor/cursor.js';
 import { NEUTRAL, actionColour, axes, line, rounded, sheet, short } from '../draw/drawing.js';
@@ -9,7 +10,9 @@ import { bySurprise, followedAt, frameAt, modelAt, nextMarked, openReel, ownAt }
 const ASK = 400; // ms until the server is asked again for what it looks for in the background
 const MEANINGS = {
   expected: 'discounted return that the agent expected of the action taken',
-  came: 'discounted return that came; where the episode was cut off, the best value of the last observation stands for the rest (≈: it has more than 5% of the weight)',
+  came:
+    'discounted return that came; where the episode was cut off, the best value of the last observation ' +
+    'stands for the rest (≈: it has more than 5% of the weight)',
   surprise: 'reward + γ best value of the next observation − value of the action taken',
 };
 
@@ -113,7 +116,8 @@ function mount(host, reel, told, report) {
     artefact.textContent = !flags ? 'artefacts …' : places ? `artefact › ${places}` : 'no artefact';
     artefact.title = !flags
       ? 'artefacts are looked for'
-      : `next step at which an artefact of the action taken begins, at α ${short(flags.alpha)}; ${counted.join(', ') || 'none'} of ${last + 1} steps`;
+      : `next step at which an artefact of the action taken begins, at α ${short(flags.alpha)}; ` +
+        `${counted.join(', ') || 'none'} of ${last + 1} steps`;
     artefact.setAttribute('aria-label', artefact.textContent);
     draw();
   }
