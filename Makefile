@@ -4,7 +4,7 @@ PYTHON ?= python3
 PORT ?= 8501
 BIN = .venv/bin
 # Node comes into .venv with pip; npm and what it starts look for it on the path.
-NPM = PATH="$(CURDIR)/$(BIN):$$PATH" npm
+NPM = PATH="$(CURDIR)/$(BIN):$$PATH" $(BIN)/npm
 
 .PHONY: app test verify bench lint clean
 
