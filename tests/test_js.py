@@ -21,7 +21,7 @@ from app.lens import state_of, structure
 from app.lens.payload import unpacked
 from app.player.payload import payload as player_payload
 from app.player.payload import rounded
-from laplace_core import GammaSpace, Settings, study_of_gamma_space
+from laplace_core import GammaSpace, Settings, load_world, study, study_of_gamma_space
 from laplace_core.gamma_space import bin_differences
 from laplace_core.interpolation import left_out
 from laplace_core.noise import normal_noise
@@ -147,6 +147,22 @@ def table(spaces) -> dict[str, Any]:
     }
 
 
+def truth() -> list[dict[str, Any]]:
+    """Views of a world whose steps fall on rows, between them, and under a soft deadline."""
+    world, views = load_world("two_decisions"), []
+    for values in ({}, {"time_step": 0.4}, {"time_step": 0.3, "softness": 0.2, "value_gamma": 0.9}):
+        shown = study(world, Settings(world="two_decisions", thetas=20, **values))
+        views.append({
+            "payload": base64.b64encode(lens_payload(study(world, structure(shown.settings, world)))[0]).decode(),
+            "state": state_of(shown.settings, float(shown.horizons[-1])),
+            "rewards": packed(shown.truth.expected_reward),
+            "survival": packed(shown.truth.survival),
+            "values": packed(shown.truth.horizon_values),
+            "optimum": packed(shown.truth.optimum),
+        })  # fmt: skip
+    return views
+
+
 def test_the_javascript_shows_what_the_library_computes(spaces, tmp_path):
     assert NODE.is_file(), "no node in the environment: pip install -r requirements-dev.txt brings it"
     for name, content in {
@@ -157,6 +173,7 @@ def test_the_javascript_shows_what_the_library_computes(spaces, tmp_path):
         "reel": reel(),
         "laws": laws(),
         "table": table(spaces),
+        "truth": truth(),
     }.items():
         (tmp_path / f"{name}.json").write_text(json.dumps(content))
     run = subprocess.run(

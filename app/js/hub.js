@@ -1,5 +1,10 @@
 // What the components of one page know of each other: the lens that is on it, and the player that it follows.
-let lens, leader;
+/** @import { Leader, Lens } from './types.js' */
+
+/** @type {Lens | undefined} */
+let lens;
+/** @type {Leader | undefined} */
+let leader;
 
 export const hub = {
   // The lens on the page; none where there is none, or where it was taken off.

@@ -260,6 +260,15 @@ export type Seen = DecodedWithTruth | DecodedAlone;
 /** The bins of a space. */
 export type Bins = Pick<Decoded, 'thetas' | 'H' | 'open'>;
 
+/** An artefact that is switched on and off. */
+export interface Switch {
+  label: string;
+  help: string;
+  on: Partial<State>;
+  off: Partial<State>;
+  isOn(state: State): boolean;
+}
+
 /** What a switch does: the most probability that it moves in a row, regrets with and without it, another choice. */
 export interface Effect {
   size: number;

@@ -939,6 +939,12 @@ function resolution(model, state, { grid, n, inverse }, row) {
   while (high < K - 1 && kernel2[high + 1] > kernel2[peak] / 2) high++;
   return { kernel: kernel2, peak: peak * dt, half: (high - low) / 2 * dt, low: low * dt, high: high * dt };
 }
+var flag = (name, words) => ({
+  ...words,
+  on: { [name]: true },
+  off: { [name]: false },
+  isOn: (state) => Boolean(state[name])
+});
 var SWITCHES = {
   rescale: {
     label: "row rescaling",
@@ -947,30 +953,31 @@ var SWITCHES = {
     isOn: (s) => s.normalise === "paper",
     help: "Every row is rescaled to probability 1, also where the episode is over."
   },
-  fold: {
+  fold: flag("fold", {
     label: "only T rows, K = T",
     help: "As many rows are decoded as the horizon has: what comes later is folded into them."
-  },
-  mixed: {
+  }),
+  mixed: flag("mixed", {
     label: "mixed policies",
     help: "Every discount follows its own greedy policy: no single process has such a gamma-space."
-  },
-  paper_grid: { label: "the paper’s grid", help: "The paper’s 15 discounts, from .01 to .99, piecewise linear." },
-  clip: {
+  }),
+  paper_grid: flag("paper_grid", {
+    label: "the paper’s grid",
+    help: "The paper’s 15 discounts, from .01 to .99, piecewise linear."
+  }),
+  clip: flag("clip", {
     label: "edge clipping",
     help: "The sensitivities begin at a reward that occurs: half of its probability is lost."
-  },
-  constant: { label: "constant T", help: "Acting with T at every step, instead of with the time to go." },
-  shift: {
+  }),
+  constant: flag("constant", {
+    label: "constant T",
+    help: "Acting with T at every step, instead of with the time to go."
+  }),
+  shift: flag("shift", {
     label: "index shifted by one",
     help: "Each discount is decoded by the row of the next one, as in the paper’s published notebook."
-  }
+  })
 };
-for (const [name, each] of Object.entries(SWITCHES)) {
-  each.on ??= { [name]: true };
-  each.off ??= { [name]: false };
-  each.isOn ??= (state) => Boolean(state[name]);
-}
 function available({ grids, arrays, truth }, name) {
   const own = grids.own.columns;
   return {

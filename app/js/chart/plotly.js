@@ -1,4 +1,5 @@
 // One load of plotly.js for all charts of a page, as an ordinary script: a browser keeps the compiled code of those.
+/** @type {Promise<any> | undefined} */
 let loading;
 
 /**

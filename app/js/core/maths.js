@@ -1,5 +1,5 @@
 // The mathematics of the lens: from a model and a state to everything that is drawn. Knows no page.
-/** @import { DecodedWithTruth, Effect, Kernel, Model, Resolution, Seen, State } from '../types.js' */
+/** @import { Columns, DecodedWithTruth, Effect, Grid, Inverse, Kernel, Model, Resolution, Seen, State, Switch, Truth } from '../types.js' */
 import {
   ROUNDING,
   greedy,
@@ -36,7 +36,13 @@ export function deadlineWeights(horizon, steps, softness, dt = 1) {
   });
 }
 
-// d(tau) of every horizon, one row each; (K, K). A hard deadline counts the rows before it.
+/**
+ * d(tau) of every horizon, one row each; (K, K). A hard deadline counts the rows before it.
+ * @param {Model} model
+ * @param {number} softness
+ * @param {number} gamma
+ * @returns {Float64Array} (K, K)
+ */
 function discounts({ cache, horizons, K, dt }, softness, gamma) {
   return remember(cache, softness > 0 ? 'soft discounts' : 'hard discounts', [softness, gamma], () => {
     const out = new Float64Array(K * K);
@@ -48,8 +54,11 @@ function discounts({ cache, horizons, K, dt }, softness, gamma) {
   });
 }
 
-// How much of the whole step n is held by row k, (K, N), as laplace_core.pipeline.row_shares: all of it where they
-// meet.
+/**
+ * How much of the whole step n is held by row k, (K, N), as laplace_core.pipeline.row_shares: all of it where they meet.
+ * @param {Model} model
+ * @returns {Float64Array} (K, N)
+ */
 function shares({ K, dt, length }) {
   const out = new Float64Array(K * length);
   for (let n = 0; n < length; n++) {
@@ -61,7 +70,12 @@ function shares({ K, dt, length }) {
   }
   return out;
 }
-
+/**
+ * The truth of a world under a state.
+ * @param {Model} model
+ * @param {State} state
+ * @returns {Truth}
+ */
 function truthOf(model, state) {
   const { A, K, length, arrays, cache, header } = model,
     { timeline, rewards } = arrays,
@@ -367,7 +381,13 @@ export function normalise(rows, survival, how, width, dt, rounding) {
   }
 }
 
-// Noise of gamma-space for a seed at level 1, in components: of the differences, and of the constant channel.
+/**
+ * Noise of gamma-space for a seed at level 1, in components: of the differences, and of the constant channel.
+ * @param {Model} model
+ * @param {Grid} grid
+ * @param {number} seed
+ * @returns {NonNullable<Seen['hum']>}
+ */
 function noiseOf({ A, H, arrays }, grid, seed) {
   const open = arrays.bin_edges ? 1 : 0; // then the constant channel stands before the tails, and 0 after them
   const { G, gammas } = grid,
@@ -390,9 +410,18 @@ function noiseOf({ A, H, arrays }, grid, seed) {
   const steps = differences.map((_, a) => constant.subarray(a * G, (a + 1) * G));
   return Object.assign(projections(grid, differences, width, steps), { differences });
 }
-
+/**
+ * Differences of gamma-space of one action.
+ * @param {Columns} columns
+ * @param {Grid} grid
+ * @param {Float64Array | null | undefined} map - (width, H)
+ * @param {number} H
+ * @param {number} a
+ * @param {Seen['hum']} hum
+ * @param {number} noise
+ * @returns {Float64Array} (G, H)
+ */
 function differencesOf(columns, grid, map, H, a, hum, noise) {
-  // of one action, (G, bins)
   const Z = map ? product(columns.values[a], map, grid.G, columns.width, H) : columns.values[a];
   return hum ? Z.map((value, i) => value + noise * hum.differences[a][i]) : Z;
 }
@@ -406,8 +435,14 @@ function differencesOf(columns, grid, map, H, a, hum, noise) {
 export const gammaSpace = ({ grid, columns, map, hum, H }, state) =>
   differencesOf(columns, grid, map, H, state.action, hum, state.noise);
 
-// Weights over the discounts in components, (r,): decoding values that are shifted by one is decoding by weights that
-// are shifted back.
+/**
+ * Weights over the discounts in components, (r,): decoding values that are shifted by one is decoding by weights that are shifted back.
+ * @param {Grid} grid
+ * @param {State} state
+ * @param {Inverse} inverse
+ * @param {Float64Array} target - (K,)
+ * @returns {Float64Array} (r,)
+ */
 function weightsOf({ U, Ut, G, r }, state, inverse, target) {
   const weights = inverse.weights(target);
   if (!state.shift) return weights;
@@ -489,6 +524,18 @@ export function resolution(model, state, { grid, n, inverse }, row) {
 
 // ---- artefacts, each a switch
 
+// An artefact that is a flag of the state.
+const flag = (name, words) => ({
+  ...words,
+  on: { [name]: true },
+  off: { [name]: false },
+  isOn: (state) => Boolean(state[name]),
+});
+
+/**
+ * The artefacts, each a switch: what it sets, what it takes back, and whether a state has it.
+ * @type {Record<string, Switch>}
+ */
 export const SWITCHES = {
   rescale: {
     label: 'row rescaling',
@@ -497,30 +544,31 @@ export const SWITCHES = {
     isOn: (s) => s.normalise === 'paper',
     help: 'Every row is rescaled to probability 1, also where the episode is over.',
   },
-  fold: {
+  fold: flag('fold', {
     label: 'only T rows, K = T',
     help: 'As many rows are decoded as the horizon has: what comes later is folded into them.',
-  },
-  mixed: {
+  }),
+  mixed: flag('mixed', {
     label: 'mixed policies',
     help: 'Every discount follows its own greedy policy: no single process has such a gamma-space.',
-  },
-  paper_grid: { label: 'the paper’s grid', help: 'The paper’s 15 discounts, from .01 to .99, piecewise linear.' },
-  clip: {
+  }),
+  paper_grid: flag('paper_grid', {
+    label: 'the paper’s grid',
+    help: 'The paper’s 15 discounts, from .01 to .99, piecewise linear.',
+  }),
+  clip: flag('clip', {
     label: 'edge clipping',
     help: 'The sensitivities begin at a reward that occurs: half of its probability is lost.',
-  },
-  constant: { label: 'constant T', help: 'Acting with T at every step, instead of with the time to go.' },
-  shift: {
+  }),
+  constant: flag('constant', {
+    label: 'constant T',
+    help: 'Acting with T at every step, instead of with the time to go.',
+  }),
+  shift: flag('shift', {
     label: 'index shifted by one',
     help: 'Each discount is decoded by the row of the next one, as in the paper’s published notebook.',
-  },
+  }),
 };
-for (const [name, each] of Object.entries(SWITCHES)) {
-  each.on ??= { [name]: true };
-  each.off ??= { [name]: false };
-  each.isOn ??= (state) => Boolean(state[name]);
-}
 
 /**
  * Whether a model has what a switch switches.

@@ -16,7 +16,7 @@ const template = () => fetch(new URL('./offline.html', import.meta.url)).then((a
 // The player of an episode may have moved on since the server was told of a step: then its step is shown.
 function led(model, told) {
   const lead = hub.leader;
-  if (!told.lead || lead?.id !== told.lead.id || lead.step === told.lead.step) return [model, told];
+  if (!lead || !told.lead || lead.id !== told.lead.id || lead.step === told.lead.step) return [model, told];
   const [shown, news] = lead.over(model);
   return [shown, { ...told, ...news }];
 }

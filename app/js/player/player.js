@@ -233,7 +233,11 @@ function mount(host, reel, told, report) {
     if (event.target === host) drawReel();
   }); // its colour follows the theme
   const { lens } = hub,
-    exact = lens?.lead?.id === told.id && lens.lead.step === at.step && !String(lens.model.id).startsWith(reel.id);
+    exact =
+      lens?.lead &&
+      lens.lead.id === told.id &&
+      lens.lead.step === at.step &&
+      !String(lens.model.id).startsWith(reel.id);
   if (exact) draw();
   else show(); // what Python has told the lens of this very step is better
   flag(told.flags);
