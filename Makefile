@@ -3,6 +3,8 @@
 PYTHON ?= python3
 PORT ?= 8501
 BIN = .venv/bin
+# Node comes into .venv with pip; npm and what it starts look for it on the path.
+NPM = PATH="$(CURDIR)/$(BIN):$$PATH" $(BIN)/npm
 
 .PHONY: app test verify bench lint clean
 
@@ -19,19 +21,20 @@ lint: .venv/.dev
 	$(BIN)/ruff format --check .
 	$(BIN)/lint-imports
 	$(BIN)/mypy laplace_core app
+	$(NPM) run --silent lint
 
 # What takes long: random views against an independent judge, detectors against ground truth, the lens on 1,000 views.
 verify: .venv/.dev
 	$(BIN)/python -m laplace_core report verdicts --jobs 2 --check
 	$(BIN)/python -m laplace_core report detectors --check
 	$(BIN)/python -m pytest -m long
-	LENS_VIEWS=1000 $(BIN)/python -m pytest tests/browser/test_lens.py -k verdict_of_the_lens
+	LENS_VIEWS=1000 $(BIN)/python -m pytest tests/test_js.py
 
 bench: .venv/.dev
 	OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 $(BIN)/python -m bench
 
 clean:
-	rm -rf .venv
+	rm -rf .venv node_modules
 
 .venv/.app: requirements.txt pyproject.toml
 	$(PYTHON) -m venv .venv
@@ -39,6 +42,7 @@ clean:
 	$(BIN)/python -m pip install --quiet --no-deps --editable .
 	touch $@
 
-.venv/.dev: .venv/.app requirements-dev.txt
+.venv/.dev: .venv/.app requirements-dev.txt package-lock.json
 	$(BIN)/python -m pip install --quiet -r requirements-dev.txt
+	$(NPM) ci --silent --no-audit --no-fund
 	touch $@

@@ -14,7 +14,7 @@ import numpy as np
 import torch
 
 from app.player.payload import payload
-from bench.browser import FLAGS, ROOT, find_chromium, opening, served
+from bench.browser import FLAGS, ROOT, find_chromium, module_of, opening, served
 from bench.lens import memory_of
 from bench.report import Figure, Goal
 from bench.timing import Spread, interleaved, spread
@@ -150,8 +150,9 @@ def _memory(context, url: str, server: int) -> Iterator[Figure]:
     for i in range(ROLLOUTS):
         query = f"checkpoint={NAME}&r.shown=yes&r.seed={i + 100}&r.rule=fading&r.horizon={LENGTH}"
         page.evaluate(_GO, query)
-        page.wait_for_function("(before) => (globalThis.laplaceLead?.id ?? before) !== before", arg=before)
-        before = page.evaluate("() => laplaceLead.id")
+        hub = module_of(page, "hub.js")
+        page.wait_for_function("([{ hub }, before]) => (hub.leader?.id ?? before) !== before", arg=[hub, before])
+        before = hub.evaluate("({ hub }) => hub.leader.id")
         if i % 10 == 9:
             found.append(memory_of(server))
     page.close()

@@ -51,6 +51,7 @@ _ANSWERED = """
   requestAnimationFrame(tick);
 })
 """
+_ADDRESSES = "performance.getEntriesByType('resource').map(({ name }) => name)"
 _LENS = "() => document.querySelector('.laplace-lens')?.frames?.length > 0"
 _GRAPH = "() => document.querySelector('.laplace-lens .world .main-svg')"
 _PLOT = "() => document.querySelector('.js-plotly-plot .main-svg')"
@@ -92,6 +93,13 @@ def served(script: Path, log: IO[str] | None = None):
 
 def find_chromium() -> str | None:
     return next((path for name in CHROMIUM if (path := shutil.which(name))), None)
+
+
+def module_of(page, name: str):
+    """A handle of a module of ``app/js`` as the components of the page have it, by the address that they loaded."""
+    page.wait_for_function(f"() => ({_ADDRESSES}).some((address) => address.endsWith('/{name}'))")
+    found = f"({_ADDRESSES}).find((address) => address.endsWith('/{name}'))"
+    return page.evaluate_handle(f"() => import({found})")
 
 
 def opening(browser, url: str, *drawn: str) -> list[float]:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import re
 import struct
 import zlib
 
@@ -11,7 +10,7 @@ import numpy as np
 import pytest
 import torch
 
-from app import player, rolled, track
+from app import rolled
 from app.player.payload import LEVELS, payload, rounded
 from app.rollouts import Control
 from laplace_core.agents import LaplaceSettings
@@ -90,11 +89,3 @@ def test_a_control_by_the_values_of_a_link():
     assert rolled.control_of({"r.rule": "fading", "r.gamma": 0.9, "r.seed": 4}, 500) == Control(4, "fading", 500)
     assert rolled.control_of({"r.rule": "readout", "r.horizon": 900}, 500) == Control(0, "readout", 500)
     assert rolled.control_of({"r.rule": "random", "r.gamma": 0.9}, 500) == Control(0, "random", None)
-
-
-@pytest.mark.parametrize("joined", [player.script, track.script])
-def test_modules_that_are_joined_declare_no_name_twice(joined):
-    """As one module they share their names; the browser would refuse all of it."""
-    names = re.findall(r"^(?:async )?(?:function\*?|class|const|let) ([\w$]+)", joined(), re.MULTILINE)
-    assert len(names) > 30
-    assert [name for name in set(names) if names.count(name) > 1] == []

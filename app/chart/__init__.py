@@ -6,16 +6,12 @@ component keeps its div and hands every new figure to ``Plotly.react``.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable
 from functools import cache
-from pathlib import Path
 
 import streamlit as st
 
-from app.served import plotly_js
-
-_HERE = Path(__file__).resolve().parent
+from app import assets
 
 
 def chart(
@@ -37,6 +33,7 @@ def chart(
         on_click: called before the rerun; without it clicks are ignored.
     """
     data = {"figure": figure, "alt": alt, "height": height, "revision": revision, "name": key}
+    data["plotly"] = assets.plotly_js()
     result = _component()(
         key=f"chart {key}",
         data={**data, "clickable": on_click is not None},
@@ -52,27 +49,11 @@ def _ignore() -> None:
 
 @cache
 def _component() -> Callable:
-    return st.components.v2.component("laplace_chart", js=loading() + script("plot", "chart"), isolate_styles=False)
+    return st.components.v2.component("laplace_chart", js=assets.stub("chart/chart.js"), isolate_styles=False)
 
 
 def preload() -> None:
     """Let the browser fetch plotly.js while the server still computes the first figure; call it early."""
-    st.html(f"<script>{loading()}</script>", unsafe_allow_javascript=True)
-
-
-@cache
-def loading() -> str:
-    """A script that loads plotly.js once for a page."""
-    return script("load").replace("__ADDRESS__", plotly_js())
-
-
-@cache
-def script(*names: str) -> str:
-    """Modules of this folder as one, the default export last: their imports from each other fall away."""
-    return joined("\n".join((_HERE / f"{name}.js").read_text(encoding="utf-8") for name in names))
-
-
-def joined(lines: str) -> str:
-    """Modules written one after the other, as one."""
-    lines = re.sub(r"^import .*? from '[./a-z]*';\n", "", lines, flags=re.MULTILINE)
-    return re.sub(r"^export (?!default)", "", lines, flags=re.MULTILINE)
+    address = f"new URL('{assets.module('chart/plotly.js')}', document.baseURI).href"
+    loading = f"import({address}).then((module) => module.loadPlotly('{assets.plotly_js()}'))"
+    st.html(f"<script>{loading}</script>", unsafe_allow_javascript=True)

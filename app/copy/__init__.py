@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import cache
-from pathlib import Path
 
 import streamlit as st
+
+from app import assets
 
 
 def copy_button(label: str, text: str, key: str) -> None:
@@ -16,5 +17,4 @@ def copy_button(label: str, text: str, key: str) -> None:
 
 @cache
 def _component() -> Callable:
-    source = Path(__file__).with_name("copy.js").read_text(encoding="utf-8")
-    return st.components.v2.component("laplace_copy", js=source, isolate_styles=False)
+    return st.components.v2.component("laplace_copy", js=assets.stub("copy/copy.js"), isolate_styles=False)

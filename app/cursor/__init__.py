@@ -6,23 +6,21 @@ To move the cursor needs no server. When it comes to rest Python hears the step,
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from pathlib import Path
 from typing import Any
 
 import streamlit as st
 
 from app import message, session
 
-_FILE = Path(__file__).resolve().parent / "cursor.js"
 HELD = 4
-"""Payloads of each kind that a browser keeps (cursor.js)."""
+"""Payloads of each kind that a browser keeps (js/cursor/cursor.js)."""
 
 
 def under_cursor(
     component: Callable, kind: str, key: str, data: bytes, *, at: int, told: Mapping[str, Any],
     on_step: Callable[[int], None] | None,
 ) -> None:  # fmt: skip
-    """Draw a component whose script is built on cursor.js.
+    """Draw a component whose script is built on js/cursor/cursor.js.
 
     Args:
         kind: of component; ``kind`` and ``key`` are its widget's name.
@@ -48,8 +46,3 @@ def under_cursor(
 
     packed = message.pack({"id": digest, "revision": channel.revision, "at": at, **told}, channel.due(digest, data))
     component(key=widget, data=packed, on_rested_change=heard, height="content")
-
-
-def script() -> str:
-    """cursor.js, a module; it needs the lens's controls."""
-    return _FILE.read_text(encoding="utf-8")

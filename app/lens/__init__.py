@@ -16,19 +16,14 @@ from typing import Any
 
 import streamlit as st
 
-from app import chart, message, session
+from app import assets, message, session
 from app.lens.payload import Simulated, payload, structure
 from app.lens.presets import PRESETS, Preset, presets_for
 from app.lens.state import LIVE, checked, state_of, values_of
-from app.served import served
 
 _HERE = Path(__file__).resolve().parent
-_MODULES = (
-    "algebra", "network", "model", "maths", "drawing", "columns", "frame", "surface", "controls", "world", "simulated",
-    "spaces", "values", "panels", "hand", "verdict", "export", "lens",
-)  # fmt: skip
 _HELD = 2
-"""Payloads that a browser keeps (entry.js); what it holds is not sent again."""
+"""Payloads that a browser keeps (js/lens/models.js); what it holds is not sent again."""
 
 
 @dataclass(frozen=True)
@@ -120,6 +115,7 @@ def lens(
         "pin": None if pin is None else dict(pin),
         "lead": None if lead is None else dict(lead),
         "followed": None if followed is None else dict(followed),
+        "plotly": assets.plotly_js(),
     }
 
     def heard() -> None:
@@ -158,58 +154,16 @@ def _index(value: object) -> int | None:
 
 @cache
 def _component() -> Callable:
-    # Streamlit sends a component's script with every answer; so this is a stub, and the lens a file of its own.
-    stub = chart.loading() + _text("stub.js").replace("__ADDRESS__", lens_js())
     # Not isolated: plotly.js puts its style into the document.
-    return st.components.v2.component("laplace_lens", js=stub, css=_text("style.css"), isolate_styles=False)
-
-
-@cache
-def lens_js() -> str:
-    """The address of the lens as one module."""
-    template = f"globalThis.laplaceLensTemplate = {json.dumps(_template())};\n"
-    return served("laplace-lens.js", (template + script("entry")).encode())
-
-
-@cache
-def _text(name: str) -> str:
-    return (_HERE / name).read_text(encoding="utf-8")
-
-
-@cache
-def script(*more: str) -> str:
-    """The modules of the lens as one, ``more`` at the end: their imports from each other fall away."""
-    return chart.script("plot") + modules(*_MODULES, *more)
-
-
-def modules(*names: str) -> str:
-    """Some modules of the lens as one."""
-    return chart.joined("\n".join(_text(f"{name}.js") for name in names))
+    css = (_HERE / "style.css").read_text(encoding="utf-8")
+    return st.components.v2.component("laplace_lens", js=assets.stub("lens/entry.js"), css=css, isolate_styles=False)
 
 
 def standalone(data: bytes, state: Mapping[str, Any], base: Mapping[str, Any] | None = None) -> str:
     """The lens as one HTML file that works without a network."""
     held = {"state": dict(state), "base": dict(base or state), "payload": base64.b64encode(data).decode()}
-    return _template().replace('"__HELD__"', json.dumps(held).replace("<", "\\u003c"))
-
-
-@cache
-def _template() -> str:
-    return f"""<!doctype html>
-<html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1">
-<title>Laplace code: the lens</title>
-<style>
-:root {{ --st-text-color: #1d2127; --st-background-color: #ffffff; --st-secondary-background-color: #f4f6f8;
-  --st-primary-color: #0b7285; color-scheme: light dark; }}
-@media (prefers-color-scheme: dark) {{ :root {{ --st-text-color: #e6e9ed; --st-background-color: #14171b;
-  --st-secondary-background-color: #1d2228; --st-primary-color: #3bc9db; }} }}
-body {{ margin: 16px; background: var(--st-background-color); }}
-{_text("style.css")}</style></head><body>
-<script type="module">
-{script("standalone")}
-globalThis.lens = standalone("__HELD__");
-</script></body></html>
-"""
+    place = '<script id="held" type="application/json">'
+    return assets.offline_page().replace(place, place + json.dumps(held).replace("<", "\\u003c"), 1)
 
 
 __all__ = [
@@ -222,11 +176,8 @@ __all__ = [
     "Simulated",
     "checked",
     "lens",
-    "lens_js",
-    "modules",
     "payload",
     "presets_for",
-    "script",
     "standalone",
     "state_of",
     "structure",

@@ -13,11 +13,9 @@ from typing import Any
 
 import streamlit as st
 
-from app import chart, cursor
+from app import assets
 from app.cursor import under_cursor
-from app.lens import modules
 from app.player.payload import payload
-from app.served import served
 
 _HERE = Path(__file__).resolve().parent
 
@@ -42,22 +40,10 @@ def player(
 
 @cache
 def _component() -> Callable:
-    stub = (_HERE / "stub.js").read_text(encoding="utf-8").replace("__ADDRESS__", player_js())
     css = (_HERE / "style.css").read_text(encoding="utf-8")
-    return st.components.v2.component("laplace_player", js=stub, css=css, isolate_styles=False)
+    return st.components.v2.component(
+        "laplace_player", js=assets.stub("player/player.js"), css=css, isolate_styles=False
+    )
 
 
-@cache
-def player_js() -> str:
-    """The address of the player as one module."""
-    return served("laplace-player.js", script().encode())
-
-
-@cache
-def script() -> str:
-    own = "\n".join((_HERE / f"{name}.js").read_text(encoding="utf-8") for name in ("reel", "peers", "player"))
-    shared = modules("algebra", "network", "model", "maths", "drawing", "controls")
-    return shared + chart.joined(f"{cursor.script()}\n{own}")
-
-
-__all__ = ["payload", "player", "player_js", "script"]
+__all__ = ["payload", "player"]

@@ -12,10 +12,8 @@ from pathlib import Path
 
 import streamlit as st
 
-from app import chart, cursor
+from app import assets
 from app.cursor import under_cursor
-from app.lens import modules
-from app.served import served
 from app.track.payload import payload
 
 _HERE = Path(__file__).resolve().parent
@@ -42,22 +40,8 @@ def track(
 
 @cache
 def _component() -> Callable:
-    stub = (_HERE / "stub.js").read_text(encoding="utf-8").replace("__ADDRESS__", track_js())
     css = (_HERE / "style.css").read_text(encoding="utf-8")
-    return st.components.v2.component("laplace_track", js=stub, css=css, isolate_styles=False)
+    return st.components.v2.component("laplace_track", js=assets.stub("track/track.js"), css=css, isolate_styles=False)
 
 
-@cache
-def track_js() -> str:
-    """The address of the track as one module."""
-    return served("laplace-track.js", script().encode())
-
-
-@cache
-def script() -> str:
-    own = (_HERE / "track.js").read_text(encoding="utf-8")
-    shared = modules("algebra", "network", "model", "maths", "drawing", "controls")
-    return shared + chart.joined(f"{cursor.script()}\n{own}")
-
-
-__all__ = ["COLOURS", "payload", "script", "track", "track_js"]
+__all__ = ["COLOURS", "payload", "track"]

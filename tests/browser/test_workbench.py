@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from playwright.sync_api import expect
 
+from bench.browser import module_of
 from laplace_core.cli import main
 
 pytestmark = pytest.mark.browser
@@ -158,11 +159,12 @@ def test_a_browser_that_has_lost_the_payload_asks_for_it(page, address):
     page.locator("input[name=alpha]").press("ArrowLeft")
     expect(page).to_have_url(re.compile("alpha="))
     page.wait_for_timeout(500)
-    page.evaluate("() => laplaceModels.clear()")
+    models = module_of(page, "lens/models.js")
+    models.evaluate("({ models }) => models.clear()")
     page.locator("input[name=alpha]").press("ArrowLeft")
     expect(page).to_have_url(re.compile("alpha=0.18"))
     page.wait_for_timeout(1500)
-    assert page.evaluate("() => laplaceModels.size") == 1
+    assert models.evaluate("({ models }) => models.size") == 1
 
 
 def test_the_library_s_verdict_and_the_one_of_the_lens_begin_alike(page, address):

@@ -1,0 +1,88 @@
+// What the pictures of the lens have in common: their box, their title, the mark of what is pointed at.
+/** @import { Box, Colours, Model, Path, Pen, Scale, Scene } from '../types.js' */
+export const GHOST = { width: 1.2, dash: [7, 3] }; // the view pinned as A
+
+/**
+ * The box that margins leave of a picture, in pixels.
+ * @param {number} w
+ * @param {number} h
+ * @param {{ left?: number, right?: number, top?: number, bottom?: number }} [margins]
+ * @returns {Box}
+ */
+export const inside = (w, h, { left = 46, right = 10, top = 28, bottom = 34 } = {}) => ({
+  x: left,
+  y: top,
+  w: w - left - right,
+  h: h - top - bottom,
+});
+
+/**
+ * Writes a title and a note: beside it where there is room, else under it, where `under` says so.
+ * @param {Pen} pen
+ * @param {number} w - width of the picture
+ * @param {string} words
+ * @param {string} note
+ * @param {Pick<Scene, 'colours'>} scene
+ * @param {boolean} [under]
+ * @returns {void}
+ */
+export function titled(pen, w, words, note, { colours }, under = true) {
+  pen.text(words, 2, 15, { size: 14, weight: 600, colour: colours.text });
+  if (!note) return;
+  const beside = pen.width(words, 14, 600) + pen.width(note, 11) + 14 < w;
+  if (beside || under)
+    pen.text(note, w - 4, beside ? 15 : 26, { size: beside ? 11 : 10.5, align: 'right', colour: colours.soft });
+}
+
+/**
+ * Marks where the other panels point to.
+ * @param {Pen} pen
+ * @param {Scale} scale
+ * @param {{ x?: number, y?: number }} place - in the units of the axes
+ * @param {Colours} colours
+ * @returns {void}
+ */
+export function marked(pen, { box, X, Y }, { x, y }, colours) {
+  const across = x === undefined ? NaN : X(x),
+    up = y === undefined ? NaN : Y(y),
+    lines = [];
+  if (across >= box.x && across <= box.x + box.w)
+    lines.push([
+      [across, box.y],
+      [across, box.y + box.h],
+    ]);
+  if (up >= box.y && up <= box.y + box.h)
+    lines.push([
+      [box.x, up],
+      [box.x + box.w, up],
+    ]);
+  for (const each of lines) {
+    pen.path(each, { stroke: colours.halo, width: 3 });
+    pen.path(each, { stroke: colours.mark, width: 1.2 });
+  }
+}
+
+/**
+ * The largest of the values, and at least 0.
+ * @param {{ reduce(larger: (a: number, b: number) => number, first: number): number }} values
+ * @returns {number}
+ */
+export const top = (values) => values.reduce((a, b) => Math.max(a, b), 0);
+
+/**
+ * Below this a value is nothing beside the rewards of the world, and an axis should not blow it up.
+ * @param {Model} model
+ * @returns {number} in reward
+ */
+export const leastSpan = ({ arrays }) =>
+  arrays.rewards ? 0.05 * Math.max(1e-9, ...arrays.rewards.map(Math.abs)) : 1e-3;
+
+/**
+ * Corners of a disc.
+ * @param {number} x
+ * @param {number} y
+ * @param {number} r
+ * @returns {Path}
+ */
+export const disc = (x, y, r) =>
+  Array.from({ length: 13 }, (_, i) => [x + r * Math.cos((i * Math.PI) / 6), y + r * Math.sin((i * Math.PI) / 6)]);

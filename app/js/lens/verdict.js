@@ -1,0 +1,119 @@
+// The sentence over the pictures: what the values choose, whether that is right, and what is to blame. The library says
+// the same on release, and why (laplace_core.verdict); this is what holds while a hand moves.
+/** @import { Effect, Model, Seen, State, Verdict } from '../types.js' */
+import { short } from '../draw/drawing.js';
+import { ROUNDING, tieSize } from '../core/algebra.js';
+import { SWITCHES, available, effect, timelineError } from '../core/maths.js';
+
+const VALUE_TOLERANCE = 0.1,
+  SOUND = 0.1,
+  RUINED = 1 / 3; // as in laplace_core.grades
+export const WORDS = {
+  bad: 'Wrong',
+  warn: 'Right, for the wrong reason',
+  ok: 'Right',
+  unknown: 'No truth to compare with',
+  smeared: 'Right choice, smeared timeline',
+  ruined: 'Right choice, ruined timeline',
+};
+
+// Decimals, never a negative zero. Values that are all below .01, but larger than rounding, get significant digits;
+// `apart` adds as many digits as make two values differ. As in laplace_core.verdict.in_words.
+const fixed = (value, digits) => (Math.round(value * 10 ** digits) / 10 ** digits + 0).toFixed(digits);
+const significant = (value, digits) => String(+value.toPrecision(digits) + 0);
+function inWords(values, scale, apart = false) {
+  const largest = Math.max(...values.map(Math.abs));
+  const word = ROUNDING * scale < largest && largest < 0.01 ? significant : fixed;
+  const shown = (digits) => values.map((value) => word(value, digits));
+  const enough = apart && [2, 3, 4, 6].find((digits) => new Set(shown(digits)).size === values.length);
+  return shown(enough || 2);
+}
+
+// The chosen value against the next best, with the digits that tell them apart.
+function numbers(values, scale, chosen, names) {
+  if (values.length < 2) return '';
+  const rival = values.reduce((best, value, a) => (a !== chosen && (best < 0 || value > values[best]) ? a : best), -1);
+  if (values[rival] >= values[chosen] - tieSize(values[chosen], scale))
+    return ` (a tie at ${inWords([values[chosen]], scale)[0]})`;
+  const [first, second] = inWords([values[chosen], values[rival]], scale, true);
+  return ` (${first} v ${second}${values.length > 2 ? ` for ${names[rival]}` : ''})`;
+}
+
+/**
+ * The verdict on what is seen; where there is a truth, with the largest error of a value and that of the timeline.
+ * @param {Model} model
+ * @param {State} state
+ * @param {Seen} seen
+ * @returns {Verdict}
+ */
+export function judged(model, state, seen) {
+  const names = model.header.actions,
+    row = seen.readRow,
+    values = seen.values.map((line) => line[row]);
+  const T = short(model.horizons[row]),
+    left = short(model.horizons[seen.leftRow]);
+  const where =
+    state.used > 0 ? `With ${left} of ${short(state.horizon)} steps to go, read at T = ${T},` : `At T = ${T}`;
+  const choice =
+    `${where} the decoded values choose ${names[seen.chosen]}` + numbers(values, seen.scale, seen.chosen, names);
+  if (!seen.truth) {
+    return {
+      tone: 'unknown',
+      sentence: model.A > 1 ? `${choice}.` : `${where} the decoded value is ${inWords([values[0]], seen.scale)[0]}.`,
+    };
+  }
+  const optimum = seen.optimumAt(seen.leftRow),
+    true_ = seen.truth.values.map((line) => line[seen.leftRow]);
+  const timeline = timelineError(model, state, seen),
+    error = Math.max(...values.map((value, a) => Math.abs(value - seen.truth.hard[a][seen.leftRow])));
+  const grade = timeline <= SOUND ? 'sound' : timeline <= RUINED ? 'smeared' : 'ruined';
+  const rows =
+    grade === 'sound'
+      ? ''
+      : timeline <= 1
+        ? ` Timeline of ${names[state.action]}: ${grade}, ${Math.round(100 * timeline)}% misplaced.`
+        : ` Timeline of ${names[state.action]}: ruined, off by ${short(timeline)} times all that truly comes.`;
+  if (seen.regret > tieSize(Math.max(...optimum), Math.max(...optimum.map(Math.abs)))) {
+    return {
+      tone: 'bad',
+      error,
+      timeline,
+      sentence: `${choice}; the best is ${names[seen.best]}, and ${short(seen.regret)} is lost.${rows}`,
+    };
+  }
+  const scale = Math.max(...true_.map(Math.abs), 1e-2 * Math.max(...model.arrays.rewards.map(Math.abs)));
+  const offs = true_.map((value, a) =>
+      scale > 0
+        ? Math.abs(value - values[a]) / scale
+        : Math.abs(value - values[a]) > tieSize(0, seen.scale)
+          ? Infinity
+          : 0,
+    ),
+    worst = offs.indexOf(Math.max(...offs));
+  const tone = offs[worst] > VALUE_TOLERANCE ? 'warn' : grade === 'sound' ? 'ok' : grade;
+  if (model.A === 1) {
+    const [decoded, truly] = inWords([values[0], true_[0]], seen.scale);
+    return {
+      tone,
+      error,
+      timeline,
+      sentence: `${where} the decoded value is ${decoded}; the true one is ${truly}.${rows}`,
+    };
+  }
+  const [decoded, truly] = inWords([values[worst], true_[worst]], seen.scale, true);
+  const but = tone === 'warn' ? ` But ${names[worst]} is worth ${truly}, not ${decoded}.` : '';
+  return { tone, error, timeline, sentence: `${choice}, and no action is better.${but}${rows}` };
+}
+
+/**
+ * What every switch does here, by name.
+ * @param {Model} model
+ * @param {State} state
+ * @returns {Record<string, Effect>}
+ */
+export const effects = (model, state) =>
+  Object.fromEntries(
+    Object.keys(SWITCHES)
+      .filter((name) => available(model, name))
+      .map((name) => [name, effect(model, state, name)]),
+  );
