@@ -22,8 +22,8 @@ pytestmark = pytest.mark.browser
 
 OWN = f"world=own&own={pack(dump_world(load_world('two_branch')))}"
 
-WITHIN = """() => {
-    const { left, right } = document.querySelector('[data-testid="stPopoverBody"]').getBoundingClientRect();
+WITHIN = """(name) => {
+    const { left, right } = document.querySelector(`[role=dialog][aria-label="${name}"]`).getBoundingClientRect();
     return left >= 0 && right <= innerWidth + 1;
 }"""
 TOO_WIDE = """() => {
@@ -161,9 +161,9 @@ def test_nothing_is_wider_than_the_screen_with_every_section_open(chromium, addr
     assert page.evaluate("() => document.documentElement.scrollWidth <= innerWidth + 1")
     for name in ("How to read this", "Copy", "Download"):
         page.get_by_role("button", name=name, exact=True).click()
-        popover = page.locator('[data-testid="stPopoverBody"]')
+        popover = page.get_by_role("dialog", name=name, exact=True)
         expect(popover).to_be_visible()
-        page.wait_for_function(WITHIN)  # it is put into place after it is shown
+        page.wait_for_function(WITHIN, arg=name)  # it is put into place after it is shown
         page.keyboard.press("Escape")
         expect(popover).to_have_count(0)
     context.close()

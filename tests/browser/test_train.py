@@ -81,7 +81,7 @@ def test_a_run_moves_is_found_again_stops_goes_on_and_is_opened(page, chromium, 
     card(page).get_by_role("button", name="Open in Trained agents").click()
     expect(page).to_have_url(re.compile(f"agents.*checkpoint=run%3A{RUN}"), timeout=60_000)
     expect(page.locator(".laplace-lens .verdict")).to_be_visible(timeout=60_000)
-    expect(page.get_by_text("laplace, seed 7")).to_be_visible(timeout=60_000)
+    expect(page.get_by_text("Laplace DQN, seed 7")).to_be_visible(timeout=60_000)
 
 
 @pytest.mark.parametrize("width", [1440, 390])
