@@ -559,6 +559,7 @@ export interface Mounted {
   stop(): void;
   /** Moves the cursor, as Python asks for. */
   place(step: number): void;
+  cursor: Pick<Stepper, 'step' | 'to'>;
   news?(told: any): void;
 }
 

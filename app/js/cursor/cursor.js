@@ -30,6 +30,7 @@ export const button = (words, title, does) =>
 export const component = ({ kind, open, mount, shown = (told) => told.id }) => {
   const shelf = (shelves[kind] ??= new Map()),
     mounted = new WeakMap();
+  let latest;
   const found = async (id, bytes) => {
     const opened = bytes.length && !shelf.has(id) ? await open(bytes, id) : shelf.get(id);
     if (!opened) return undefined;
@@ -62,6 +63,11 @@ export const component = ({ kind, open, mount, shown = (told) => told.id }) => {
     kept = { host, ...mount(host, opened, told, (heard) => kept.report('rested', heard)) };
     Object.assign(kept, { shown: shown(told), revision: told.revision, report: setTriggerValue });
     mounted.set(parentElement, kept);
+    // Streamlit may take it off the page and put it back with an old message: a step that Python has not heard of yet,
+    // because the cursor had not come to rest, is kept.
+    if (latest && !latest.host.isConnected && latest.id === told.id && latest.revision === told.revision)
+      kept.cursor.to(latest.cursor.step);
+    latest = Object.assign(kept, { id: told.id });
   };
 };
 

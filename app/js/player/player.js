@@ -241,5 +241,5 @@ function mount(host, reel, told, report) {
   if (exact) draw();
   else show(); // what Python has told the lens of this very step is better
   flag(told.flags);
-  return { stop: at.stop, place: at.place, news: ({ flags: news }) => flag(news) };
+  return { stop: at.stop, place: at.place, cursor: at, news: ({ flags: news }) => flag(news) };
 }

@@ -75,7 +75,7 @@ function mount(host, race, told, report) {
     if (event.target === host) draw();
   }); // its colour follows the theme
   show();
-  return { stop: at.stop, place: at.place };
+  return { stop: at.stop, place: at.place, cursor: at };
 }
 
 // One side: its picture after so many steps, the step that led there, and the return so far.
