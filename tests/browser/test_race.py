@@ -74,3 +74,17 @@ def test_to_move_the_cursor_needs_no_server_and_it_plays(page, address, sides):
     )
     page.wait_for_function("() => +document.querySelector('input[name=over]').value === 20")
     page.get_by_role("button", name="play", exact=True).wait_for()
+
+
+@pytest.mark.parametrize("width", [390, 1024, 1200, 1440])
+def test_the_numbers_of_both_sides_are_seen_whole(page, address, width):
+    """Beside a sidebar there is less room than on the screen: a return was hidden under the other side's picture."""
+    page.set_viewport_size({"width": width, "height": 800})
+    page.goto(f"{address}/race?d.T={T}&d.start={START}")
+    page.locator(".laplace-track canvas").wait_for()
+    outside = page.locator(".laplace-track .lane").evaluate_all(
+        "(lanes) => lanes.flatMap((lane) => [...lane.querySelectorAll('output, b, h4')].filter((words) =>"
+        " words.getBoundingClientRect().right > lane.getBoundingClientRect().right + 1 || words.scrollWidth > "
+        " words.clientWidth + 1).map((words) => words.textContent))"
+    )
+    assert outside == []
