@@ -28,7 +28,7 @@ def ask(view: View, loaded: Loaded, rollout: Rollout, step: int) -> Simulated | 
     own = _own(rollout)
     found = simulations.found(loaded, rollout, step, view.action, own=own)
     with st.container(key="truth"):
-        shares = [7, 1.2] if rollout.of_the_values else [5.8, 2.6, 1.2]
+        shares = [6.4, 1.8] if rollout.of_the_values else [5.2, 2.6, 1.8]
         words, *picker, button = st.columns(shares, vertical_alignment="center", gap="small")
         if picker:
             key, titles = state.show(AFTER, "values"), _titles(rollout)

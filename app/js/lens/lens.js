@@ -331,7 +331,7 @@ export function mount(root, model, told, report) {
     const whole = `${WORDS[tone]}. ${words}`;
     if (sentence.textContent === whole && remedies.children.length === labels.length) return;
     sentence.replaceChildren(element('b', {}, `${WORDS[tone]}.`), ` ${words}`);
-    verdict.className = `verdict ${tone === 'bad' || tone === 'ok' ? tone : 'warn'}`;
+    verdict.className = `verdict ${tone === 'bad' || tone === 'ok' ? tone : 'warn'}${tone === 'unknown' ? ' brief' : ''}`;
     remedies.replaceChildren(
       ...labels.map((label, i) =>
         element('button', { type: 'button', class: 'remedy', onclick: () => report({ state, remedy: i }) }, label),
