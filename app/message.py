@@ -12,9 +12,10 @@ What is seen has two owners, the server and the hand in the browser, and this is
    does not raise the revision for it: the browser has it already. A state that Python itself sets (a remedy, Back,
    another step) differs from what was released or sent last, and raises the revision.
 4. **Mounting anew.** Streamlit may take a component off a page and put it back with its last message. The lens
-   therefore remembers in the browser what was let go of last under which payload and revision (``released`` in
-   ``lens/entry.js``), so that its message need not change with a release (:meth:`Channel.show`). A cursor does not
-   remember; its message always holds the step (:meth:`Channel.place`).
+   therefore remembers in the browser the last released state with its payload and revision (``released`` in
+   ``lens/entry.js``), so that its message need not change with a release (:meth:`Channel.show`). The message
+   of a cursor always holds the step that Python knows (:meth:`Channel.place`); a step that it has not heard of yet is
+   remembered under the same payload and revision (``latest`` in ``cursor/cursor.js``).
 """
 
 from __future__ import annotations
@@ -48,7 +49,8 @@ class Channel:
         held: names of the payloads that the browser holds, the last one used first.
         payload: name of the payload of the last message.
         sent: the state of the last message.
-        released: the state that a hand let go of since; None if the server has set another one since, or none came.
+        released: the state that a person has released since; None if there is none, or the server has set another one
+            after it.
     """
 
     revision: int = 0

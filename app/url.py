@@ -1,9 +1,9 @@
 """A page's link: one way to state what it may hold, one reader, one writer.
 
 A page hands over a :class:`Schema`. Its steps are taken in their order; each of them either takes entries out of the
-link (:class:`Entries`) or looks at what was read so far (:class:`Check`). So what comes later may depend on what came
-before: the checkpoint decides which components an observation has, and an agent that cannot be opened ends the
-reading. Nothing in a link is trusted: what does not hold is left out, with one sentence that says so.
+link (:class:`Entries`) or tests the values read so far (:class:`Check`). So a later step may depend on an earlier
+one: the checkpoint decides which components an observation has, and an agent that cannot be opened ends the reading.
+Nothing in a link is trusted: what does not hold is left out, with one sentence that says so.
 """
 
 from __future__ import annotations

@@ -1839,7 +1839,7 @@ var tauPanel = {
       margin: { right: 84 + aside },
       image: "tau",
       version: seen.tau,
-      note: cell ? `θ ${rewardWords(seen, theta)} · τ ${short(tau * dt)} · p ` + short(seen.tau[tau * seen.H + columnAt(seen, theta)] / dt) + (Number.isFinite(far) ? ` · W1 ${short(far)}` : "") : simulated ? `outlined: ${simulated.count} continuations` : scene.followed ? "white: what came" : "probability"
+      note: cell ? `θ ${rewardWords(seen, theta)} · τ ${short(tau * dt)} · p ` + short(seen.tau[tau * seen.H + columnAt(seen, theta)] / dt) + (Number.isFinite(far) ? ` · W1 ${short(far)}` : "") : simulated ? `outlined: ${simulated.count} continuations` : scene.followed ? "white: observed" : "probability"
     });
     const { box, X, Y } = scale;
     if (seen.truth ? seen.masses : simulated) {
@@ -2194,7 +2194,7 @@ var kernelPanel = {
   }
 };
 var CAME = "rgba(138,143,152,0.55)";
-var cameNote = ({ model, state }, followed) => followed.action === state.action ? "grey: what came" : `grey: what came after ${model.header.actions[followed.action]}`;
+var cameNote = ({ model, state }, followed) => followed.action === state.action ? "grey: observed" : `grey: observed after ${model.header.actions[followed.action]}`;
 var rewardsPanel = {
   name: "rewards",
   draw(pen, w, h, scene) {

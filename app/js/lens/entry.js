@@ -8,7 +8,8 @@ import { hub } from '../hub.js';
 import { loadPlotly } from '../chart/plotly.js';
 
 const mounted = new WeakMap();
-// What was let go of last, by name: Streamlit may take a component off the page and put it back with an old message.
+// The state released last, by the name of the lens: Streamlit may take a component off the page and put it back with an
+// old message.
 const released = new Map();
 
 // The page that a lens is saved as.

@@ -65,7 +65,7 @@ export const shapeOf = ({ header, grids, arrays, sloped }) =>
  * @param {HTMLElement} root
  * @param {Model} model
  * @param {Told} told
- * @param {(heard: Released) => void} report - hears what is let go of
+ * @param {(heard: Released) => void} report - called with the state that is released
  * @returns {Lens}
  */
 export function mount(root, model, told, report) {

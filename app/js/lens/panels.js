@@ -155,9 +155,7 @@ export const kernelPanel = {
 
 const CAME = 'rgba(138,143,152,0.55)';
 const cameNote = ({ model, state }, followed) =>
-  followed.action === state.action
-    ? 'grey: what came'
-    : `grey: what came after ${model.header.actions[followed.action]}`;
+  followed.action === state.action ? 'grey: observed' : `grey: observed after ${model.header.actions[followed.action]}`;
 
 /** @type {Panel} */
 export const rewardsPanel = {

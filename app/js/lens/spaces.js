@@ -267,7 +267,7 @@ export const tauPanel = {
         : simulated
           ? `outlined: ${simulated.count} continuations`
           : scene.followed
-            ? 'white: what came'
+            ? 'white: observed'
             : 'probability',
     });
     const { box, X, Y } = scale;

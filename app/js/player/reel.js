@@ -83,7 +83,8 @@ export const frameAt = ({ frames, ends }, step) =>
   ends.length ? frames.subarray(step ? ends[step - 1] : 0, ends[step]) : null;
 
 /**
- * Whether the agent's own value, which stands for what was cut off, has more than 5% of the weight in what came.
+ * Whether the agent's own value, the bootstrapped remainder of a truncated episode, has more than 5% of the weight in
+ * the observed return.
  * @param {Pick<Reel, 'acting_gamma' | 'steps' | 'terminated'>} reel
  * @param {number} step
  * @returns {boolean}
