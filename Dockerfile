@@ -13,7 +13,7 @@ COPY .streamlit .streamlit
 COPY laplace_core laplace_core
 COPY app app
 COPY checkpoints checkpoints
-RUN python -m app.assets
+RUN python -m app.components.assets
 
 USER 10001:10001
 EXPOSE 8501

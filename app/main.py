@@ -7,14 +7,15 @@ import streamlit as st
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))  # streamlit puts only this folder on the path
 
-from app import chart, training_runs
+from app.catalogue import training_runs
+from app.components import chart
 
 st.set_page_config(page_title="Laplace code workbench", page_icon="∑", layout="wide")
 st.html(Path(__file__).with_name("style.css"))
 chart.preload()
 training_runs.wake()
 PAGES = [
-    st.Page("screens/workbench.py", title="Worlds", default=True),
+    st.Page("screens/worlds.py", title="Worlds", default=True),
     st.Page("screens/agents.py", title="Trained agents", url_path="agents"),
     st.Page("screens/race.py", title="Deadline race", url_path="race"),
     st.Page("screens/train.py", title="Train", url_path="train"),

@@ -13,15 +13,15 @@ from time import perf_counter, process_time
 import numpy as np
 import torch
 
-from app.player.payload import payload
+from app.components.player.payload import payload
 from bench.browser import FLAGS, ROOT, find_chromium, module_of, opening, served
 from bench.lens import memory_of
 from bench.report import Figure, Goal
 from bench.timing import Spread, interleaved, spread
 from bench.users import _GO
+from laplace_core.acting.rollout import roll_out
 from laplace_core.inverse import decode
 from laplace_core.training.checkpoint import Loaded, load_checkpoint
-from laplace_core.training.rollout import roll_out
 
 SUBJECT = "Trained agents"
 NAME = "laplace_LunarLander-v3"

@@ -9,8 +9,8 @@ import numpy as np
 from bench.report import Figure, Goal
 from bench.timing import interleaved, spread
 from laplace_core import World, load_world
-from laplace_core.encoding import discount_grid, sensitivity_grid
-from laplace_core.learning import LaplaceTD, Schedule, learn, sensitivity_channels, td_update
+from laplace_core.code.encoding import discount_grid, sensitivity_grid
+from laplace_core.tabular.td import LaplaceTD, Schedule, learn, sensitivity_channels, td_update
 
 GAMMAS, THETAS, EPISODES = 100, 250, 3_000
 SUBJECT = "Learning from transitions"

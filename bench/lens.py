@@ -15,13 +15,13 @@ from pathlib import Path
 import numpy as np
 import plotly
 
-from app.lens import payload, structure
+from app.components.lens import payload, structure
 from bench.browser import FLAGS, find_chromium, served
 from laplace_core import PRESETS, Settings, load_world, study
 from tests.lens_agreement import FULL, compared_in, fixture, network, payloads, random_cases
 
 ROOT = Path(__file__).resolve().parent.parent
-PAGE = ROOT / "app" / "demo.py"
+PAGE = ROOT / "tests" / "browser" / "lens_demo.py"
 MOVES = 60
 GOALS = {"redraws": 50, "frame": 16.0, "bytes": 200_000, "difference": 1e-4}
 

@@ -12,8 +12,8 @@ from time import perf_counter
 from bench.report import Figure, Goal
 from bench.timing import spread
 from laplace_core.supervise import read_process
-from laplace_core.training.command import settings_of
 from laplace_core.training.curves import Reader
+from laplace_core.training.defaults import settings_of
 from laplace_core.training.progress import read_progress
 from laplace_core.training.queue import Queue
 

@@ -7,10 +7,10 @@ found.decoded.tau_space        # (A, K, H-1): how likely each reward is at each 
 found.decoded.horizon_values   # (A, K): column T-1 is the value of each action for the horizon T
 """
 
+from laplace_core.code.gamma_space import GammaSpace
 from laplace_core.errors import InputError
-from laplace_core.gamma_space import GammaSpace
-from laplace_core.pipeline import Study, study, study_of_gamma_space
-from laplace_core.settings import Settings
+from laplace_core.study.pipeline import Study, study, study_of_gamma_space
+from laplace_core.study.settings import Settings
 from laplace_core.worlds import PRESETS, World, load_world
 
 __version__ = "0.2.0"

@@ -20,7 +20,7 @@ manifest_scanner.scan_component_manifests = cache(manifest_scanner.scan_componen
 @pytest.fixture
 def runs(tmp_path, monkeypatch):
     """The queue of the page of training, on an empty folder."""
-    from app import training_runs
+    from app.catalogue import training_runs
     from tests.quick_runs import stand_in
 
     monkeypatch.setenv(training_runs.VARIABLE, str(tmp_path / "runs"))

@@ -14,12 +14,12 @@ from typing import Any
 
 import numpy as np
 
-from app.lens import Simulated, payload, state_of, structure
-from app.lens.payload import unpacked
+from app.components.lens import Simulated, payload, state_of, structure
+from app.components.lens.payload import unpacked
 from laplace_core import Settings, load_world, study, study_of_gamma_space
+from laplace_core.code.interpolation import with_added
 from laplace_core.experiments.views import View, draw_view
-from laplace_core.interpolation import with_added
-from laplace_core.verdict import judge
+from laplace_core.study.verdict import judge
 from tests.lens_reference import seen
 
 FULL = {"gammas": 100, "thetas": 250, "steps": 200}

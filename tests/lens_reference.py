@@ -8,15 +8,15 @@ from typing import Any
 
 import numpy as np
 
-from app.lens.payload import LEVELS, unpacked
+from app.components.lens.payload import LEVELS, unpacked
 from laplace_core import GammaSpace, Study
-from laplace_core.encoding import reward_distance
-from laplace_core.gamma_space import encode, softened, with_noise
-from laplace_core.horizon import regret
-from laplace_core.kernels import averaging_kernel_of, discount_kernel_of
-from laplace_core.pipeline import read_study, rows_decoded
-from laplace_core.settings import Resolved
-from laplace_core.ties import greedy_action
+from laplace_core.code.encoding import reward_distance
+from laplace_core.code.gamma_space import encode, softened, with_noise
+from laplace_core.code.ties import greedy_action
+from laplace_core.study.horizon import regret
+from laplace_core.study.kernels import averaging_kernel_of, discount_kernel_of
+from laplace_core.study.pipeline import read_study, rows_decoded
+from laplace_core.study.settings import Resolved
 
 
 def seen(data: bytes, state: Mapping[str, Any], tau: int = 0, rounding: float = 0.0) -> dict[str, np.ndarray]:

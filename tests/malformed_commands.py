@@ -11,7 +11,7 @@ import numpy as np
 
 from laplace_core.agents.settings import SETTINGS
 from laplace_core.parameters import Parameter
-from laplace_core.settings import SCHEMA, flag
+from laplace_core.study.settings import SCHEMA, flag
 from laplace_core.worlds import PRESETS, TOY_TEXT
 from tests.malformed_tables import NEAR_NUMBERS
 

@@ -15,11 +15,12 @@ import streamlit
 from streamlit.delta_generator import DeltaGenerator
 from streamlit.testing.v1 import AppTest
 
-from app.link import pack
-from app.query import LINK
-from app.runs import Runs
 from app.session import KEY, Session
-from app.sources import View, view_of
+from app.session.link import pack
+from app.view.subjects import View
+from app.worlds.learners import Runs
+from app.worlds.schema import LINK
+from app.worlds.sources import view_of
 from laplace_core import Study
 from tests.lens_reference import seen
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from laplace_core.gamma_space import GammaSpace, encode
-from laplace_core.learning import reward_indicator_basis, target_policies
+from laplace_core.code.gamma_space import GammaSpace, encode
+from laplace_core.planning import reward_indicator_basis, target_policies
 from laplace_core.worlds import END, Outcome, World
 
 

@@ -12,8 +12,8 @@ from laplace_core.agents import ENVIRONMENTS, LaplaceSettings, networks
 from laplace_core.agents.agent import Batch
 from laplace_core.agents.laplace import LaplaceAgent
 from laplace_core.agents.networks import DiscountInput
+from laplace_core.environments.vector import _time_limit, make, spec
 from laplace_core.errors import InputError
-from laplace_core.training.environments import _time_limit, make, spec
 
 torch.set_num_threads(1)
 SMALL = LaplaceSettings(hidden=8, features=4, gammas=3, thetas=5, batch=6)

@@ -9,7 +9,7 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from laplace_core.agents.expectile import LEAST_TAIL, _minorant_slopes, expectile_loss, impute
-from laplace_core.learning import peers as tables
+from laplace_core.tabular import peers as tables
 
 torch.set_num_threads(1)
 LEVELS = torch.tensor([0.25, 0.5, 0.75])

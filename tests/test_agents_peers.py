@@ -15,7 +15,7 @@ from laplace_core.agents.agent import Agent, Batch
 from laplace_core.agents.c51 import project
 from laplace_core.agents.registry import AGENTS
 from laplace_core.errors import InputError
-from laplace_core.learning import peers as tables
+from laplace_core.tabular import peers as tables
 from tests.test_agents import batch_of
 
 torch.set_num_threads(1)

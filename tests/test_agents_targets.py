@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from laplace_core.agents.agent import Batch
 from laplace_core.agents.laplace import LaplaceAgent
 from laplace_core.agents.sensitivities import Sensitivities
-from laplace_core.encoding import activation, bin_masses
+from laplace_core.code.encoding import activation, bin_masses
 from tests.test_agents import SMALL, batch_of, small
 
 CODES = ("softmax", "accumulated", "clipped", "free")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from app.sources import WORLDS
+from app.worlds.sources import WORLDS
 from tests.pages import choose, handed, opened, press, verdict
 
 

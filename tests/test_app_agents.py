@@ -11,20 +11,21 @@ import numpy as np
 import pytest
 from streamlit.testing.v1 import AppTest
 
-from app import checkpoints, compute, simulations, trained
-from app.lens.payload import unpacked
-from app.observations import scene_of
-from app.parts import truth
+from app.agents import schema, truth, truth_jobs
+from app.catalogue import checkpoints
+from app.catalogue.scenes import scene_of
+from app.components.lens.payload import unpacked
+from app.view import compute
 from laplace_core import InputError, Settings
+from laplace_core.acting.continuations import continue_from
+from laplace_core.acting.flags import flag_steps
+from laplace_core.acting.rollout import roll_out
 from laplace_core.agents import ENVIRONMENTS, LaplaceSettings
-from laplace_core.encoding import softening
-from laplace_core.interpolation import with_added
-from laplace_core.settings import resolve_for_gamma_space
-from laplace_core.training import environments
+from laplace_core.code.encoding import softening
+from laplace_core.code.interpolation import with_added
+from laplace_core.environments import vector
+from laplace_core.study.settings import resolve_for_gamma_space
 from laplace_core.training.checkpoint import load_checkpoint, new_agent, save_checkpoint
-from laplace_core.training.continuations import continue_from
-from laplace_core.training.flags import flag_steps
-from laplace_core.training.rollout import roll_out
 from tests.pages import charts
 
 MAIN = str(Path(__file__).resolve().parent.parent / "app" / "main.py")
@@ -84,7 +85,7 @@ def test_a_slider_changes_what_is_seen_and_the_link(shipped):
 def test_what_is_shown_is_what_the_agent_holds(shipped):
     loaded = load_checkpoint(shipped / "laplace_CartPole-v1.safetensors")
     scene = scene_of("CartPole-v1")
-    view = trained.view_of(loaded, scene, {"o.0": 0.5, "o.3": -1.0, "action": "push right"})
+    view = schema.view_of(loaded, scene, {"o.0": 0.5, "o.3": -1.0, "action": "push right"})
     found = compute.study_for(view)
     wanted = loaded.agent.gamma_space(np.array([0.5, 0.0, 0.0, -1.0]))
     np.testing.assert_array_equal(found.gamma_space.values, wanted.values)
@@ -96,10 +97,10 @@ def test_a_tabular_agent_is_asked_about_a_state(shipped):
     page = opened(checkpoint="laplace_two_branch", state="long 1")
     assert next(box for box in page.selectbox if box.label == "State").value == "long 1"
     scene = scene_of("two_branch")
-    assert trained.observation_of(scene, {"state": "long 1"}) == tuple(np.eye(3)[scene.states.index("long 1")])
+    assert schema.observation_of(scene, {"state": "long 1"}) == tuple(np.eye(3)[scene.states.index("long 1")])
     # The timeline of a world that is over after three steps has no more rows, as on the page of worlds.
     loaded = load_checkpoint(shipped / "laplace_two_branch.safetensors")
-    assert trained.view_of(loaded, scene, {}).settings.steps == 3
+    assert schema.view_of(loaded, scene, {}).settings.steps == 3
 
 
 @pytest.mark.parametrize(
@@ -135,7 +136,7 @@ def test_a_file_that_is_no_checkpoint_is_refused_in_one_sentence(data):
 
 @pytest.mark.parametrize("environment", ENVIRONMENTS)
 def test_every_environment_has_its_words(environment):
-    scene, spec = scene_of(environment), environments.spec(environment)
+    scene, spec = scene_of(environment), vector.spec(environment)
     assert len(scene.actions) == spec.actions
     assert len(scene.states or scene.components) == spec.observation
     for part in scene.components:
@@ -210,7 +211,7 @@ def test_a_step_beyond_the_end_is_the_last_one(shipped):
 def few(monkeypatch):
     """Simulations of a moment."""
     for bound, small in (("COUNT", 2), ("EPISODES", 2), ("EACH", 3), ("STEPS", 20)):
-        monkeypatch.setattr(simulations, bound, small)
+        monkeypatch.setattr(truth_jobs, bound, small)
         monkeypatch.setattr(truth, bound, small)
 
 
@@ -275,14 +276,14 @@ def test_the_link_adds_discounts_and_softens_the_slope(shipped):
     header, arrays = unpacked(payload_of(page))
     assert told(page, "laplace_lens")["state"]["slope_share"] == 0.5
     assert header["added"] == 2
-    at = np.array(trained.observation_of(scene_of("CartPole-v1"), {}))
+    at = np.array(schema.observation_of(scene_of("CartPole-v1"), {}))
     space = with_added(loaded.agent.gamma_space(at), 2)
     np.testing.assert_array_equal(arrays["gammas"], space.gammas)
     np.testing.assert_array_equal(arrays["differences"], space.differences)
     np.testing.assert_array_equal(arrays["places"], loaded.agent.sensitivities.places)
     # What stands under the lens is of the softer slope, too.
     scene = scene_of("CartPole-v1")
-    view = trained.view_of(loaded, scene, {"added": 2, "slope_share": 0.5})
+    view = schema.view_of(loaded, scene, {"added": 2, "slope_share": 0.5})
     found = compute.study_for(view)
     soft = space.differences @ softening(loaded.agent.sensitivities.places, 0.5, open_ends=True)
     np.testing.assert_allclose(found.gamma_space.differences, soft, rtol=1e-9, atol=1e-9)

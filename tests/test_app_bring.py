@@ -8,10 +8,10 @@ import json
 import numpy as np
 import pytest
 
-from app import link as links
-from app.sources import FIRST_TIMELINE, packed_timeline, timeline_rows_of
+from app.session import link as links
+from app.worlds.sources import FIRST_TIMELINE, packed_timeline, timeline_rows_of
 from laplace_core import Settings, load_world, study, study_of_gamma_space
-from laplace_core.saved import read_gamma_space, study_arrays
+from laplace_core.study.npz import read_gamma_space, study_arrays
 from laplace_core.worlds import parse_world, world_from_rows, world_rows
 from tests.hostile import assert_one_sentence
 from tests.malformed_saved import GOOD, with_arrays

@@ -8,14 +8,14 @@ import shlex
 import numpy as np
 import pytest
 
-from app.link import pack
+from app.session.link import pack
 from laplace_core import Settings, load_world, study
 from laplace_core.cli import main
-from laplace_core.compare import difference
-from laplace_core.control import episode_regret_of
-from laplace_core.learned import study_of
-from laplace_core.saved import study_arrays
-from laplace_core.tables import gamma_space_csv, rewards_csv, tau_space_csv, values_csv
+from laplace_core.study.compare import difference
+from laplace_core.study.episodes import episode_regret_of
+from laplace_core.study.npz import study_arrays
+from laplace_core.study.tables import gamma_space_csv, rewards_csv, tau_space_csv, values_csv
+from laplace_core.tabular import study_of
 from tests.hostile import assert_one_sentence
 from tests.malformed_saved import with_arrays
 from tests.malformed_worlds import TEXT

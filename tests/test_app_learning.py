@@ -8,13 +8,14 @@ import shlex
 import numpy as np
 import pytest
 
-from app import sources
-from app.link import pack
-from app.query import LINK
+from app.catalogue import tabular
+from app.session.link import pack
+from app.worlds import sources
+from app.worlds.schema import LINK
 from laplace_core import Settings, load_world, study
 from laplace_core.cli import main
-from laplace_core.control import episode_regret_of
-from laplace_core.learned import (
+from laplace_core.study.episodes import episode_regret_of
+from laplace_core.tabular import (
     Learned,
     Learning,
     LearnSettings,
@@ -243,10 +244,10 @@ def agent() -> Learned:
 def shipped(agent, tmp_path, monkeypatch):
     (tmp_path / "toy_world_td.safetensors").write_bytes(learned_bytes(agent))
     monkeypatch.setattr(sources, "SHIPPED", tmp_path)
-    for cached in (sources.shipped_agents, sources.shipped_agent):
+    for cached in (tabular.shipped_agents, tabular.shipped_agent):
         cached.cache_clear()
     yield "toy_world_td"
-    for cached in (sources.shipped_agents, sources.shipped_agent):
+    for cached in (tabular.shipped_agents, tabular.shipped_agent):
         cached.cache_clear()
 
 

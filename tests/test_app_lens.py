@@ -5,11 +5,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from app import compute
-from app.lens import payload, structure
-from app.parts import panels
+from app.components.lens import payload, structure
+from app.view import compute, panels
 from laplace_core import Settings, load_world, study
-from laplace_core.settings import resolve
+from laplace_core.study.settings import resolve
 from tests.pages import choose, handed, link, opened, pin, press
 
 

@@ -12,17 +12,18 @@ import plotly.graph_objects as go
 import pytest
 from streamlit.testing.v1 import AppTest
 
-from app import checkpoints, figures, raced, races
-from app.background import Work
+from app import figures
+from app.catalogue import checkpoints
+from app.components.track import COLOURS
+from app.components.track.payload import payload
 from app.figures.race import piles
-from app.parts import racing
-from app.races import Control
-from app.track import COLOURS
-from app.track.payload import payload
+from app.race import form, jobs, schema, words
+from app.race.jobs import Control
+from app.session.background import Work
+from laplace_core.acting.race import FIRST_START, Entrant, Races, race
+from laplace_core.acting.race import races as races_of
 from laplace_core.agents import SETTINGS, LaplaceSettings
 from laplace_core.training.checkpoint import Loaded, load_checkpoint, new_agent, save_checkpoint
-from laplace_core.training.race import FIRST_START, Entrant, Races, race
-from laplace_core.training.race import races as races_of
 from tests.pages import MAIN, charts, link, press, run
 from tests.quick_runs import until
 
@@ -121,21 +122,21 @@ def test_many_starts_are_raced_over_on_a_click_and_lead_to_one(shipped):
 
 
 def test_cancel_leads_back_to_the_button(shipped, monkeypatch):
-    real = races.races
+    real = jobs.races
 
     def slow(*given, told, **named):
         while True:
             time.sleep(0.02)
             told(1, 100)
 
-    monkeypatch.setattr(races, "races", slow)
+    monkeypatch.setattr(jobs, "races", slow)
     page = run(opened(checkpoint="laplace_two_branch", d_starts="3"))
     press(page, "Race over 3 starts")
     assert page.get("progress")
     press(page, "Cancel")
     assert "Race over 3 starts" in [button.label for button in page.button]
     assert "d.many" not in link(page)
-    monkeypatch.setattr(races, "races", real)
+    monkeypatch.setattr(jobs, "races", real)
     press(page, "Race over 3 starts")
     settled(page)
     assert "Over 3 starts" in verdicts(page)[1]
@@ -208,40 +209,40 @@ def control(tmp_path) -> Control:
 
 def test_an_agent_of_fixed_horizons_has_one_rule(tmp_path):
     other = loaded(tmp_path, "b.safetensors", SETTINGS["fixed_horizon"](environment="two_branch", hidden=4))
-    assert raced.rules_of(other.agent) == ("own",)
+    assert schema.rules_of(other.agent) == ("own",)
 
 
 def test_the_words_are_those_of_who_leads(control):
     fields = {"starts": 9, "left": 1.0, "right": 3.0, "difference": 2.0, "interval": [1.5, 2.5], "equal": 0.0}
-    assert raced.field_verdict(fields, control) == (
+    assert words.field_verdict(fields, control) == (
         "ahead",
         "Over 9 starts: greedy 1.0, fading deadline 3.0 on average. Fading deadline is ahead by 2.0 (95% 1.5 to 2.5).",
     )
-    tone, sentence = raced.field_verdict(fields | {"difference": -2.0, "interval": [-2.5, -1.5]}, control)
+    tone, sentence = words.field_verdict(fields | {"difference": -2.0, "interval": [-2.5, -1.5]}, control)
     assert (tone, sentence.split(". ")[1]) == ("behind", "Greedy is ahead by 2.0 (95% 1.5 to 2.5).")
-    tone, sentence = raced.field_verdict(fields | {"interval": [-0.1, 4.0]}, control)
+    tone, sentence = words.field_verdict(fields | {"interval": [-0.1, 4.0]}, control)
     assert tone == "level"
     assert "covers 0" in sentence
-    assert raced.field_verdict(fields | {"interval": [0.05, 4.0]}, control)[0] == "ahead"
-    assert "same return" in raced.field_verdict(fields | {"equal": 1.0}, control)[1]
+    assert words.field_verdict(fields | {"interval": [0.05, 4.0]}, control)[0] == "ahead"
+    assert "same return" in words.field_verdict(fields | {"equal": 1.0}, control)[1]
 
 
 def test_two_sides_that_are_one_are_told_so(control):
     same = Control(control.left, "fading", None, control.right, "fading", 3)
     one = race("two_branch", *same.entrants, 0, horizon=3)
-    assert "same rule" in raced.verdict(one, same)[1]
+    assert "same rule" in words.verdict(one, same)[1]
 
 
 def test_the_command_repeats_the_view(control):
     values = {"checkpoint": "run:mine"}
-    found = raced.command(values, Control(control.left, "greedy", 0.9, control.right, "readout", 7), 50)
+    found = words.command(values, Control(control.left, "greedy", 0.9, control.right, "readout", 7), 50)
     assert found == (
         "laplace race runs/mine/best.safetensors --horizon 7 --rule readout --against greedy --gamma 0.9 --seeds 50"
     )
 
 
 def test_a_link_leads_into_the_same_episode(control):
-    query = raced.inside(control, "right", FIRST_START + 2, 8)
+    query = words.inside(control, "right", FIRST_START + 2, 8)
     assert query == {"r.shown": "yes", "r.seed": "2000000002", "r.rule": "fading", "r.at": "7", "r.horizon": "3"}
 
 
@@ -286,12 +287,12 @@ def test_a_race_that_nobody_waits_for_any_more_is_cancelled(monkeypatch):
             told(1, 2)
 
     kept: dict[str, object] = {}
-    monkeypatch.setattr(racing.st, "session_state", kept)
+    monkeypatch.setattr(form.st, "session_state", kept)
     one, other = Work(endless), Work(lambda told: "done")
-    racing.only("race", one)
-    racing.only("race", one)
+    form.only("race", one)
+    form.only("race", one)
     assert not one.gone
-    racing.only("race", other)
+    form.only("race", other)
     until(lambda: not one.going and not other.going)
     assert one.gone
     assert other.result() == "done"

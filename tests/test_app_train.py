@@ -7,10 +7,10 @@ from dataclasses import replace
 import pytest
 from streamlit.testing.v1 import AppTest
 
-from app import training_runs
-from app.training_form import LINK, fields, wanted
+from app.catalogue import training_runs
+from app.train.schema import LINK, fields, wanted
 from laplace_core.agents.settings import ENVIRONMENTS, SETTINGS
-from laplace_core.training.command import settings_of
+from laplace_core.training.defaults import settings_of
 from laplace_core.training.queue import Queue
 from laplace_core.training.run_folder import read_config
 from tests.hostile import assert_one_sentence

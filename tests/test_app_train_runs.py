@@ -8,10 +8,11 @@ from dataclasses import replace
 
 import numpy as np
 
-from app import checkpoints, training_form
+from app.catalogue import checkpoints
+from app.train import schema
 from laplace_core.agents.settings import SETTINGS, LoopSettings
 from laplace_core.cli import main
-from laplace_core.training.command import settings_of
+from laplace_core.training.defaults import settings_of
 from laplace_core.training.queue import Queue
 from laplace_core.training.run_folder import new_run, read_config
 from tests.hostile import assert_one_sentence
@@ -115,7 +116,7 @@ def test_runs_beside_it_are_picked_and_in_the_link(runs):
     assert len(charts(page)["training"]["data"]) == 6
     page.get("button_group")[0].set_value([])
     run(page)
-    assert link(page)["beside"] == training_form.NOTHING
+    assert link(page)["beside"] == schema.NOTHING
     assert len(charts(page)["training"]["data"]) == 3
     assert len(charts(opened(**link(page)))["training"]["data"]) == 3
 
@@ -132,7 +133,7 @@ def test_agents_that_ship_are_picked_and_in_the_link(runs):
     assert len({trace["line"]["color"] for trace in charts(page)["training"]["data"] if trace.get("showlegend")}) == 3
     page.get("button_group")[0].set_value([])
     run(page)
-    assert link(page)["ships"] == training_form.NOTHING
+    assert link(page)["ships"] == schema.NOTHING
     assert shown(charts(page)["training"]) == wanted[2:]
 
 

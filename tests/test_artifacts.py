@@ -8,11 +8,12 @@ import tracemalloc
 import numpy as np
 import pytest
 
-from laplace_core import GammaSpace, Settings, control, load_world, study, study_of_gamma_space
-from laplace_core.artifacts import MEASURES, VISIBLE, Remedy, find_artefacts
-from laplace_core.artifacts.look import Look
-from laplace_core.control import constant_horizon_loss
-from laplace_core.verdict import judge
+from laplace_core import GammaSpace, Settings, load_world, study, study_of_gamma_space
+from laplace_core.study import episodes
+from laplace_core.study.artefacts import MEASURES, VISIBLE, Remedy, find_artefacts
+from laplace_core.study.artefacts.look import Look
+from laplace_core.study.episodes import constant_horizon_loss
+from laplace_core.study.verdict import judge
 from laplace_core.worlds import END, Outcome, World
 
 CALM = {"alpha": 1e-6}  # a decode so sharp that nothing is wrong with it
@@ -232,7 +233,7 @@ def test_a_constant_horizon_is_judged_at_the_horizon_that_is_asked_for():
 
 
 def test_a_constant_horizon_in_too_large_a_world_is_left_out(monkeypatch):
-    monkeypatch.setattr(control, "MAX_WORK", 10)
+    monkeypatch.setattr(episodes, "MAX_WORK", 10)
     assert "constant horizon" not in look("cliff_grid", deadline="constant", alpha=0.0123)[1]
 
 

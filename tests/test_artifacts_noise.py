@@ -8,12 +8,12 @@ import numpy as np
 import pytest
 
 from laplace_core import GammaSpace, Settings, load_world, study, study_of_gamma_space
-from laplace_core.artifacts import VISIBLE, find_artefacts
-from laplace_core.artifacts.look import Look
-from laplace_core.artifacts.noise import noise_amplification, violations
-from laplace_core.gamma_space import with_noise
+from laplace_core.code.gamma_space import with_noise
 from laplace_core.inverse import decode
-from laplace_core.pipeline import basis_of, decode_and_read
+from laplace_core.study.artefacts import VISIBLE, find_artefacts
+from laplace_core.study.artefacts.look import Look
+from laplace_core.study.artefacts.noise import noise_amplification, violations
+from laplace_core.study.pipeline import basis_of, decode_and_read
 from tests.random_gamma_spaces import noisy, random_space
 
 NAME = "noise amplification"

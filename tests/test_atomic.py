@@ -3,7 +3,7 @@
 import pytest
 
 from laplace_core import InputError
-from laplace_core.atomic import atomic_write
+from laplace_core.files.atomic import atomic_write
 from tests.hostile import assert_one_sentence
 
 

@@ -17,7 +17,7 @@ from laplace_core.agents.capabilities import (
 from laplace_core.agents.registry import AGENTS
 from laplace_core.agents.sensitivities import Sensitivities
 from laplace_core.agents.settings import LaplaceSettings
-from laplace_core.gamma_space import GammaSpace
+from laplace_core.code.gamma_space import GammaSpace
 
 ALL = (HasDiscounts, HasGammaSpace, HasReturnDistribution, HasTimeToGo, HasAtoms)
 

@@ -11,7 +11,7 @@ import pytest
 
 from laplace_core import PRESETS
 from laplace_core.cli import main
-from laplace_core.settings import SCHEMA
+from laplace_core.study.settings import SCHEMA
 from laplace_core.worlds import TOY_TEXT, dump_world, load_world
 from tests.hostile import OLD, assert_nothing_written, assert_refused
 from tests.malformed_commands import CASES

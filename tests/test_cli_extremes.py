@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from laplace_core import PRESETS
 from laplace_core.cli import main
 from laplace_core.parameters import Parameter
-from laplace_core.settings import SCHEMA, flag
+from laplace_core.study.settings import SCHEMA, flag
 from tests.hostile import assert_one_sentence
 from tests.malformed_saved import with_arrays
 

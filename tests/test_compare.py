@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from laplace_core import InputError, Settings, Study, load_world, study, study_of_gamma_space
-from laplace_core.compare import difference, rebinned, summary, value_difference
+from laplace_core.study.compare import difference, rebinned, summary, value_difference
 from tests.hostile import assert_one_sentence
 
 SPACES = ("tau_space", "gamma_space")

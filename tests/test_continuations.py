@@ -7,12 +7,13 @@ import pytest
 import torch
 
 from laplace_core import load_world
+from laplace_core.acting import continuations
+from laplace_core.acting.continuations import calibration, continue_from, outcomes_of_states, steps_known
+from laplace_core.acting.rollout import roll_out
 from laplace_core.agents import LaplaceSettings
+from laplace_core.environments import vector
 from laplace_core.errors import InputError
-from laplace_core.training import continuations, environments
 from laplace_core.training.checkpoint import new_agent
-from laplace_core.training.continuations import calibration, continue_from, outcomes_of_states, steps_known
-from laplace_core.training.rollout import roll_out
 
 torch.set_num_threads(1)
 SMALL = {"hidden": 8, "features": 4, "gammas": 4, "thetas": 5, "theta_min": -3.0, "theta_max": 12.0, "seed": 3}
@@ -36,7 +37,7 @@ class Pushing:
 def test_without_chance_all_continuations_are_the_episode_itself(name):
     agent = made(name)
     rollout = roll_out(agent, name, 7, horizon=30)
-    assert not environments.chance(name)
+    assert not vector.chance(name)
     found = continue_from(agent, rollout, 3, count=4, steps=20)
     wanted = rollout.rewards[3:23]
     assert (found.rewards[:, : len(wanted)] == wanted).all()
@@ -46,7 +47,7 @@ def test_without_chance_all_continuations_are_the_episode_itself(name):
 def test_the_lander_has_chance_and_the_same_past():
     agent = made("LunarLander-v3")
     rollout = roll_out(agent, "LunarLander-v3", 7)
-    assert environments.chance("LunarLander-v3")
+    assert vector.chance("LunarLander-v3")
     found = continue_from(agent, rollout, 5, action=2, count=6, steps=60)
     assert len(np.unique(found.rewards.sum(axis=1))) == 6  # each its own future
     np.testing.assert_array_equal(found.rewards, continue_from(agent, rollout, 5, action=2, count=6, steps=60).rewards)

@@ -7,8 +7,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from laplace_core import InputError, Settings, control, load_world, study
-from laplace_core.control import (
+from laplace_core import InputError, Settings, load_world, study
+from laplace_core.inverse import NORMALISATIONS
+from laplace_core.planning import finite_horizon_optimum, reward_indicator_basis
+from laplace_core.study import episodes
+from laplace_core.study.episodes import (
     constant_horizon_loss,
     constant_horizon_values,
     episode_regret,
@@ -16,10 +19,8 @@ from laplace_core.control import (
     rule_actions,
     values_everywhere,
 )
-from laplace_core.inverse import NORMALISATIONS
-from laplace_core.learning import finite_horizon_optimum, reward_indicator_basis
-from laplace_core.pipeline import grids, policies_of
-from laplace_core.settings import resolve
+from laplace_core.study.pipeline import grids, policies_of
+from laplace_core.study.settings import resolve
 from tests.random_worlds import worlds
 from tests.slow_twins import rule_by_recursion
 
@@ -68,10 +69,10 @@ def test_values_everywhere_equal_one_study_a_state_in_random_worlds(world, norma
 def test_too_much_work_is_refused(monkeypatch):
     world = load_world("two_branch")
     settings = resolve(Settings(gammas=3), world)
-    monkeypatch.setattr(control, "MAX_WORK", 3 * 2 * 3 - 1)  # states, actions, steps
+    monkeypatch.setattr(episodes, "MAX_WORK", 3 * 2 * 3 - 1)  # states, actions, steps
     with pytest.raises(InputError, match="lower steps or thetas"):
         values_everywhere(world, settings)
-    monkeypatch.setattr(control, "MAX_WORK", 3 * 2 * 3)
+    monkeypatch.setattr(episodes, "MAX_WORK", 3 * 2 * 3)
     assert values_everywhere(world, settings).shape == (3, 2, 3)
 
 

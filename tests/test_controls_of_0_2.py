@@ -13,10 +13,10 @@ from streamlit.testing.v1 import AppTest
 ROOT = Path(__file__).resolve().parent.parent
 LISTED = (ROOT / "tests" / "data" / "controls_of_0_2.txt").read_text(encoding="utf-8").splitlines()
 VIEWS = (
-    ("workbench.py", {"world": "two_branch", "normalise": "paper"}),
-    ("workbench.py", {"world": "fig6_chain", "source": "learned"}),
-    ("workbench.py", {"world": "own"}),
-    ("workbench.py", {"world": "timeline"}),
+    ("worlds.py", {"world": "two_branch", "normalise": "paper"}),
+    ("worlds.py", {"world": "fig6_chain", "source": "learned"}),
+    ("worlds.py", {"world": "own"}),
+    ("worlds.py", {"world": "timeline"}),
     ("agents.py", {"checkpoint": "laplace_CartPole-v1"}),
     ("agents.py", {"checkpoint": "c51_CartPole-v1"}),
     ("race.py", {}),
@@ -24,7 +24,7 @@ VIEWS = (
 )
 _BOTH, _NOW = "NPZ: the lens as it is, switches included", "NPZ: every array and the settings"
 ELSEWHERE = {
-    f"{page} download_button: {_BOTH}": f"{page} download_button: {_NOW}" for page in ("agents.py", "workbench.py")
+    f"{page} download_button: {_BOTH}": f"{page} download_button: {_NOW}" for page in ("agents.py", "worlds.py")
 }
 """What was given up, and where what it held is now."""
 

@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 from laplace_core import GammaSpace, Settings, study_of_gamma_space
-from laplace_core.conventions import check_convention
 from laplace_core.errors import InputError
-from laplace_core.saved import read_gamma_space
+from laplace_core.study.conventions import check_convention
+from laplace_core.study.npz import read_gamma_space
 from tests.hostile import assert_one_sentence
 from tests.random_gamma_spaces import noisy, random_space
 

@@ -9,13 +9,13 @@ import numpy as np
 import pytest
 
 from laplace_core import InputError, Settings
-from laplace_core.artifacts import MEASURES, VISIBLE, find_artefacts
 from laplace_core.cli import main
 from laplace_core.experiments.cases import EXCLUSIVE, KINDS, SWITCHES, Case, draw_case
 from laplace_core.experiments.detector import SWITCHES_OF, Compared, compare, score, table, wilson
 from laplace_core.experiments.labels import Effects
-from laplace_core.pipeline import study
-from laplace_core.settings import resolve
+from laplace_core.study.artefacts import MEASURES, VISIBLE, find_artefacts
+from laplace_core.study.pipeline import study
+from laplace_core.study.settings import resolve
 from laplace_core.worlds import END, Outcome, World
 
 NEVER = dict.fromkeys(SWITCHES, 0.0)

@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from laplace_core import InputError
-from laplace_core.encoding import (
+from laplace_core.code.encoding import (
     GAMMA_SPACINGS,
     activation,
     bin_masses,

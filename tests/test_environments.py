@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 from laplace_core.environments import ENVIRONMENTS, GYMNASIUM, environment_of
+from laplace_core.environments.vector import make
 from laplace_core.errors import InputError
-from laplace_core.training.environments import make
 from tests.hostile import assert_one_sentence
 
 

@@ -7,9 +7,9 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from laplace_core.acting.rules import FADING_ALPHA, RULES, Options
 from laplace_core.experiments.horizon import interval
-from laplace_core.horizon import discount_kernel, readout_weights
-from laplace_core.training.rules import FADING_ALPHA, RULES, Options
+from laplace_core.study.horizon import discount_kernel, readout_weights
 
 GAMMAS = np.exp(-1.0 / np.geomspace(1.0, 99.5, 15))
 

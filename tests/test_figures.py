@@ -11,13 +11,15 @@ import numpy as np
 import plotly.graph_objects as go
 import pytest
 
-from app import compute, figures
-from app.sources import WORLDS, Exact, Learner, View
+from app import figures
+from app.view import compute
+from app.view.subjects import Exact, Learner, View
+from app.worlds.sources import WORLDS
 from laplace_core import Settings, load_world, study
-from laplace_core.compare import difference
-from laplace_core.learned import Learning, LearnSettings, bands, return_distributions, study_of
-from laplace_core.learned.reading import study_settings
-from laplace_core.settings import resolve
+from laplace_core.study.compare import difference
+from laplace_core.study.settings import resolve
+from laplace_core.tabular import Learning, LearnSettings, bands, return_distributions, study_of
+from laplace_core.tabular.reading import study_settings
 
 LEARNING = ("curve", "probabilities", "returns")
 OVER_SEEDS = ("values", "rewards")

@@ -19,8 +19,8 @@ from app.figures import (
 )
 from app.figures.theme import staircase
 from app.figures.training import score_curve
+from laplace_core.acting.return_laws import ReturnLaw, SimulatedReturns
 from laplace_core.experiments.shipping import TrainingCurve
-from laplace_core.training.return_laws import ReturnLaw, SimulatedReturns
 
 LAW = ReturnLaw("learned", 0.9, np.array([-1.0, 0.0, 2.0]), np.array([0.25, 0.25, 0.5]))
 CAME = SimulatedReturns(np.array([3.0, 1.0]), 0.9, 51, 0.0, 0.0)

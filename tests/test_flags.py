@@ -7,13 +7,13 @@ import pytest
 import torch
 
 from laplace_core import Settings, study_of_gamma_space
+from laplace_core.acting.flags import Flags, flag_steps
+from laplace_core.acting.rollout import roll_out
 from laplace_core.agents import LaplaceSettings
-from laplace_core.artifacts import find_artefacts
-from laplace_core.interpolation import with_added
-from laplace_core.settings import resolve_for_gamma_space
+from laplace_core.code.interpolation import with_added
+from laplace_core.study.artefacts import find_artefacts
+from laplace_core.study.settings import resolve_for_gamma_space
 from laplace_core.training.checkpoint import new_agent
-from laplace_core.training.flags import Flags, flag_steps
-from laplace_core.training.rollout import roll_out
 
 torch.set_num_threads(1)
 

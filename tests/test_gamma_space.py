@@ -10,12 +10,12 @@ import numpy as np
 import pytest
 
 from laplace_core import GammaSpace, Settings, load_world, study, study_of_gamma_space
-from laplace_core.compare import difference
-from laplace_core.encoding import softening
+from laplace_core.code.encoding import softening
+from laplace_core.code.interpolation import with_added
 from laplace_core.errors import InputError
-from laplace_core.interpolation import with_added
-from laplace_core.saved import npz_bytes, read_gamma_space
-from laplace_core.tables import gamma_space_csv, tau_space_csv
+from laplace_core.study.compare import difference
+from laplace_core.study.npz import npz_bytes, read_gamma_space
+from laplace_core.study.tables import gamma_space_csv, tau_space_csv
 from tests.hostile import assert_one_sentence
 
 GAMMAS, THETAS = np.array([0.5, 0.9]), np.array([-1.0, 0.0, 2.0])

@@ -8,8 +8,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from laplace_core import InputError
-from laplace_core.encoding import bin_masses, discount_grid, sensitivity_grid, theta_midpoints
-from laplace_core.horizon import (
+from laplace_core.code.encoding import bin_masses, discount_grid, sensitivity_grid, theta_midpoints
+from laplace_core.code.ties import greedy_action
+from laplace_core.inverse import decode, transform_matrix
+from laplace_core.study.horizon import (
     choose_actions,
     deadline_weights,
     discount_kernel,
@@ -20,8 +22,6 @@ from laplace_core.horizon import (
     row_horizons,
     target_discounts,
 )
-from laplace_core.inverse import decode, transform_matrix
-from laplace_core.ties import greedy_action
 from tests.random_worlds import discounts
 
 SOFTNESS = [0.0, 0.2, 1.0]

@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 import torch
 
+from laplace_core.acting.evaluation import evaluate
 from laplace_core.cli import main
 from laplace_core.training.checkpoint import load_checkpoint, new_agent, save_checkpoint
-from laplace_core.training.command import settings_of
-from laplace_core.training.evaluation import evaluate
+from laplace_core.training.defaults import settings_of
 
 
 @pytest.fixture(scope="module")

@@ -7,12 +7,12 @@ import json
 import numpy as np
 import pytest
 
+from laplace_core.acting.rules import RULES, Options
 from laplace_core.agents.settings import C51Settings, LaplaceSettings
 from laplace_core.cli import main
 from laplace_core.errors import InputError
 from laplace_core.training.checkpoint import new_agent, save_checkpoint
-from laplace_core.training.command import command_of, settings_of
-from laplace_core.training.rules import RULES, Options
+from laplace_core.training.defaults import command_of, settings_of
 from tests.hostile import assert_refused
 
 

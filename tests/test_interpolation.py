@@ -6,9 +6,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from laplace_core import InputError, Settings, load_world, study
-from laplace_core.gamma_space import GammaSpace
-from laplace_core.interpolation import left_out, log_times, mixing, with_added, with_between
-from laplace_core.learning import greedy_policy, reward_indicator_basis
+from laplace_core.code.gamma_space import GammaSpace
+from laplace_core.code.interpolation import left_out, log_times, mixing, with_added, with_between
+from laplace_core.planning import greedy_policy, reward_indicator_basis
 
 # Time constants of 1, 4 and 16 steps.
 GAMMAS = np.exp(-1 / np.array([1.0, 4.0, 16.0]))

@@ -7,13 +7,13 @@ import pytest
 import torch
 
 from laplace_core import InputError
+from laplace_core.acting.rollout import roll_out
 from laplace_core.agents import LaplaceSettings
 from laplace_core.agents.peer_settings import DqnSettings
 from laplace_core.cli import main
+from laplace_core.code.interpolation import left_out
 from laplace_core.experiments import interpolation
-from laplace_core.interpolation import left_out
 from laplace_core.training.checkpoint import new_agent, save_checkpoint
-from laplace_core.training.rollout import roll_out
 
 torch.set_num_threads(1)
 

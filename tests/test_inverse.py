@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from laplace_core import InputError
-from laplace_core.encoding import discount_grid
+from laplace_core.code.encoding import discount_grid
 from laplace_core.inverse import (
     MAX_STEPS,
     NORMALISATIONS,

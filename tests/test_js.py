@@ -14,19 +14,19 @@ from typing import Any
 import numpy as np
 import pytest
 
-from app import rolled
+from app.agents.episode import followed
+from app.components.lens import payload as lens_payload
+from app.components.lens import state_of, structure
+from app.components.lens.payload import unpacked
+from app.components.player.payload import payload as player_payload
+from app.components.player.payload import rounded
 from app.figures import returns_of_actions
-from app.lens import payload as lens_payload
-from app.lens import state_of, structure
-from app.lens.payload import unpacked
-from app.player.payload import payload as player_payload
-from app.player.payload import rounded
 from laplace_core import GammaSpace, Settings, load_world, study, study_of_gamma_space
-from laplace_core.gamma_space import bin_differences
-from laplace_core.interpolation import left_out
-from laplace_core.noise import normal_noise
-from laplace_core.training.return_laws import ReturnLaw
-from laplace_core.training.rollout import Rollout
+from laplace_core.acting.return_laws import ReturnLaw
+from laplace_core.acting.rollout import Rollout
+from laplace_core.code.gamma_space import bin_differences
+from laplace_core.code.interpolation import left_out
+from laplace_core.code.noise import normal_noise
 from tests.lens_agreement import fixture, network, packed, payloads, random_cases, verdicts
 from tests.lens_reference import seen
 
@@ -100,7 +100,7 @@ def reel() -> dict[str, Any]:
         "differences": [packed(levels[step] * scales[:, None]) for step in range(N)],
         "constant": [packed(episode.constants[step]) for step in range(N)],
         "frames": [base64.b64encode(frame).decode() for frame in episode.frames],
-        "followed": [rolled.followed(episode, step) for step in range(N)],
+        "followed": [followed(episode, step) for step in range(N)],
         "by_surprise": np.argsort(-np.abs(episode.surprise), kind="stable").tolist(),
     }
 

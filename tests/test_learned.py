@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 from laplace_core import PRESETS, InputError, Settings, load_world, study
-from laplace_core.learned import (
+from laplace_core.study.pipeline import basis_of
+from laplace_core.tabular import (
     CURVE_NAMES,
     LEARN_SCHEMA,
     QUANTILE_LEVELS,
@@ -19,8 +20,8 @@ from laplace_core.learned import (
     resolve_learning,
     study_of,
 )
-from laplace_core.learning import LaplaceTD, PlainQ, Schedule, learn
-from laplace_core.pipeline import basis_of
+from laplace_core.tabular.peers import PlainQ
+from laplace_core.tabular.td import LaplaceTD, Schedule, learn
 from laplace_core.worlds import dump_world, parse_world
 from tests.hostile import assert_one_sentence
 

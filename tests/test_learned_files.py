@@ -9,8 +9,9 @@ import numpy as np
 import pytest
 from safetensors.numpy import load
 
-from laplace_core import InputError, atomic, load_world
-from laplace_core.learned import (
+from laplace_core import InputError, load_world
+from laplace_core.files import atomic
+from laplace_core.tabular import (
     CURVE_NAMES,
     Learned,
     Learning,
@@ -20,7 +21,7 @@ from laplace_core.learned import (
     read_learned,
     save_learned,
 )
-from laplace_core.learned import files as files_module
+from laplace_core.tabular import files as files_module
 from laplace_core.worlds import dump_world, parse_world
 from tests.hostile import assert_one_sentence
 from tests.malformed_learned import cases, parts

@@ -14,8 +14,8 @@ import pytest
 
 from laplace_core import InputError, load_world
 from laplace_core.cli import main
-from laplace_core.learned import Learning, LearnSettings, Run, read_learned, start
 from laplace_core.supervise import Process, Worker
+from laplace_core.tabular import Learning, LearnSettings, Run, read_learned, start
 from laplace_core.worlds import dump_world
 from tests.hostile import assert_one_sentence, assert_refused
 
@@ -164,7 +164,7 @@ def test_killed_at_any_moment_the_file_is_whole(tmp_path, end):
     # Snapshots as often as can be, so that most kills fall into the writing of one.
     out, chance = tmp_path / "agent.safetensors", random.Random(0)
     code = (
-        "import sys\nfrom laplace_core.learned import command\ncommand.REPORT_EVERY = 0.0\n"
+        "import sys\nfrom laplace_core.tabular import command\ncommand.REPORT_EVERY = 0.0\n"
         "command.max = lambda *_: 0.0\nfrom laplace_core.cli import main\nsys.exit(main(sys.argv[1:]))"
     )
     words = ["learn", "gym:Taxi-v4", "--episodes", "500000", "--gammas", "30", "--out", str(out)]
@@ -268,7 +268,7 @@ def test_a_run_that_fails_says_why_in_one_sentence(run, tmp_path):
 
 def test_a_run_ends_with_the_process_that_started_it(tmp_path):
     code = (
-        "import sys, time\nfrom laplace_core import load_world\nfrom laplace_core.learned import LearnSettings, start\n"
+        "import sys, time\nfrom laplace_core import load_world\nfrom laplace_core.tabular import LearnSettings, start\n"
         "one = start(load_world('cliff_grid'), LearnSettings(episodes=500_000), sys.argv[1])\n"
         "while one.snapshot() is None: time.sleep(.02)\nprint(one._worker.process.pid)"
     )

@@ -9,7 +9,8 @@ from hypothesis import strategies as st
 from scipy.stats import wasserstein_distance
 
 from laplace_core import InputError, Settings, load_world
-from laplace_core.learned import (
+from laplace_core.planning import greedy_policy
+from laplace_core.tabular import (
     CODES,
     Learning,
     LearnSettings,
@@ -19,8 +20,8 @@ from laplace_core.learned import (
     study_of,
     wasserstein,
 )
-from laplace_core.learned.marginals import marginals
-from laplace_core.learning import greedy_policy, return_distribution
+from laplace_core.tabular.marginals import marginals
+from laplace_core.tabular.peers import return_distribution
 
 
 def enumerated(tau_space, midpoints, discounts) -> dict[float, float]:

@@ -8,8 +8,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from laplace_core import PRESETS, InputError, load_world
-from laplace_core.encoding import activation
-from laplace_core.learning import (
+from laplace_core.code.encoding import activation
+from laplace_core.planning import (
     check_policy,
     finite_horizon_optimum,
     greedy_policy,

@@ -11,23 +11,14 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from app.lens import (
-    PRESETS,
-    Simulated,
-    checked,
-    payload,
-    presets_for,
-    standalone,
-    state_of,
-    structure,
-    values_of,
-)
-from app.lens.payload import unpacked
-from app.query import LINK
-from app.sources import view_of
+from app.components.lens import Simulated, checked, payload, standalone, state_of, structure, values_of
+from app.components.lens.payload import unpacked
+from app.worlds.presets import PRESETS, presets_for
+from app.worlds.schema import LINK
+from app.worlds.sources import view_of
 from laplace_core import PRESETS as WORLDS
 from laplace_core import Settings, load_world, study, study_of_gamma_space
-from laplace_core.encoding import PAPER_GAMMAS, reward_distance, softening
+from laplace_core.code.encoding import PAPER_GAMMAS, reward_distance, softening
 from laplace_core.inverse import decode_matrix, transform_matrix
 from tests.lens_reference import seen
 
@@ -213,7 +204,7 @@ def test_the_file_of_its_own_asks_for_nothing():
 
 
 def test_a_message_begins_on_a_multiple_of_eight():
-    from app.message import pack
+    from app.session.message import pack
 
     message = pack({"state": {"x": 1}}, b"12345678")
     (length,) = struct.unpack_from("<I", message)

@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from app.link import LONGEST, fits, pack, unpack
+from app.session.link import LONGEST, fits, pack, unpack
 from laplace_core import InputError
 from tests.hostile import assert_one_sentence
 

@@ -13,11 +13,13 @@ from urllib.parse import parse_qsl
 import numpy as np
 import pytest
 
-from app import checkpoints, compute, trained
-from app.observations import scene_of
-from app.query import LINK
-from app.sources import view_of
-from app.url import query_of
+from app.agents import schema
+from app.catalogue import checkpoints
+from app.catalogue.scenes import scene_of
+from app.session.url import query_of
+from app.view import compute
+from app.worlds.schema import LINK
+from app.worlds.sources import view_of
 
 LINKS = json.loads((Path(__file__).parent / "data" / "links_of_0_2.json").read_text(encoding="utf-8"))
 
@@ -29,9 +31,9 @@ def opened(link: str):
     if path != "/agents":
         values, notes = LINK.read(query)
         return values, notes, view_of(values)
-    values, notes = trained.LINK.read(query)
+    values, notes = schema.LINK.read(query)
     loaded = checkpoints.checkpoint(str(values["checkpoint"]))
-    return values, notes, trained.view_of(loaded, scene_of(loaded.environment), values)
+    return values, notes, schema.view_of(loaded, scene_of(loaded.environment), values)
 
 
 def test_there_are_twenty_of_them():

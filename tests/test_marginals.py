@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy.optimize import brentq
 
-from laplace_core.learned.marginals import marginals
+from laplace_core.tabular.marginals import marginals
 
 REWARDS = np.array([-1.0, 0.0, 1.0])
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from app.message import Channel
+from app.session.message import Channel
 
 ONE, TWO = {"alpha": 0.1}, {"alpha": 0.2}
 

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from scipy import stats
 
-from laplace_core.noise import normal_noise
+from laplace_core.code.noise import normal_noise
 
 
 def by_hand(seed: int, number: int) -> float:

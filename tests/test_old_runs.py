@@ -8,9 +8,9 @@ from pathlib import Path
 
 import pytest
 
-from app import checkpoints, training_runs
+from app.catalogue import checkpoints, training_runs
 from laplace_core.cli import main
-from laplace_core.learned import read_learned
+from laplace_core.tabular import read_learned
 from laplace_core.training.checkpoint import load_checkpoint
 from laplace_core.training.progress import read_progress
 from laplace_core.training.queue import FINISHED, STOPPED, Queue

@@ -10,11 +10,11 @@ import shlex
 import numpy as np
 import pytest
 
-from app.lens import payload, state_of, structure
+from app.components.lens import payload, state_of, structure
 from laplace_core import GammaSpace, Settings, load_world, study, study_of_gamma_space
 from laplace_core.cli import main
-from laplace_core.saved import save_study
-from laplace_core.tables import rewards_csv, tau_space_csv, values_csv
+from laplace_core.study.npz import save_study
+from laplace_core.study.tables import rewards_csv, tau_space_csv, values_csv
 from tests.lens_reference import seen
 
 WORLDS = ("two_branch", "two_decisions", "fig6_chain", "discounting_chain", "double_chain")

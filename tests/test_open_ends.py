@@ -8,16 +8,16 @@ import numpy as np
 import pytest
 import torch
 
-from app.lens import payload, state_of, structure
+from app.components.lens import payload, state_of, structure
 from laplace_core import Settings, study_of_gamma_space
+from laplace_core.acting.rollout import roll_out
+from laplace_core.acting.rollout_file import rollout_npz
+from laplace_core.acting.rules import RULES, Options
 from laplace_core.agents import LaplaceSettings
-from laplace_core.saved import read_gamma_space
-from laplace_core.ties import greedy_action
-from laplace_core.training import environments
+from laplace_core.code.ties import greedy_action
+from laplace_core.environments import vector
+from laplace_core.study.npz import read_gamma_space
 from laplace_core.training.checkpoint import load_checkpoint, new_agent
-from laplace_core.training.rollout import roll_out
-from laplace_core.training.rollout_file import rollout_npz
-from laplace_core.training.rules import RULES, Options
 from tests.lens_reference import seen
 
 torch.set_num_threads(1)
@@ -28,7 +28,7 @@ LEARNED = ("softmax", "accumulated", "clipped", "free")
 
 def visited(agent, environment: str, count: int = 30) -> np.ndarray:
     """Observations along episodes that the agent acts in, from seed 5 on."""
-    env, found = environments.make(environment), []
+    env, found = vector.make(environment), []
     observation = env.reset(seed=5)[0]
     while len(found) < count:
         found.append(observation.ravel())

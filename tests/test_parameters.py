@@ -9,8 +9,6 @@ import pytest
 from laplace_core import InputError
 from laplace_core.agents.settings import LOOP_SCHEMA, SETTINGS
 from laplace_core.cli import main
-from laplace_core.learned import LEARN_SCHEMA, LearnSettings
-from laplace_core.learned.settings import ResolvedLearning
 from laplace_core.parameters import (
     Parameter,
     Schema,
@@ -22,7 +20,9 @@ from laplace_core.parameters import (
     switch,
     text,
 )
-from laplace_core.settings import SCHEMA, Resolved, ResolvedForWorld, Settings
+from laplace_core.study.settings import SCHEMA, Resolved, ResolvedForWorld, Settings
+from laplace_core.tabular import LEARN_SCHEMA, LearnSettings
+from laplace_core.tabular.settings import ResolvedLearning
 
 SCHEMAS = {"settings": SCHEMA, "learning": LEARN_SCHEMA} | {name: kind.SCHEMA for name, kind in SETTINGS.items()}
 

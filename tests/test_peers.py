@@ -10,23 +10,18 @@ from scipy.optimize import brentq
 from scipy.stats import wasserstein_distance
 
 from laplace_core import InputError, load_world
-from laplace_core.learning import (
+from laplace_core.planning import greedy_policy, reward_indicator_basis
+from laplace_core.tabular.peers import (
     Categorical,
-    Decay,
     Expectile,
-    LaplaceTD,
     PlainQ,
     Quantile,
-    Schedule,
-    Transition,
-    greedy_policy,
     impute,
-    learn,
     project,
+    quantiles_of,
     return_distribution,
-    reward_indicator_basis,
 )
-from laplace_core.learning.peers import quantiles_of
+from laplace_core.tabular.td import Decay, LaplaceTD, Schedule, Transition, learn
 from laplace_core.worlds import END
 from tests.random_worlds import worlds_with_policy
 from tests.slow_twins import assert_mean_agrees, sampled_rewards

@@ -8,12 +8,12 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from laplace_core import InputError, Settings, load_world, study, study_of_gamma_space
-from laplace_core.encoding import activation, bin_masses
+from laplace_core.code.encoding import activation, bin_masses
 from laplace_core.inverse import transform_matrix
-from laplace_core.learning import finite_horizon_optimum, greedy_policy, reward_indicator_basis, reward_timeline
-from laplace_core.pipeline import row_shares
-from laplace_core.settings import resolve
-from laplace_core.trials import Trials
+from laplace_core.planning import finite_horizon_optimum, greedy_policy, reward_indicator_basis, reward_timeline
+from laplace_core.study.pipeline import row_shares
+from laplace_core.study.settings import resolve
+from laplace_core.study.trials import Trials
 from laplace_core.worlds import END, Outcome, World
 from tests.hostile import assert_refused
 from tests.random_worlds import worlds

@@ -10,12 +10,12 @@ import numpy as np
 import pytest
 import torch
 
-from app import rolled
-from app.player.payload import LEVELS, payload, rounded
-from app.rollouts import Control
+from app.agents import episode
+from app.agents.rollout_jobs import Control
+from app.components.player.payload import LEVELS, payload, rounded
+from laplace_core.acting.rollout import roll_out
 from laplace_core.agents import LaplaceSettings
 from laplace_core.training.checkpoint import new_agent
-from laplace_core.training.rollout import roll_out
 
 torch.set_num_threads(1)
 
@@ -77,15 +77,15 @@ def test_a_thousand_steps_of_the_lander_are_less_than_ten_megabytes():
 
 
 def test_what_followed_is_told_from_the_step_on(rollout):
-    told = rolled.followed(rollout, 3)
+    told = episode.followed(rollout, 3)
     assert told["rewards"] == rollout.rewards[3:].tolist()
     assert told["action"] == rollout.actions[3]
     assert told["over"] == (len(rollout) - 3 if rollout.terminated else None)
 
 
 def test_a_control_by_the_values_of_a_link():
-    assert rolled.control_of({}, 500) == Control(0, "greedy", None, None)
-    assert rolled.control_of({"r.rule": "greedy", "r.gamma": 0.9, "r.horizon": 7}, 500) == Control(gamma=0.9)
-    assert rolled.control_of({"r.rule": "fading", "r.gamma": 0.9, "r.seed": 4}, 500) == Control(4, "fading", 500)
-    assert rolled.control_of({"r.rule": "readout", "r.horizon": 900}, 500) == Control(0, "readout", 500)
-    assert rolled.control_of({"r.rule": "random", "r.gamma": 0.9}, 500) == Control(0, "random", None)
+    assert episode.control_of({}, 500) == Control(0, "greedy", None, None)
+    assert episode.control_of({"r.rule": "greedy", "r.gamma": 0.9, "r.horizon": 7}, 500) == Control(gamma=0.9)
+    assert episode.control_of({"r.rule": "fading", "r.gamma": 0.9, "r.seed": 4}, 500) == Control(4, "fading", 500)
+    assert episode.control_of({"r.rule": "readout", "r.horizon": 900}, 500) == Control(0, "readout", 500)
+    assert episode.control_of({"r.rule": "random", "r.gamma": 0.9}, 500) == Control(0, "random", None)

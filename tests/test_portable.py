@@ -51,7 +51,7 @@ for code in ("import fcntl", "import resource", "import pwd", "import os; os.get
 PAGE = """
 from streamlit.testing.v1 import AppTest
 page = AppTest.from_file("app/main.py", default_timeout=120)
-if sys.argv[1] != "workbench":
+if sys.argv[1] != "worlds":
     page.switch_page(f"screens/{sys.argv[1]}.py")
 page.run()
 assert not page.exception, [each.value for each in page.exception]
@@ -66,8 +66,8 @@ from laplace_core.training.queue import Queue
 from tests.quick_runs import SMALL, until
 from laplace_core.training.curves import Reader
 from laplace_core import load_world
-from laplace_core.learned import LearnSettings, start
-from app import training_runs
+from laplace_core.tabular import LearnSettings, start
+from app.catalogue import training_runs
 assert training_runs._temporary().is_dir()
 runs = Queue(sys.argv[1])
 name = runs.add(SMALL)
@@ -103,10 +103,10 @@ def run(code: str, word: str, tmp_path: Path) -> str:
 
 def test_every_page_is_tried():
     pages = set(re.findall(r'st\.Page\("screens/(\w+)\.py"', (ROOT / "app" / "main.py").read_text()))
-    assert pages == {"workbench", "agents", "race", "train"}
+    assert pages == {"worlds", "agents", "race", "train"}
 
 
-@pytest.mark.parametrize("screen", ["workbench", "agents", "race", "train"])
+@pytest.mark.parametrize("screen", ["worlds", "agents", "race", "train"])
 def test_a_page_opens_without_what_only_unix_has(tmp_path, screen):
     assert run(PAGE, screen, tmp_path) == "opened"
 

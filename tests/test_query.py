@@ -9,13 +9,14 @@ import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 
-from app.link import pack
-from app.query import LINK, OPENING, PIN, VIEW, WORLD, unpinned
-from app.sources import BROUGHT, FIRST_TIMELINE, LEARN, PARAM, packed_timeline, view_of
-from app.url import query_of
+from app.session.link import pack
+from app.session.url import query_of
+from app.view.subjects import PARAM
+from app.worlds.schema import LINK, OPENING, PIN, VIEW, WORLD, unpinned
+from app.worlds.sources import BROUGHT, FIRST_TIMELINE, LEARN, packed_timeline, view_of
 from laplace_core import InputError
-from laplace_core.learned import LEARN_SCHEMA
-from laplace_core.settings import SCHEMA
+from laplace_core.study.settings import SCHEMA
+from laplace_core.tabular import LEARN_SCHEMA
 from tests.malformed_worlds import TEXT
 
 NAMES = [

@@ -14,15 +14,15 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from laplace_core import load_world
+from laplace_core.acting.bootstrap import interval, mean_interval
+from laplace_core.acting.evaluation import FIRST_SEED
+from laplace_core.acting.race import FIRST_START, MOST_RACES, MOST_START, Entrant, Race, Races, race, races
+from laplace_core.acting.race_file import race_npz, races_csv, races_npz
+from laplace_core.acting.rollout import MOST_SEED
 from laplace_core.agents import LaplaceSettings
 from laplace_core.errors import InputError
 from laplace_core.training import loop
-from laplace_core.training.bootstrap import interval, mean_interval
 from laplace_core.training.checkpoint import new_agent
-from laplace_core.training.evaluation import FIRST_SEED
-from laplace_core.training.race import FIRST_START, MOST_RACES, MOST_START, Entrant, Race, Races, race, races
-from laplace_core.training.race_file import race_npz, races_csv, races_npz
-from laplace_core.training.rollout import MOST_SEED
 from tests.test_training_evaluation import Knowing
 
 torch.set_num_threads(1)

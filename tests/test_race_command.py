@@ -6,10 +6,10 @@ import json
 
 import pytest
 
+from laplace_core.acting.race import Entrant, race, races
 from laplace_core.agents import LaplaceSettings
 from laplace_core.cli import main
 from laplace_core.training.checkpoint import load_checkpoint, new_agent, save_checkpoint
-from laplace_core.training.race import Entrant, race, races
 from tests.hostile import assert_refused
 
 

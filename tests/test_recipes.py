@@ -9,16 +9,18 @@ import shutil
 import numpy as np
 import pytest
 
-from app import raced, rolled
+from app.agents import episode
+from app.catalogue import rules
+from app.race import schema, words
+from laplace_core.acting.continuations import steps_known
+from laplace_core.acting.race import race
+from laplace_core.acting.rollout import roll_out
+from laplace_core.acting.rules import RULES, Rule, rules_of, suited
 from laplace_core.agents import SETTINGS, LaplaceSettings
 from laplace_core.agents.peer_settings import C51Settings
 from laplace_core.agents.registry import AGENTS
 from laplace_core.cli import main
 from laplace_core.training.checkpoint import load_checkpoint, new_agent, save_checkpoint
-from laplace_core.training.continuations import steps_known
-from laplace_core.training.race import race
-from laplace_core.training.rollout import roll_out
-from laplace_core.training.rules import RULES, Rule, rules_of, suited
 from tests.workshop import ROOT, Workshop
 
 SMALL = ("--steps", "400", "--hidden", "8", "--learning-starts", "50", "--buffer", "300", "--batch", "8",
@@ -34,9 +36,9 @@ def last_action(agent, length, options):
 
 @pytest.fixture
 def toy(monkeypatch):
-    """The recipe of ``laplace_core.training.rules``: a function, its entry, and a row of words."""
+    """The recipe of ``laplace_core.acting.rules``: a function, its entry, and a row of words."""
     monkeypatch.setitem(RULES, "last", Rule(last_action, lambda agent: agent.n_actions > 1))
-    monkeypatch.setitem(rolled.TITLES, "last", ("for T: always the last action", "last action"))
+    monkeypatch.setitem(rules.TITLES, "last", ("for T: always the last action", "last action"))
 
 
 def laplace():
@@ -52,14 +54,14 @@ def test_a_rule_of_control(toy, tmp_path, capsys):
     assert steps_known(agent, rollout, 1, 50, own=True) == 2  # it acts for T = 3, and says nothing after it
 
     # The forms, the links and the words of the pages.
-    assert rolled.rules_of(agent)["last"] == "for T: always the last action"
-    assert rolled.parameters(agent)[rolled.RULE].parse("last") == "last"
-    assert rolled.control_of({rolled.RULE: "last"}, 9).horizon == 9
+    assert rules.rules_of(agent)["last"] == "for T: always the last action"
+    assert episode.parameters(agent)[episode.RULE].parse("last") == "last"
+    assert episode.control_of({episode.RULE: "last"}, 9).horizon == 9
     save_checkpoint(tmp_path / "agent.safetensors", agent, 0, None)
     loaded = load_checkpoint(tmp_path / "agent.safetensors")
-    control = raced.Control(loaded, "greedy", None, loaded, "last", 3)
-    assert "last" in raced.rules_of(agent)
-    assert raced.sides(control) == ("greedy", "last action")
+    control = schema.Control(loaded, "greedy", None, loaded, "last", 3)
+    assert "last" in schema.rules_of(agent)
+    assert words.sides(control) == ("greedy", "last action")
     assert race("two_branch", *control.entrants, 0, horizon=3).right.rule == "last"
 
     # The command line.
@@ -90,11 +92,11 @@ LAST_WORDS = '    "last": ("for T: always the last action", "last action"),\n'
 
 
 def test_a_rule_of_control_in_its_two_files(workshop):
-    rules = "laplace_core/training/rules.py"
+    rules = "laplace_core/acting/rules.py"
     workshop.insert(rules, "@dataclass(frozen=True)\nclass Rule:", f"{inspect.getsource(last_action)}\n\n")
     workshop.insert(rules, '    "own": Rule(', LAST_ENTRY)
-    workshop.insert("app/rolled.py", '    "random": (', LAST_WORDS)
-    assert workshop.touched() == ["app/rolled.py", rules]
+    workshop.insert("app/agents/episode.py", '    "random": (', LAST_WORDS)
+    assert workshop.touched() == ["app/agents/episode.py", rules]
     assert_in_the_recipe(workshop.touched())
 
     (workshop.root / "checkpoints").mkdir()
@@ -145,8 +147,8 @@ SWITCH_ENTRY = """    "Switch-v0": Environment(
 
 def test_an_environment(workshop):
     (workshop.packages / "toy_switch.py").write_text(SWITCH_PACKAGE)
-    workshop.insert("laplace_core/environments.py", '    "CartPole-v0": replace(', SWITCH_ENTRY)
-    assert workshop.touched() == ["laplace_core/environments.py"]
+    workshop.insert("laplace_core/environments/catalogue.py", '    "CartPole-v0": replace(', SWITCH_ENTRY)
+    assert workshop.touched() == ["laplace_core/environments/catalogue.py"]
     assert_in_the_recipe(workshop.touched())
 
     # Trained and evaluated by the command line.

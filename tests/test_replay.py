@@ -12,7 +12,7 @@ from gymnasium.spaces import Box, Discrete
 from hypothesis import given
 from hypothesis import strategies as st
 
-from laplace_core.training.environments import Environments, make
+from laplace_core.environments.vector import Environments, make
 from laplace_core.training.replay import Replay
 from laplace_core.training.sum_tree import SumTree
 

@@ -19,7 +19,7 @@ from laplace_core.cli import main
 from laplace_core.experiments.paper import EXPERIMENTS, results
 from laplace_core.experiments.paper.experiment import Cell, Experiment, run_name, shortened
 from laplace_core.experiments.paper.runs import once_each, trainings_of
-from laplace_core.training.command import command_of, settings_of
+from laplace_core.training.defaults import command_of, settings_of
 from laplace_core.training.run_folder import read_config, read_metrics
 from tests.hostile import assert_refused
 

@@ -10,22 +10,8 @@ import pytest
 import torch
 
 from laplace_core import load_world
-from laplace_core.agents.settings import (
-    C51Settings,
-    DqnSettings,
-    ExpectileSettings,
-    FixedHorizonSettings,
-    LaplaceSettings,
-    QrdqnSettings,
-)
-from laplace_core.encoding import theta_midpoints
-from laplace_core.inverse import decode
-from laplace_core.learned.returns import independent_steps_return, wasserstein
-from laplace_core.learning import return_distribution
-from laplace_core.learning.peers import quantiles_of
-from laplace_core.training import return_laws as module
-from laplace_core.training.checkpoint import new_agent
-from laplace_core.training.return_laws import (
+from laplace_core.acting import return_laws as module
+from laplace_core.acting.return_laws import (
     INDEPENDENT,
     LEARNED,
     LEVELS,
@@ -40,7 +26,20 @@ from laplace_core.training.return_laws import (
     simulate_returns,
     steps_until_cut,
 )
-from laplace_core.training.rollout import roll_out
+from laplace_core.acting.rollout import roll_out
+from laplace_core.agents.settings import (
+    C51Settings,
+    DqnSettings,
+    ExpectileSettings,
+    FixedHorizonSettings,
+    LaplaceSettings,
+    QrdqnSettings,
+)
+from laplace_core.code.encoding import theta_midpoints
+from laplace_core.inverse import decode
+from laplace_core.tabular.peers import quantiles_of, return_distribution
+from laplace_core.tabular.returns import independent_steps_return, wasserstein
+from laplace_core.training.checkpoint import new_agent
 
 torch.set_num_threads(1)
 PEERS = (C51Settings, QrdqnSettings, ExpectileSettings, DqnSettings)

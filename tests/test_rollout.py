@@ -11,15 +11,15 @@ import pytest
 import torch
 from PIL import Image, ImageSequence
 
+from laplace_core.acting import rollout
+from laplace_core.acting.evaluation import evaluate
+from laplace_core.acting.frames import HEIGHT, animation
+from laplace_core.acting.rollout import longest, roll_out
+from laplace_core.acting.rollout_file import rollout_npz
+from laplace_core.acting.rules import RULES, Options
 from laplace_core.agents import SETTINGS, LaplaceSettings
 from laplace_core.errors import InputError
-from laplace_core.training import rollout
 from laplace_core.training.checkpoint import new_agent
-from laplace_core.training.evaluation import evaluate
-from laplace_core.training.frames import HEIGHT, animation
-from laplace_core.training.rollout import longest, roll_out
-from laplace_core.training.rollout_file import rollout_npz
-from laplace_core.training.rules import RULES, Options
 
 torch.set_num_threads(1)
 SMALL = {"hidden": 8, "features": 4, "gammas": 5, "thetas": 9, "theta_min": -3.0, "theta_max": 12.0}
@@ -190,6 +190,6 @@ def test_what_does_not_fit_is_refused_in_one_sentence(agent, wrong):
 
 
 def test_every_rule_has_a_name():
-    from app.rolled import TITLES
+    from app.catalogue.rules import TITLES
 
     assert set(TITLES) == {*RULES, "random"}

@@ -7,10 +7,10 @@ import threading
 
 import pytest
 
-from app import runs
-from app.runs import MOST_KEPT, MOST_RUNNING, Runs, Watched
+from app.worlds import learners
+from app.worlds.learners import MOST_KEPT, MOST_RUNNING, Runs, Watched
 from laplace_core import InputError, load_world
-from laplace_core.learned import LearnSettings
+from laplace_core.tabular import LearnSettings
 
 WORLD = load_world("two_branch", {"slip": 0.1})
 ENDLESS = LearnSettings(episodes=1_000_000)
@@ -43,8 +43,8 @@ def started(monkeypatch) -> list[Stub]:
         found.append(Stub())
         return found[-1]
 
-    monkeypatch.setattr(runs, "start", start)
-    monkeypatch.setattr(runs, "_running", [])
+    monkeypatch.setattr(learners, "start", start)
+    monkeypatch.setattr(learners, "_running", [])
     return found
 
 
@@ -119,12 +119,12 @@ def test_a_run_that_cannot_start_says_why_and_takes_no_place(monkeypatch):
     def refuse(world, settings, folder):
         raise InputError("learning cannot start: no space left on device.")
 
-    monkeypatch.setattr(runs, "start", refuse)
-    monkeypatch.setattr(runs, "_running", [])
+    monkeypatch.setattr(learners, "start", refuse)
+    monkeypatch.setattr(learners, "_running", [])
     watched = Watched(WORLD, ENDLESS)
     assert not watched.running
     assert watched.error == "learning cannot start: no space left on device."
-    assert runs._running == []
+    assert learners._running == []
     assert watched.progress() is None
     assert watched.learned() is None
 

@@ -15,10 +15,10 @@ import numpy as np
 import pytest
 
 from laplace_core import GammaSpace, InputError, Settings, load_world, study, study_of_gamma_space
-from laplace_core.artifacts import find_artefacts
 from laplace_core.cli import main
-from laplace_core.saved import npz_bytes, read_gamma_space
-from laplace_core.verdict import judge
+from laplace_core.study.artefacts import find_artefacts
+from laplace_core.study.npz import npz_bytes, read_gamma_space
+from laplace_core.study.verdict import judge
 from laplace_core.worlds import END, Outcome, World, parse_world, read_world
 
 DATA = Path(__file__).parent / "data"
@@ -55,8 +55,8 @@ def is_wrong(found, row: int) -> bool:
 
 
 def test_decoded_and_readout_are_the_same_rule():
+    from laplace_core.acting.rules import RULES, Options
     from laplace_core.training.checkpoint import load_checkpoint
-    from laplace_core.training.rules import RULES, Options
 
     agent = load_checkpoint(SHIPPED).agent
     observations = np.random.default_rng(0).normal(0.0, 0.4, (12, 8)).astype(np.float32)
@@ -226,9 +226,9 @@ def test_an_absorbing_state_ends_as_end_does(capsys):
 def test_frozen_lake_has_gymnasium_s_time_limit():
     import gymnasium
 
-    from laplace_core.training import environments
+    from laplace_core.environments import vector
 
-    assert environments.spec("gym:FrozenLake-v1").time_limit == gymnasium.spec("FrozenLake-v1").max_episode_steps == 100
+    assert vector.spec("gym:FrozenLake-v1").time_limit == gymnasium.spec("FrozenLake-v1").max_episode_steps == 100
 
 
 # --- nothing is silently taken for something else ---

@@ -9,11 +9,11 @@ import numpy as np
 import pytest
 
 from laplace_core import InputError, load_world
-from laplace_core import saved as saved_module
 from laplace_core.cli import main
-from laplace_core.pipeline import GammaSpace, study, study_of_gamma_space
-from laplace_core.saved import npz_bytes, read_gamma_space, save_study, states_of, study_arrays
-from laplace_core.settings import Settings
+from laplace_core.study import npz as saved_module
+from laplace_core.study.npz import npz_bytes, read_gamma_space, save_study, states_of, study_arrays
+from laplace_core.study.pipeline import GammaSpace, study, study_of_gamma_space
+from laplace_core.study.settings import Settings
 from tests.hostile import assert_nothing_written, assert_one_sentence
 from tests.malformed_saved import (
     CASES,

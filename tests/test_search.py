@@ -13,7 +13,7 @@ from laplace_core.agents.settings import SETTINGS
 from laplace_core.cli import main
 from laplace_core.experiments import search
 from laplace_core.experiments.search_report import read
-from laplace_core.training.command import settings_of
+from laplace_core.training.defaults import settings_of
 
 KEPT = sorted((Path(__file__).parent.parent / "docs" / "searches").glob("*.json"))
 QUICK = ["--set", "steps=200", "--set", "learning_starts=100", "--set", "hidden=8", "--set", "features=4",

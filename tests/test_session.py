@@ -14,8 +14,8 @@ from tests.pages import choose, link, opened, run
 from tests.pages import session as record_of
 
 APP = Path(__file__).resolve().parent.parent / "app"
-SCREENS = ("workbench", "agents", "race", "train")
-FREE = ("session.py", "demo.py")  # the record itself; a page of its own for tests in a browser
+SCREENS = ("worlds", "agents", "race", "train")
+FREE = ("session/record.py",)  # the record itself
 
 
 def _is_the_state(node: ast.expr) -> bool:
@@ -47,7 +47,7 @@ def _trees() -> dict[str, ast.AST]:
 
 
 def test_only_the_record_and_widgets_are_kept_by_streamlit():
-    assert {name for name, tree in _trees().items() if _written(tree)} == {"state.py"}  # what widgets are to show
+    assert {name for name, tree in _trees().items() if _written(tree)} == {"session/store.py"}
 
 
 def test_nobody_asks_for_a_private_key():

@@ -11,8 +11,8 @@ import numpy as np
 import pytest
 
 from laplace_core import InputError, Settings, load_world, study
-from laplace_core.learned.settings import LearnSettings
-from laplace_core.settings import resolve, resolve_for_gamma_space
+from laplace_core.study.settings import resolve, resolve_for_gamma_space
+from laplace_core.tabular.settings import LearnSettings
 from laplace_core.worlds import parse_world_bytes, world_text
 from tests.malformed_worlds import TEXT
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import threading
 
-from app.background import Work
-from app.shelf import Shelf
+from app.session.background import Work
+from app.session.shelf import Shelf
 from tests.quick_runs import until
 
 

@@ -10,7 +10,7 @@ import pytest
 from laplace_core import InputError
 from laplace_core.experiments.shipping import MOST_BYTES, MOST_TOGETHER, curves_of, manifest, ship
 from laplace_core.training.checkpoint import load_checkpoint
-from laplace_core.training.command import settings_of
+from laplace_core.training.defaults import settings_of
 from laplace_core.training.loop import train
 
 SHIPPED = Path(__file__).resolve().parent.parent / "checkpoints"

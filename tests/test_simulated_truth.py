@@ -9,13 +9,13 @@ import pytest
 import torch
 
 from laplace_core import GammaSpace
+from laplace_core.acting.continuations import Continuations, outcomes_of_states
+from laplace_core.acting.simulated_truth import confront, confront_states, empirical
 from laplace_core.agents import LaplaceSettings
-from laplace_core.encoding import reward_distance, theta_midpoints
-from laplace_core.horizon import expected_rewards
+from laplace_core.code.encoding import reward_distance, theta_midpoints
 from laplace_core.inverse import decode
+from laplace_core.study.horizon import expected_rewards
 from laplace_core.training.checkpoint import new_agent
-from laplace_core.training.continuations import Continuations, outcomes_of_states
-from laplace_core.training.simulated_truth import confront, confront_states, empirical
 
 torch.set_num_threads(1)
 GAMMAS, THETAS, K = np.linspace(0.05, 0.98, 40), np.array([-1.0, 0.5, 1.5, 2.5]), 6

@@ -8,8 +8,10 @@ from itertools import product
 import pytest
 import streamlit as st
 
-from app import session, state, world_actions
-from app.echoes import Shown, is_echo
+from app import session
+from app.session import store
+from app.session.echoes import Shown, is_echo
+from app.worlds import actions
 
 
 @pytest.fixture(autouse=True)
@@ -23,7 +25,7 @@ def report(**values: object) -> None:
     """An event of the browser: every widget that looks changed to the server calls back."""
     for name, value in values.items():
         st.session_state[name] = value
-        state.keep(name)
+        store.keep(name)
 
 
 @dataclass(frozen=True)
@@ -76,18 +78,18 @@ def test_the_table_has_no_row_beside_these_cases():
 @pytest.mark.parametrize(("reports", "by_hand", "others"), CASES)
 def test_a_page_keeps_and_drops_by_the_table(reports, by_hand, others):
     """The same through the page: a widget that the server changed, alone or beside one that a person touches."""
-    state.put("widget", "before")
+    store.put("widget", "before")
     if by_hand:
-        state.choose("widget", "now")
-    state.put("widget", "now")
-    state.show("other", 1)
+        store.choose("widget", "now")
+    store.put("widget", "now")
+    store.show("other", 1)
     report(widget=VALUES[reports], **({"other": 2} if others else {}))
     expected = {"other": 2} if others else {}
     if not row_of(reports, by_hand=by_hand, others=others).dropped:
         expected["widget"] = VALUES[reports]
     elif by_hand:
         expected["widget"] = "now"
-    assert state.chosen() == expected
+    assert store.chosen() == expected
 
 
 @pytest.mark.parametrize("others", [False, True])
@@ -98,75 +100,75 @@ def test_after_a_touch_nothing_was_shown_before(others):
 
 def test_a_widget_that_merely_shows_what_it_shows_is_no_other_one():
     """The second row of others: beside widgets that nobody touched, to go back is a person's."""
-    state.put("normalise", "paper")
-    state.put("normalise", "none")
-    state.put("horizon", 40.0)
+    store.put("normalise", "paper")
+    store.put("normalise", "none")
+    store.put("horizon", 40.0)
     report(normalise="paper", horizon=40.0)
-    assert state.chosen() == {"normalise": "paper"}
+    assert store.chosen() == {"normalise": "paper"}
 
 
 def test_the_last_report_of_a_widget_counts():
     """The first of two events was not looked at, because a third thing ended the run of the page."""
-    state.show("alpha", 0.1)
+    store.show("alpha", 0.1)
     report(alpha=0.2)
     report(alpha=0.1)
-    assert state.chosen() == {}
+    assert store.chosen() == {}
 
 
 def test_a_touched_widget_is_kept():
-    state.show("alpha", 0.1)
+    store.show("alpha", 0.1)
     report(alpha=0.2)
-    assert state.chosen() == {"alpha": 0.2}
+    assert store.chosen() == {"alpha": 0.2}
 
 
 def test_what_merely_shows_what_it_showed_is_not():
-    state.show("alpha", 0.1)
-    state.put("horizon", 40.0)
+    store.show("alpha", 0.1)
+    store.put("horizon", 40.0)
     report(alpha=0.1, horizon=40.0)
-    assert state.chosen() == {}
+    assert store.chosen() == {}
 
 
 def test_a_remedy_is_not_undone_by_the_widget_that_still_shows_what_was_before():
-    state.show("normalise", "paper")
-    state.show("alpha", 0.1)
-    state.apply_changes({"normalise": "none"})
-    state.show("normalise", "paper")  # now none
+    store.show("normalise", "paper")
+    store.show("alpha", 0.1)
+    store.apply_changes({"normalise": "none"})
+    store.show("normalise", "paper")  # now none
     report(alpha=0.2, normalise="paper")  # alpha was moved before the browser had drawn the remedy
-    assert state.chosen() == {"normalise": "none", "alpha": 0.2}
+    assert store.chosen() == {"normalise": "none", "alpha": 0.2}
 
 
 def test_alone_the_same_report_is_a_person_who_goes_back():
-    state.show("normalise", "paper")
-    state.apply_changes({"normalise": "none"})
-    state.show("normalise", "paper")
+    store.show("normalise", "paper")
+    store.apply_changes({"normalise": "none"})
+    store.show("normalise", "paper")
     report(normalise="paper")
-    assert state.chosen() == {"normalise": "paper"}
+    assert store.chosen() == {"normalise": "paper"}
 
 
 def test_going_back_at_once_to_what_was_shown_counts():
-    state.show("alpha", 0.1)
+    store.show("alpha", 0.1)
     report(alpha=0.2)
-    assert state.chosen() == {"alpha": 0.2}
+    assert store.chosen() == {"alpha": 0.2}
     report(alpha=0.1)  # before the page was drawn anew
-    assert state.chosen() == {"alpha": 0.1}
+    assert store.chosen() == {"alpha": 0.1}
 
 
 def test_parameters_of_a_world_that_was_left_stay_behind():
     st.session_state["world"] = "cliff_grid"
-    state.show("p.early", 2)
-    world_actions.choose_world()
+    store.show("p.early", 2)
+    actions.choose_world()
     report(**{"p.early": 2})
-    assert state.chosen() == {"world": "cliff_grid"}
+    assert store.chosen() == {"world": "cliff_grid"}
 
 
 def test_going_back_and_forth_by_hand_is_never_an_echo():
-    state.show("normalise", "none")
-    state.put("horizon", 3.0)
+    store.show("normalise", "none")
+    store.put("horizon", 3.0)
     report(normalise="survival")
-    state.show("normalise", "none")  # now survival
+    store.show("normalise", "none")  # now survival
     report(normalise="none", horizon=3.0)  # back by hand, beside an echo
-    assert state.chosen() == {"normalise": "none"}
-    state.show("normalise", "none")
-    state.show("alpha", 0.1)
+    assert store.chosen() == {"normalise": "none"}
+    store.show("normalise", "none")
+    store.show("alpha", 0.1)
     report(normalise="survival", alpha=0.2)  # both at once, one of them to what it showed before
-    assert state.chosen() == {"normalise": "survival", "alpha": 0.2}
+    assert store.chosen() == {"normalise": "survival", "alpha": 0.2}

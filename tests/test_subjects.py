@@ -5,12 +5,14 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from app import compute
-from app.checkpoints import checkpoint, observe
-from app.sources import Exact, FromFile, Learner, Subject, View, shipped_agent, state_in
+from app.agents.schema import observe
+from app.catalogue.checkpoints import checkpoint
+from app.catalogue.tabular import shipped_agent
+from app.view import compute
+from app.view.subjects import Exact, FromFile, Learner, Subject, View, state_in
 from laplace_core import GammaSpace, InputError, Settings, Study, load_world, study, study_of_gamma_space
-from laplace_core.learned.reading import study_settings
-from laplace_core.settings import Resolved, resolve, resolve_for_gamma_space
+from laplace_core.study.settings import Resolved, resolve, resolve_for_gamma_space
+from laplace_core.tabular.reading import study_settings
 
 WORLD = load_world("two_branch")
 EXACT = resolve(Settings(world="two_branch", thetas=20), WORLD)

@@ -10,7 +10,7 @@ import pandas as pd
 import pytest
 
 from laplace_core import InputError, Settings, Study, load_world, study, study_of_gamma_space
-from laplace_core.tables import gamma_space_csv, rewards_csv, tau_space_csv, true_timeline_rows, values_csv
+from laplace_core.study.tables import gamma_space_csv, rewards_csv, tau_space_csv, true_timeline_rows, values_csv
 from laplace_core.worlds import World
 
 TABLES = (tau_space_csv, gamma_space_csv, values_csv, rewards_csv)

@@ -8,22 +8,21 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from laplace_core import PRESETS, InputError, load_world
-from laplace_core.encoding import discount_grid
-from laplace_core.learning import (
+from laplace_core.code.encoding import discount_grid
+from laplace_core.code.ties import greedy_action
+from laplace_core.planning import reward_indicator_basis, target_policies
+from laplace_core.study.pipeline import grids
+from laplace_core.study.settings import Settings, resolve
+from laplace_core.tabular.td import (
     Decay,
     LaplaceTD,
     Sampler,
     Schedule,
     Transition,
+    first_best,
     learn,
-    reward_indicator_basis,
     sensitivity_channels,
-    target_policies,
 )
-from laplace_core.learning.td import first_best
-from laplace_core.pipeline import grids
-from laplace_core.settings import Settings, resolve
-from laplace_core.ties import greedy_action
 from laplace_core.worlds import END, Outcome, World
 from tests.random_worlds import policies, worlds
 from tests.slow_twins import as_table

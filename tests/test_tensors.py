@@ -9,7 +9,7 @@ import pytest
 from safetensors.numpy import save
 
 from laplace_core.errors import InputError
-from laplace_core.tensors import parse_tensor_file, read_bytes
+from laplace_core.files.tensors import parse_tensor_file, read_bytes
 from tests.hostile import assert_one_sentence
 from tests.test_training_spoiled import joined, parts
 

@@ -12,7 +12,7 @@ import torch
 
 from laplace_core.agents.sensitivities import Sensitivities
 from laplace_core.cli import main
-from laplace_core.training.command import settings_of
+from laplace_core.training.defaults import settings_of
 from tests.hostile import assert_refused
 from tests.test_agents import SMALL
 

@@ -7,8 +7,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from laplace_core import InputError, Settings, load_world, study
-from laplace_core.learning import greedy_policy, reward_timeline
-from laplace_core.tables import true_timeline_rows
+from laplace_core.planning import greedy_policy, reward_timeline
+from laplace_core.study.tables import true_timeline_rows
 from laplace_core.worlds import MAX_TAU, dump_world, parse_world, timeline, timeline_rows, timeline_world
 from tests.hostile import assert_one_sentence
 from tests.random_worlds import rewards, worlds_with_policy

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from laplace_core import Settings, load_world, study, study_of_gamma_space
-from laplace_core.saved import read_gamma_space
-from laplace_core.settings import SCHEMA, parse_settings
+from laplace_core.study.npz import read_gamma_space
+from laplace_core.study.settings import SCHEMA, parse_settings
 from laplace_core.worlds import dump_world, read_world, world_from_rows, world_rows
 from tests.malformed_saved import own_values, with_arrays
 from tests.malformed_worlds import TEXT

@@ -11,12 +11,12 @@ import time
 import numpy as np
 import pytest
 
+from laplace_core.acting.evaluation import evaluate
 from laplace_core.agents.settings import ENVIRONMENTS, SETTINGS
 from laplace_core.cli import main
 from laplace_core.supervise import read_process
 from laplace_core.training.checkpoint import load_checkpoint
-from laplace_core.training.command import command_of, settings_of
-from laplace_core.training.evaluation import evaluate
+from laplace_core.training.defaults import command_of, settings_of
 from laplace_core.training.progress import read_progress
 from laplace_core.training.run_folder import new_run, read_config
 from tests.hostile import assert_refused

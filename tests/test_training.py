@@ -13,17 +13,17 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from laplace_core.acting.evaluation import evaluate
 from laplace_core.agents import LaplaceSettings
+from laplace_core.environments import vector
 from laplace_core.errors import InputError
+from laplace_core.files.tensor_file import read_tensors, write_tensors
 from laplace_core.supervise import Process, read_process
-from laplace_core.training import environments
 from laplace_core.training.checkpoint import load_checkpoint
-from laplace_core.training.evaluation import evaluate
 from laplace_core.training.events import Checkpoint, Episode, Evaluation, Resumed, Step
 from laplace_core.training.loop import train
 from laplace_core.training.replay import Replay
 from laplace_core.training.run_folder import read_config, read_metrics
-from laplace_core.training.tensor_file import read_tensors, write_tensors
 from tests.hostile import assert_one_sentence
 
 TINY = LaplaceSettings(
@@ -192,7 +192,7 @@ def test_a_finished_run_has_nothing_left_to_do(tmp_path):
 
 
 def test_an_environment_that_cannot_be_saved_goes_on_with_new_episodes(tmp_path, monkeypatch):
-    monkeypatch.setattr(environments, "_savable", lambda env: False)
+    monkeypatch.setattr(vector, "_savable", lambda env: False)
     folder = tmp_path / "run"
     stop_at(TINY, folder, 450)
     cuts = []
@@ -213,7 +213,7 @@ def test_an_environment_that_cannot_be_saved_goes_on_with_new_episodes(tmp_path,
 
 def test_evaluations_start_where_training_never_does(monkeypatch, tmp_path):
     seeds = []
-    make = environments.make
+    make = vector.make
 
     def spied(name):
         env = make(name)
@@ -227,7 +227,7 @@ def test_evaluations_start_where_training_never_does(monkeypatch, tmp_path):
         return env
 
     monkeypatch.setattr("laplace_core.training.loop.make", spied)
-    monkeypatch.setattr(environments, "make", spied)
+    monkeypatch.setattr(vector, "make", spied)
     list(train(replace(TINY, steps=300), tmp_path / "run"))
     given = {seed for seed in seeds if seed is not None}
     training = {seed for seed in given if seed < 10**9}
@@ -307,7 +307,7 @@ def test_an_evaluation_tells_what_was_expected_at_every_discount(whole):
     told_last = [line for line in told(whole) if line["event"] == "Evaluation"][-1]
     agent = load_checkpoint(whole / "last.safetensors").agent
     starts = [10**12 + TINY.seed * 100_000 + i for i in range(TINY.evaluate_episodes)]
-    first = np.array([environments.make("CartPole-v1").reset(seed=start)[0] for start in starts])
+    first = np.array([vector.make("CartPole-v1").reset(seed=start)[0] for start in starts])
     values, actions = agent.action_values(first), agent.greedy(first)
     wanted = [values[i, :, action] for i, action in enumerate(actions)]
     np.testing.assert_allclose(told_last["values"], np.mean(wanted, axis=0), rtol=1e-5)

@@ -11,13 +11,13 @@ import numpy as np
 import pytest
 import torch
 
-from laplace_core import __version__, atomic
+from laplace_core import __version__
 from laplace_core.agents import LaplaceSettings
 from laplace_core.errors import InputError
-from laplace_core.strict_json import parse_json
-from laplace_core.training import tensor_file
+from laplace_core.files import atomic, tensor_file
+from laplace_core.files.strict_json import parse_json
 from laplace_core.training.checkpoint import MAX_BYTES, load_checkpoint, new_agent, save_checkpoint
-from laplace_core.training.command import settings_of
+from laplace_core.training.defaults import settings_of
 from tests.hostile import assert_one_sentence
 
 FILES = Path(tensor_file.__file__).parent / "settings"

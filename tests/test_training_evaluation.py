@@ -11,19 +11,18 @@ import pytest
 import torch
 
 from laplace_core import Settings, load_world, study
+from laplace_core.acting.evaluation import evaluate
 from laplace_core.agents import LaplaceSettings
 from laplace_core.agents.laplace import LaplaceAgent
 from laplace_core.agents.settings import ENVIRONMENTS, C51Settings
 from laplace_core.cli import main
-from laplace_core.encoding import discount_grid
-from laplace_core.environments import WORLD_TIME_LIMIT
+from laplace_core.code.encoding import discount_grid
+from laplace_core.environments import WORLD_TIME_LIMIT, vector
 from laplace_core.errors import InputError
 from laplace_core.inverse import decode
-from laplace_core.learning import proxy_gamma_space, target_policies
-from laplace_core.training import environments
+from laplace_core.planning import proxy_gamma_space, target_policies
 from laplace_core.training.checkpoint import load_checkpoint, new_agent, save_checkpoint
-from laplace_core.training.command import settings_of
-from laplace_core.training.evaluation import evaluate
+from laplace_core.training.defaults import settings_of
 from laplace_core.training.loop import train
 
 torch.set_num_threads(1)
@@ -73,16 +72,16 @@ def test_frozen_lake_lasts_as_long_as_gymnasium_lets_it():
 @pytest.mark.parametrize("name", [name for name in ENVIRONMENTS if name.startswith("gym:")])
 def test_gymnasiums_own_time_limits_hold(name):
     own = gymnasium.spec(name.removeprefix("gym:")).max_episode_steps
-    assert environments.spec(name).time_limit == (own or WORLD_TIME_LIMIT)
-    env = environments.make(name)
+    assert vector.spec(name).time_limit == (own or WORLD_TIME_LIMIT)
+    env = vector.make(name)
     env.reset(seed=0)
     env.unwrapped._state = 0
     # Up against the wall of the top left corner: never over, so that only the limit ends it (slipping may, sooner).
-    for step in range(1, environments.spec(name).time_limit + 1):
+    for step in range(1, vector.spec(name).time_limit + 1):
         _, _, terminated, truncated, _ = env.step(1 if "Taxi" in name else 0 if "Cliff" in name else 3)
         if terminated:
             return
-        assert truncated == (step == environments.spec(name).time_limit)
+        assert truncated == (step == vector.spec(name).time_limit)
     assert truncated
 
 
@@ -207,7 +206,7 @@ def test_lunar_lander_says_what_it_needs_where_its_physics_is_missing(monkeypatc
 
     monkeypatch.setattr(gymnasium, "make", missing)
     with pytest.raises(InputError, match="gymnasium"):
-        environments.make("LunarLander-v3")
+        vector.make("LunarLander-v3")
 
 
 def test_discounted_returns_are_what_a_knowing_agent_expects():

@@ -10,15 +10,15 @@ import pytest
 import torch
 
 from laplace_core import load_world
+from laplace_core.acting.evaluation import evaluate
 from laplace_core.agents import SETTINGS
 from laplace_core.agents.agent import Agent
 from laplace_core.errors import InputError
-from laplace_core.learned.returns import wasserstein
-from laplace_core.learning import finite_horizon_optimum, greedy_policy
-from laplace_core.learning.peers import return_distribution
+from laplace_core.planning import finite_horizon_optimum, greedy_policy
+from laplace_core.tabular.peers import return_distribution
+from laplace_core.tabular.returns import wasserstein
 from laplace_core.training.checkpoint import load_checkpoint, new_agent, save_checkpoint
-from laplace_core.training.command import settings_of
-from laplace_core.training.evaluation import evaluate
+from laplace_core.training.defaults import settings_of
 from laplace_core.training.loop import train
 from tests.test_agents_peers import FEW, OTHERS, PEERS
 from tests.test_training import TINY as LAPLACE

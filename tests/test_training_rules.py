@@ -7,12 +7,12 @@ import pytest
 import torch
 
 from laplace_core import load_world
+from laplace_core.acting.evaluation import evaluate
+from laplace_core.acting.rules import RULES, Options, suited
 from laplace_core.agents import SETTINGS, LaplaceSettings
 from laplace_core.cli import main
 from laplace_core.errors import InputError
 from laplace_core.training.checkpoint import new_agent, save_checkpoint
-from laplace_core.training.evaluation import evaluate
-from laplace_core.training.rules import RULES, Options, suited
 from tests.hostile import assert_refused
 from tests.test_training_evaluation import Knowing
 

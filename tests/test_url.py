@@ -8,8 +8,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from app import query, raced, trained, training_form
-from app.url import LEFT_OUT, Check, Entries, Old, Schema, Values, by_name, query_of
+from app.agents.schema import LINK as AGENTS
+from app.race.schema import LINK as RACE
+from app.session.url import LEFT_OUT, Check, Entries, Old, Schema, Values, by_name, query_of
+from app.train.schema import LINK as TRAIN
+from app.worlds.schema import LINK as WORLDS
 from laplace_core import InputError
 from laplace_core.parameters import Parameter
 from tests.train_page import made
@@ -120,9 +123,9 @@ def test_a_rival_that_cannot_be_opened_is_left_out(runs):
     made(runs, "one", checkpoint=True)
     folder = made(runs, "two", checkpoint=True)
     link = {"checkpoint": "run:one", "d.against": "run:two"}
-    assert raced.LINK.read(link) == (link, [])
+    assert RACE.read(link) == (link, [])
     (folder / "best.safetensors").write_bytes(b"")
-    values, notes = raced.LINK.read(link)
+    values, notes = RACE.read(link)
     assert values == {"checkpoint": "run:one"}
     assert len(notes) == 1
     assert notes[0].startswith(LEFT_OUT)
@@ -139,7 +142,7 @@ NAMES = [
 ]
 
 
-@pytest.mark.parametrize("schema", [query.LINK, trained.LINK, raced.LINK, training_form.LINK])
+@pytest.mark.parametrize("schema", [WORLDS, AGENTS, RACE, TRAIN])
 @given(link=st.dictionaries(st.sampled_from(NAMES) | st.text(max_size=9), WORDS, max_size=6))
 def test_any_link_of_any_page_is_read_or_left_out(schema, link):
     """It is read without an error, every note is one short line, and what was read says the same again."""

@@ -10,12 +10,12 @@ import numpy as np
 import pytest
 
 from laplace_core import PRESETS, InputError, Settings, Study, load_world, study, study_of_gamma_space
-from laplace_core.artifacts import find_artefacts
 from laplace_core.experiments.judge import judge_view
 from laplace_core.experiments.views import View
-from laplace_core.pipeline import basis_of
-from laplace_core.trials import ALPHAS, Trials
-from laplace_core.verdict import Verdict, judge
+from laplace_core.study.artefacts import find_artefacts
+from laplace_core.study.pipeline import basis_of
+from laplace_core.study.trials import ALPHAS, Trials
+from laplace_core.study.verdict import Verdict, judge
 from laplace_core.worlds import END, Outcome, World, parse_world
 
 DATA = Path(__file__).parent / "data"

@@ -26,8 +26,8 @@ from laplace_core.experiments.judge import (
 )
 from laplace_core.experiments.verdicts import CRITERIA, Examined, Said, examine, rows_of, table
 from laplace_core.experiments.views import MOST_ROWS, View, draw_view
-from laplace_core.pipeline import grids, study
-from laplace_core.settings import resolve
+from laplace_core.study.pipeline import grids, study
+from laplace_core.study.settings import resolve
 from laplace_core.worlds import END, Outcome, World
 
 FIG4 = Settings(

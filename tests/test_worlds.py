@@ -15,8 +15,8 @@ from gymnasium.utils.env_checker import check_env
 from hypothesis import given
 
 from laplace_core import PRESETS, InputError, Settings, load_world, study
-from laplace_core.learning import finite_horizon_optimum, greedy_policy, state_values
-from laplace_core.learning.td import LaplaceTD, Sampler, Schedule, learn
+from laplace_core.planning import finite_horizon_optimum, greedy_policy, state_values
+from laplace_core.tabular.td import LaplaceTD, Sampler, Schedule, learn
 from laplace_core.worlds import END, TOY_TEXT, Outcome, World, parse_world
 from laplace_core.worlds.env import TabularEnv
 from tests.random_worlds import worlds

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from app.figures.theme import UNDER_RANGE, Figure, axis, build, probability_scale
-from laplace_core.compare import Difference
+from laplace_core.study.compare import Difference
 
 _DIVERGING = [[0.0, "#2166ac"], [0.25, "#92c5de"], [0.5, "rgba(140,140,140,0)"], [0.75, "#f4a582"], [1.0, "#b2182b"]]
 _LABELLED = 9  # rows that get a tick

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from app.figures.theme import ACTION_COLOURS, NEUTRAL, Figure, axis, build, staircase, translucent
-from laplace_core.learned import Bands, Learned, Returns
+from laplace_core.tabular import Bands, Learned, Returns
 
 _NAMES = {
     "categorical": "categorical",

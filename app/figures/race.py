@@ -9,7 +9,7 @@ import numpy as np
 from app.figures.theme import NEUTRAL, Figure, axis, build, translucent
 
 if TYPE_CHECKING:  # it brings torch along, which no figure needs
-    from laplace_core.training.race import Races
+    from laplace_core.acting.race import Races
 
 _BINS = 36
 _CURSOR = "#ff9f1c"

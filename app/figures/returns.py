@@ -11,7 +11,7 @@ import numpy as np
 from app.figures.theme import ACTION_COLOURS, NEUTRAL, Figure, action_colour, axis, build, staircase, translucent
 
 if TYPE_CHECKING:  # it brings torch along, which no figure needs
-    from laplace_core.training.return_laws import ReturnLaw, SimulatedReturns
+    from laplace_core.acting.return_laws import ReturnLaw, SimulatedReturns
 
 CAME = "#d6336c"
 _LEARNED = ACTION_COLOURS[0]

@@ -9,7 +9,7 @@ import numpy as np
 from app.figures.theme import ACTION_COLOURS, NEUTRAL, Figure, axis, build, translucent
 
 if TYPE_CHECKING:  # it brings torch along, which no figure needs
-    from laplace_core.training.simulated_truth import Confronted
+    from laplace_core.acting.simulated_truth import Confronted
 
 _DECODED, _SIMULATED = ACTION_COLOURS[0], "#d6336c"
 

@@ -6,7 +6,7 @@ import numpy as np
 
 from app.figures.theme import NEUTRAL, Figure, action_colour, axis, build, translucent
 from laplace_core import Study
-from laplace_core.learned import Band, Bands
+from laplace_core.tabular import Band, Bands
 
 
 def rewards_and_survival(study: Study, action: int, bands: Bands) -> Figure:

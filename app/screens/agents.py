@@ -6,25 +6,28 @@ from typing import Any
 
 import streamlit as st
 
-from app import checkpoints, compute, rolled, session, state
-from app.lens import LIVE
-from app.observations import Scene, scene_of
-from app.parts import export, panels, peer, returns, rolling, truth
-from app.parts.card import card
-from app.rollouts import Rolling
-from app.trained import LINK, OBSERVED, observation_of, view_of
+from app import session
+from app.agents import episode, peer, returns, rollout_form, truth
+from app.agents.card import card
+from app.agents.rollout_jobs import Rolling
+from app.agents.schema import LINK, OBSERVED, observation_of, view_of
+from app.catalogue import checkpoints
+from app.catalogue.scenes import Scene, scene_of
+from app.components.lens import LIVE
+from app.session import store
+from app.view import compute, export, panels
 from laplace_core import InputError
+from laplace_core.acting.rollout import Rollout
 from laplace_core.agents.capabilities import HasGammaSpace
 from laplace_core.training.checkpoint import Loaded
-from laplace_core.training.rollout import Rollout
 
 
 def page() -> None:
-    state.open_page("agents", LINK)
+    store.open_page("agents", LINK)
     with st.sidebar:
         st.html('<div class="brand">Laplace code workbench</div>')
         _choose()
-        name = state.chosen().get("checkpoint")
+        name = store.chosen().get("checkpoint")
         if name is None:
             st.info("No trained agent is here yet: open a checkpoint, or train one with `laplace train`.")
             return
@@ -35,16 +38,16 @@ def page() -> None:
             return
         scene = scene_of(loaded.environment)
         card(str(name), loaded, scene)
-        asked = rolling.asked(loaded)
-        rolling.form(loaded)
+        asked = rollout_form.asked(loaded)
+        rollout_form.form(loaded)
         if asked is not None:
-            rolling.beside(asked, scene)
+            rollout_form.beside(asked, scene)
         if asked is None:
             _observation(scene)
     above = st.container()  # whether or not there is something in it, the lens keeps its place
     if asked is not None and asked.going:
         with above:
-            st.fragment(rolling.progress, run_every=rolling.LOOK_EVERY)(asked)
+            st.fragment(rollout_form.progress, run_every=rollout_form.LOOK_EVERY)(asked)
         asked = None  # until it is done, the pictures stay as they are
     _view(loaded, scene, asked)
 
@@ -52,7 +55,7 @@ def page() -> None:
 def _choose() -> None:
     names = checkpoints.names()
     if names:
-        key = state.show("checkpoint", names[0])
+        key = store.show("checkpoint", names[0])
         st.selectbox("Agent", names, key=key, on_change=_chosen, format_func=checkpoints.title)
     st.file_uploader("Open a checkpoint (.safetensors)", type=["safetensors"], key="agent_file", on_change=_uploaded)
     if "agent_file" in session.current().refusals:
@@ -60,7 +63,7 @@ def _choose() -> None:
 
 
 def _chosen() -> None:
-    state.replace_all({"checkpoint": st.session_state["checkpoint"]})
+    store.replace_all({"checkpoint": st.session_state["checkpoint"]})
 
 
 def _uploaded() -> None:
@@ -69,27 +72,27 @@ def _uploaded() -> None:
     if file is None:
         return
     try:
-        state.replace_all({"checkpoint": checkpoints.open_checkpoint(file.name, file.getvalue())})
+        store.replace_all({"checkpoint": checkpoints.open_checkpoint(file.name, file.getvalue())})
     except InputError as error:
         session.current().refusals["agent_file"] = str(error)
 
 
 def _observation(scene: Scene) -> None:
     if scene.states:
-        key = state.show("state", scene.states[0])
-        st.selectbox("State", scene.states, key=key, on_change=state.keep, args=(key,))
+        key = store.show("state", scene.states[0])
+        st.selectbox("State", scene.states, key=key, on_change=store.keep, args=(key,))
         return
     for i, component in enumerate(scene.components):
-        key = state.show(f"{OBSERVED}{i}", component.start)
+        key = store.show(f"{OBSERVED}{i}", component.start)
         unit = f" ({component.unit})" if component.unit else ""
         step = (component.high - component.low) / 100.0
         st.slider(f"{component.name}{unit}", component.low, component.high, step=step, key=key, format="%.2f",
-                  on_change=state.keep, args=(key,))  # fmt: skip
+                  on_change=store.keep, args=(key,))  # fmt: skip
 
 
 @st.fragment
 def _view(loaded: Loaded, scene: Scene, asked: Rolling | None) -> None:
-    state.write_url()
+    store.write_url()
     if not isinstance(loaded.agent, HasGammaSpace):
         peer.view(loaded, scene, asked)
         return
@@ -100,23 +103,23 @@ def _view(loaded: Loaded, scene: Scene, asked: Rolling | None) -> None:
     try:
         if asked is not None:
             rollout = asked.rollout()
-            at = rolled.step_of(state.chosen(), rollout)
-            observation = rolled.observation_at(rollout, at)
-            lead, followed = rolling.lead(asked, at), rolled.followed(rollout, at)
-        view = view_of(loaded, scene, state.chosen(), observation)
-        base = view_of(loaded, scene, state.without(*LIVE), observation)
+            at = episode.step_of(store.chosen(), rollout)
+            observation = episode.observation_at(rollout, at)
+            lead, followed = rollout_form.lead(asked, at), episode.followed(rollout, at)
+        view = view_of(loaded, scene, store.chosen(), observation)
+        base = view_of(loaded, scene, store.without(*LIVE), observation)
         compute.study_for(view)
     except InputError as error:
         st.error(str(error))
         return
     if asked is not None and rollout is not None:
         with above:
-            rolling.show(asked, scene, view)
+            rollout_form.show(asked, scene, view)
             simulated = truth.ask(view, loaded, rollout, at)
     panels.pictures(view, base, lead=lead, followed=followed, simulated=simulated)
     if rollout is not None:
         truth.section(view, loaded, rollout, at)
-    seen = observation or observation_of(scene, state.chosen())
+    seen = observation or observation_of(scene, store.chosen())
     name = view.subject.action_names[view.action]
     returns.section(loaded, seen, view.action, name, alpha=view.settings.alpha, rollout=rollout, step=at)
     panels.artefacts(view)

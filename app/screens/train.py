@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import streamlit as st
 
-from app import state, training_runs
-from app.parts import run_cards, run_pictures, train_form
-from app.training_form import LINK, OPENING
+from app.catalogue import training_runs
+from app.session import store
+from app.train import cards, form, pictures
+from app.train.schema import LINK, OPENING
 from laplace_core import InputError
 from laplace_core.training.queue import Run
 
@@ -14,10 +15,10 @@ LOOK_EVERY = 1.0  # seconds between two looks at the runs, while one is going
 
 
 def page() -> None:
-    state.open_page("train", LINK)
+    store.open_page("train", LINK)
     with st.sidebar:
         st.html('<div class="brand">Laplace code workbench</div>')
-        train_form.form()
+        form.form()
     try:
         going = _going(training_runs.queue().runs())
     except InputError as error:
@@ -31,7 +32,7 @@ def _going(runs: list[Run]) -> bool:
 
 
 def _view(*, going: bool) -> None:
-    state.write_url()
+    store.write_url()
     queue = training_runs.queue()
     runs = queue.runs()
     if any(run.going for run in runs):
@@ -39,20 +40,20 @@ def _view(*, going: bool) -> None:
     if not runs:
         st.info("No run is here yet. A run trains in a process of its own: this page may be closed meanwhile.")
         st.button("Train Laplace DQN on CartPole", type="primary", on_click=_first)
-        run_pictures.shipped(str(state.chosen().get("environment", OPENING["environment"])))
+        pictures.shipped(str(store.chosen().get("environment", OPENING["environment"])))
         return
-    looked = run_pictures.looked_at(runs)
+    looked = pictures.looked_at(runs)
     if looked is not None:
-        run_pictures.pictures(runs, looked)
-    run_cards.cards(runs, looked)
+        pictures.pictures(runs, looked)
+    cards.cards(runs, looked)
     if _going(runs) != going:  # a run began or the last one ended: look oftener, or no more
         st.rerun()
 
 
 def _first() -> None:
     """Callback: the small default."""
-    state.replace_all({})
-    train_form.start()
+    store.replace_all({})
+    form.start()
 
 
 page()

@@ -13,7 +13,7 @@ from torch import Tensor, nn
 
 from laplace_core.agents.adam import Adam
 from laplace_core.agents.settings import LoopSettings
-from laplace_core.ties import greedy_action
+from laplace_core.code.ties import greedy_action
 
 
 @dataclass(frozen=True, eq=False)

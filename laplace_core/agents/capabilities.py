@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Protocol, runtime_checkable
 
 import numpy as np
 
-from laplace_core.gamma_space import GammaSpace
+from laplace_core.code.gamma_space import GammaSpace
 
 if TYPE_CHECKING:  # to ask for a capability needs no network
     from torch import Tensor

@@ -16,8 +16,8 @@ from laplace_core.agents import networks, parametrisations
 from laplace_core.agents.agent import Agent, Batch
 from laplace_core.agents.sensitivities import Sensitivities
 from laplace_core.agents.settings import LaplaceSettings
+from laplace_core.code.gamma_space import GammaSpace
 from laplace_core.errors import InputError
-from laplace_core.gamma_space import GammaSpace
 
 
 class LaplaceAgent(Agent[LaplaceSettings]):

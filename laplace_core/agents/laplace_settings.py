@@ -8,7 +8,7 @@ from typing import Any, ClassVar
 import numpy as np
 
 from laplace_core.agents.loop_settings import LoopSettings, exploring_heads
-from laplace_core.encoding import (
+from laplace_core.code.encoding import (
     GAMMA_SPACINGS,
     PAPER_GAMMAS,
     THETA_SCALE_HELP,
@@ -17,9 +17,9 @@ from laplace_core.encoding import (
     sensitivity_grid,
 )
 from laplace_core.errors import InputError
-from laplace_core.learning import TARGET_POLICIES
 from laplace_core.parameters import choice, setting
-from laplace_core.settings import SLOPE_TIMES_SPACING, Settings, resolve
+from laplace_core.planning import TARGET_POLICIES
+from laplace_core.study.settings import SLOPE_TIMES_SPACING, Settings, resolve
 from laplace_core.worlds import load_world
 
 NETWORKS = ("trunk", "network", "multiplexer")

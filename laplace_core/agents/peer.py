@@ -2,7 +2,7 @@
 
 The next state gives a distribution of r + gamma Z(s', a*), as locations and masses, and the loss moves the outputs of
 (s, a) towards it. An algorithm is four short answers: what its outputs are before training, their mean, the
-distribution that they stand for, and the loss. :mod:`laplace_core.learning.peers` has the same four on tables.
+distribution that they stand for, and the loss. :mod:`laplace_core.tabular.peers` has the same four on tables.
 """
 
 from __future__ import annotations

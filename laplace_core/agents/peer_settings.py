@@ -9,9 +9,9 @@ import numpy as np
 
 from laplace_core.agents.loop_settings import LoopSettings, exploring_heads
 from laplace_core.errors import InputError
-from laplace_core.learned.returns import return_bounds
 from laplace_core.parameters import setting
-from laplace_core.pipeline import policies_of
+from laplace_core.study.pipeline import policies_of
+from laplace_core.tabular.returns import return_bounds
 from laplace_core.worlds import load_world
 
 

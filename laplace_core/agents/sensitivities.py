@@ -12,8 +12,8 @@ import torch
 from torch import Tensor
 
 from laplace_core.agents.settings import LaplaceSettings
-from laplace_core.encoding import sensitivity_grid, theta_scale
-from laplace_core.gamma_space import bin_values
+from laplace_core.code.encoding import sensitivity_grid, theta_scale
+from laplace_core.code.gamma_space import bin_values
 
 
 class Sensitivities:

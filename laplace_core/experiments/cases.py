@@ -18,8 +18,8 @@ import numpy as np
 
 from laplace_core.experiments.case_worlds import lasting_world, short_world
 from laplace_core.inverse import decode_matrix
-from laplace_core.pipeline import grids
-from laplace_core.settings import SLOPE_TIMES_SPACING, ResolvedForWorld, Settings, resolve
+from laplace_core.study.pipeline import grids
+from laplace_core.study.settings import SLOPE_TIMES_SPACING, ResolvedForWorld, Settings, resolve
 from laplace_core.worlds import END, World
 
 KINDS = ("short", "lasting")

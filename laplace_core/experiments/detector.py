@@ -11,11 +11,11 @@ from typing import Any
 
 import numpy as np
 
-from laplace_core.artifacts import MEASURES, VISIBLE, find_artefacts
 from laplace_core.errors import InputError
 from laplace_core.experiments.cases import KINDS, Case, draw_case
 from laplace_core.experiments.labels import Effects
-from laplace_core.pipeline import study
+from laplace_core.study.artefacts import MEASURES, VISIBLE, find_artefacts
+from laplace_core.study.pipeline import study
 
 MOST_CASES = 100_000
 HELD_OUT_SEED = 0

@@ -1,7 +1,7 @@
 """Horizon adaptation: one rule for every T against greedy and against the matched discount of the same agents.
 
 All agents and rules act from the same start seeds. A difference is taken episode by episode; its interval is a
-bootstrap over agents and over starts, see :func:`laplace_core.training.bootstrap.interval`: few agents make a wide one.
+bootstrap over agents and over starts, see :func:`laplace_core.acting.bootstrap.interval`: few agents make a wide one.
 """
 
 from __future__ import annotations
@@ -13,11 +13,11 @@ from typing import Any
 
 import numpy as np
 
+from laplace_core.acting.bootstrap import interval
+from laplace_core.acting.evaluation import evaluate
+from laplace_core.acting.rules import suited
 from laplace_core.errors import InputError
-from laplace_core.training.bootstrap import interval
 from laplace_core.training.checkpoint import Loaded, load_checkpoint
-from laplace_core.training.evaluation import evaluate
-from laplace_core.training.rules import suited
 
 AGAINST = ("greedy", "matched")
 NOTHING: Mapping[str, float] = MappingProxyType({})
@@ -38,7 +38,7 @@ def report(
         paths: checkpoints of one environment.
         horizons: T of each row; None is the environment's own limit.
         seed: which start seeds.
-        options: of the rule, as in :func:`laplace_core.training.evaluation.evaluate`.
+        options: of the rule, as in :func:`laplace_core.acting.evaluation.evaluate`.
         references: checkpoints of that environment that show what is to be had, each by the rule that suits it: a
             fixed-horizon agent by the time to go that it has learned.
 

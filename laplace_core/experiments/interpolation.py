@@ -15,15 +15,15 @@ from typing import Any
 import numpy as np
 from scipy.interpolate import CubicSpline, PchipInterpolator
 
+from laplace_core.acting.rollout import roll_out
+from laplace_core.code.gamma_space import GammaSpace, encode, with_noise
+from laplace_core.code.interpolation import left_out, log_times, mixing, with_between
 from laplace_core.errors import InputError
-from laplace_core.gamma_space import GammaSpace, encode, with_noise
-from laplace_core.interpolation import left_out, log_times, mixing, with_between
 from laplace_core.inverse import decode
-from laplace_core.learning import greedy_policy, reward_indicator_basis
-from laplace_core.pipeline import WorldStudy, study
-from laplace_core.settings import Settings
+from laplace_core.planning import greedy_policy, reward_indicator_basis
+from laplace_core.study.pipeline import WorldStudy, study
+from laplace_core.study.settings import Settings
 from laplace_core.training.checkpoint import load_checkpoint
-from laplace_core.training.rollout import roll_out
 from laplace_core.worlds import load_world
 
 WORLDS = ("two_decisions", "discounting_chain", "fig6_chain")

@@ -47,10 +47,10 @@ from typing import Any, Literal
 
 import numpy as np
 
+from laplace_core.code.noise import normal_noise
 from laplace_core.errors import InputError
 from laplace_core.experiments.views import View
-from laplace_core.noise import normal_noise
-from laplace_core.settings import ResolvedForWorld
+from laplace_core.study.settings import ResolvedForWorld
 from laplace_core.worlds import END, PRESETS, World, load_world
 
 OFF = 0.1

@@ -15,13 +15,13 @@ from functools import cached_property
 
 import numpy as np
 
-from laplace_core.artifacts import VISIBLE
+from laplace_core.code.gamma_space import encode
 from laplace_core.experiments.cases import Case, spacing_of
-from laplace_core.gamma_space import encode
 from laplace_core.inverse import decode_matrix
-from laplace_core.learning import greedy_policy, target_policies
-from laplace_core.pipeline import decode_and_read, grids, study
-from laplace_core.settings import SLOPE_TIMES_SPACING, ResolvedForWorld, Settings
+from laplace_core.planning import greedy_policy, target_policies
+from laplace_core.study.artefacts import VISIBLE
+from laplace_core.study.pipeline import decode_and_read, grids, study
+from laplace_core.study.settings import SLOPE_TIMES_SPACING, ResolvedForWorld, Settings
 from laplace_core.worlds import END, Outcome, World
 
 SEEN = 0.02

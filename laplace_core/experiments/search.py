@@ -22,11 +22,11 @@ from typing import Any
 import numpy as np
 
 from laplace_core.agents.settings import LoopSettings
-from laplace_core.atomic import write_whole
 from laplace_core.errors import InputError
 from laplace_core.experiments.training import evaluated, seconds_behind
+from laplace_core.files.atomic import write_whole
 from laplace_core.training.checkpoint import load_checkpoint
-from laplace_core.training.command import settings_of
+from laplace_core.training.defaults import settings_of
 from laplace_core.training.loop import train
 from laplace_core.training.run_folder import read_config, read_metrics
 

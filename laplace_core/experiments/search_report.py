@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from laplace_core.errors import InputError
-from laplace_core.strict_json import parse_json
+from laplace_core.files.strict_json import parse_json
 
 MOST_BYTES = 10_000_000
 _LARGEST, _STEPS = 1e12, re.compile("[0-9]{1,10}")

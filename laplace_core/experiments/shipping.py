@@ -16,11 +16,11 @@ from typing import Any
 import numpy as np
 
 from laplace_core.agents.settings import LoopSettings
-from laplace_core.atomic import write_whole
 from laplace_core.errors import InputError
 from laplace_core.experiments import training
-from laplace_core.strict_json import parse_json
-from laplace_core.training.command import settings_of
+from laplace_core.files.atomic import write_whole
+from laplace_core.files.strict_json import parse_json
+from laplace_core.training.defaults import settings_of
 from laplace_core.training.run_folder import read_metrics
 
 MANIFEST = "manifest.json"

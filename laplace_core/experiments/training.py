@@ -8,11 +8,11 @@ from typing import Any
 
 import numpy as np
 
+from laplace_core.acting.evaluation import Scores, evaluate, return_notes
 from laplace_core.agents.agent import Agent
 from laplace_core.errors import InputError
 from laplace_core.training.checkpoint import load_checkpoint
-from laplace_core.training.command import return_notes, settings_of
-from laplace_core.training.evaluation import Scores, evaluate
+from laplace_core.training.defaults import settings_of
 from laplace_core.training.loop import train
 from laplace_core.training.run_folder import read_config, read_metrics
 

@@ -15,13 +15,13 @@ from typing import Any
 
 import numpy as np
 
-from laplace_core import verdict as verdicts
-from laplace_core.artifacts import find_artefacts
 from laplace_core.errors import InputError
 from laplace_core.experiments.detector import wilson
 from laplace_core.experiments.judge import Change, Judge, Judged
 from laplace_core.experiments.views import View, draw_view
-from laplace_core.pipeline import study
+from laplace_core.study import verdict as verdicts
+from laplace_core.study.artefacts import find_artefacts
+from laplace_core.study.pipeline import study
 from laplace_core.worlds import dump_world, load_world
 
 MOST_VIEWS = 100_000

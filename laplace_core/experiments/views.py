@@ -15,10 +15,10 @@ from typing import Any
 
 import numpy as np
 
-from laplace_core.horizon import row_horizons
-from laplace_core.learning import finite_horizon_optimum
 from laplace_core.parameters import Parameter
-from laplace_core.settings import ResolvedForWorld, Settings, resolve
+from laplace_core.planning import finite_horizon_optimum
+from laplace_core.study.horizon import row_horizons
+from laplace_core.study.settings import ResolvedForWorld, Settings, resolve
 from laplace_core.worlds import END, PRESETS, Outcome, World, load_world
 
 MOST_ROWS = 200

@@ -6,9 +6,9 @@ from functools import lru_cache
 
 import numpy as np
 
+from laplace_core.code.ties import ROUNDING
 from laplace_core.errors import InputError
 from laplace_core.inverse.transform import transform_factors, transform_matrix
-from laplace_core.ties import ROUNDING
 
 
 def filter_factors(singular_values: np.ndarray, alpha: float, size: int) -> np.ndarray:

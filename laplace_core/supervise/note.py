@@ -11,9 +11,9 @@ from pathlib import Path
 
 import psutil
 
-from laplace_core.atomic import write_whole
 from laplace_core.errors import InputError
-from laplace_core.strict_json import parse_json
+from laplace_core.files.atomic import write_whole
+from laplace_core.files.strict_json import parse_json
 from laplace_core.supervise.process import Process
 
 FILE = "process.json"

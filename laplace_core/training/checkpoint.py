@@ -14,9 +14,9 @@ from laplace_core import __version__
 from laplace_core.agents import ENVIRONMENTS, SETTINGS, LoopSettings
 from laplace_core.agents.agent import Agent
 from laplace_core.agents.registry import AGENTS
+from laplace_core.environments import vector
 from laplace_core.errors import InputError
-from laplace_core.training import environments
-from laplace_core.training.tensor_file import read_tensors, write_tensors
+from laplace_core.files.tensor_file import read_tensors, write_tensors
 
 MAX_BYTES = 64_000_000
 LARGEST_WEIGHT = 1e6
@@ -53,7 +53,7 @@ def new_agent(settings: LoopSettings) -> Agent:
     Raises:
         InputError: settings whose network no checkpoint could hold.
     """
-    spec, kind = environments.spec(settings.environment), AGENTS[settings.ALGORITHM]
+    spec, kind = vector.spec(settings.environment), AGENTS[settings.ALGORITHM]
     numbers = kind.network_numbers(settings, spec.observation, spec.actions)
     if 4 * numbers > MAX_BYTES - 1_000_000:
         raise InputError(
@@ -116,7 +116,7 @@ def _settings(kind: type[LoopSettings], given: dict[str, Any], name: str) -> Loo
 
 
 def _agent(settings: LoopSettings, arrays: dict[str, np.ndarray], name: str) -> Agent:
-    spec, kind = environments.spec(settings.environment), AGENTS[settings.ALGORITHM]
+    spec, kind = vector.spec(settings.environment), AGENTS[settings.ALGORITHM]
     # Counted before anything is built, so that a small file cannot ask for a large network.
     numbers, found = (
         kind.network_numbers(settings, spec.observation, spec.actions),

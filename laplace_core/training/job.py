@@ -8,9 +8,9 @@ from functools import lru_cache
 from pathlib import Path
 
 from laplace_core.agents.settings import LoopSettings
-from laplace_core.atomic import write_whole
 from laplace_core.errors import InputError
-from laplace_core.strict_json import parse_json
+from laplace_core.files.atomic import write_whole
+from laplace_core.files.strict_json import parse_json
 from laplace_core.supervise import read_small
 from laplace_core.training.run_folder import RUN_NAME, settings_from_json
 

@@ -11,11 +11,11 @@ from typing import Any
 import numpy as np
 import torch
 
+from laplace_core.acting.evaluation import Scores, evaluate
 from laplace_core.agents.settings import LoopSettings
+from laplace_core.environments.vector import Environments, make
 from laplace_core.training import memory
 from laplace_core.training.checkpoint import new_agent, save_checkpoint
-from laplace_core.training.environments import Environments, make
-from laplace_core.training.evaluation import Scores, evaluate
 from laplace_core.training.events import Checkpoint, Episode, Evaluation, Event, Resumed, Step
 from laplace_core.training.replay import Replay
 from laplace_core.training.resume_point import arrays_of, restore_agent

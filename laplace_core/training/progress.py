@@ -10,9 +10,9 @@ from collections import deque
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
-from laplace_core.atomic import atomic_write
 from laplace_core.errors import InputError
-from laplace_core.strict_json import parse_json
+from laplace_core.files.atomic import atomic_write
+from laplace_core.files.strict_json import parse_json
 from laplace_core.supervise import read_small
 
 FILE = "progress.json"

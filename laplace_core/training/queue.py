@@ -22,7 +22,7 @@ from filelock import FileLock
 from laplace_core.agents.settings import LoopSettings
 from laplace_core.errors import InputError
 from laplace_core.supervise import End, Worker, command, end_in, read_process
-from laplace_core.training.command import name_of
+from laplace_core.training.defaults import name_of
 from laplace_core.training.job import Job, born_at, is_run, read_job, run_folders, settings_in, write_job
 from laplace_core.training.run_folder import RUN_NAME, new_run
 
@@ -272,12 +272,12 @@ def check_trainable(settings: LoopSettings) -> None:
     Raises:
         InputError: settings that do not fit the environment, or an environment whose physics is not installed.
     """
-    from laplace_core.training import environments
+    from laplace_core.environments import vector
     from laplace_core.training.checkpoint import new_agent
 
-    environments.make(settings.environment).close()
+    vector.make(settings.environment).close()
     new_agent(settings)
-    size = settings.buffer * (8 * environments.spec(settings.environment).observation + 18)
+    size = settings.buffer * (8 * vector.spec(settings.environment).observation + 18)
     if size > _MOST_BUFFER:
         raise InputError(f"these settings ask for a replay buffer of {size / 1e9:.1f} GB: lower buffer.")
 

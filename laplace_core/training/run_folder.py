@@ -17,13 +17,13 @@ from typing import Any, TextIO
 import numpy as np
 
 from laplace_core.agents.settings import SETTINGS, LoopSettings
-from laplace_core.atomic import write_whole
 from laplace_core.errors import InputError
-from laplace_core.strict_json import parse_json
+from laplace_core.files.atomic import write_whole
+from laplace_core.files.strict_json import parse_json
+from laplace_core.files.tensor_file import read_tensors, write_tensors
 from laplace_core.supervise import FILE as PROCESS
 from laplace_core.supervise import Process, read_process, write_process
 from laplace_core.training.events import Event
-from laplace_core.training.tensor_file import read_tensors, write_tensors
 
 MAX_RESUME_BYTES = 4_000_000_000
 RUN_NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]{0,120}")

@@ -14,8 +14,8 @@ from typing import Any
 import numpy as np
 
 from laplace_core.errors import InputError
+from laplace_core.files.strict_json import parse_json
 from laplace_core.parameters import NUMBER
-from laplace_core.strict_json import parse_json
 from laplace_core.worlds.model import END, MAX_OUTCOMES, MAX_REWARD, PROBABILITY_TOLERANCE, Outcome, World
 
 MAX_BYTES = 50_000_000

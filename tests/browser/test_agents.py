@@ -10,15 +10,15 @@ import numpy as np
 import pytest
 
 from laplace_core import GammaSpace, Settings
-from laplace_core.encoding import softening
-from laplace_core.gamma_space import bin_edges
-from laplace_core.horizon import expected_rewards
-from laplace_core.interpolation import with_added
+from laplace_core.acting.flags import flag_steps
+from laplace_core.acting.rollout import roll_out
+from laplace_core.code.encoding import softening
+from laplace_core.code.gamma_space import bin_edges
+from laplace_core.code.interpolation import with_added
 from laplace_core.inverse import decode
-from laplace_core.settings import resolve_for_gamma_space
+from laplace_core.study.horizon import expected_rewards
+from laplace_core.study.settings import resolve_for_gamma_space
 from laplace_core.training.checkpoint import load_checkpoint
-from laplace_core.training.flags import flag_steps
-from laplace_core.training.rollout import roll_out
 
 pytestmark = pytest.mark.browser
 CHECKPOINTS = Path(__file__).resolve().parents[2] / "checkpoints"

@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 from playwright.sync_api import expect
 
-from app.link import pack, unpack
-from app.sources import FIRST_TIMELINE
+from app.session.link import pack, unpack
+from app.worlds.sources import FIRST_TIMELINE
 from laplace_core import Settings, load_world, study, study_of_gamma_space
-from laplace_core.saved import read_gamma_space
+from laplace_core.study.npz import read_gamma_space
 from laplace_core.worlds import dump_world, parse_world
 from tests.browser.test_workbench import open_at, tau_space
 from tests.malformed_saved import with_arrays

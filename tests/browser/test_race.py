@@ -9,8 +9,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from laplace_core.acting.race import Entrant, race, races
 from laplace_core.training.checkpoint import load_checkpoint
-from laplace_core.training.race import Entrant, race, races
 
 pytestmark = pytest.mark.browser
 CHECKPOINT = Path(__file__).resolve().parents[2] / "checkpoints" / "laplace_LunarLander-v3.safetensors"

@@ -64,11 +64,11 @@ export const sigmoid = (x) => {
   return (x >= 0 ? 1 : small) / (1 + small);
 };
 
-// How far apart two values may be and still be equal, and the floor of rounding, as in laplace_core.ties.
+// How far apart two values may be and still be equal, and the floor of rounding, as in laplace_core.code.ties.
 export const ROUNDING = 1e-12;
 
 /**
- * How far apart two values may be and still be equal, as in laplace_core.ties.
+ * How far apart two values may be and still be equal, as in laplace_core.code.ties.
  * @param {number} best - the larger value, in reward
  * @param {number} scale - the size of the terms that values are sums of
  * @returns {number} in reward
@@ -98,7 +98,7 @@ function hashed(x) {
 }
 
 /**
- * Standard normal numbers of a seed: those of laplace_core.noise.
+ * Standard normal numbers of a seed: those of laplace_core.code.noise.
  * @param {number} seed - from 0 to 2^32 - 1
  * @param {number} count
  * @param {number} [skip] - how many numbers of the seed come before

@@ -55,7 +55,7 @@ function discounts({ cache, horizons, K, dt }, softness, gamma) {
 }
 
 /**
- * How much of the whole step n is held by row k, (K, N), as laplace_core.pipeline.row_shares: all of it where they meet.
+ * How much of the whole step n is held by row k, (K, N), as laplace_core.study.pipeline.row_shares: all of it where they meet.
  * @param {Model} model
  * @returns {Float64Array} (K, N)
  */
@@ -117,7 +117,7 @@ function truthOf(model, state) {
 
 /**
  * The share of the shown action's probability that its rows have at the wrong step or reward, as
- * laplace_core.grades.timeline_error: each midpoint counts for the nearest reward, each row for the nearest step.
+ * laplace_core.study.grades.timeline_error: each midpoint counts for the nearest reward, each row for the nearest step.
  * @param {Model} model
  * @param {State} state
  * @param {DecodedWithTruth} seen
@@ -310,7 +310,7 @@ export function see(model, state, most = Infinity) {
     }
   }
   const terms = rewards.map((line) => line.reduce((sum, value) => sum + Math.abs(value), 0));
-  const scale = Math.max(...terms, ...midpoints.map(Math.abs)); // as scale_of_values in laplace_core.horizon
+  const scale = Math.max(...terms, ...midpoints.map(Math.abs)); // as scale_of_values in laplace_core.study.horizon
   const chosenAt = (row) =>
     greedy(
       values.map((line) => line[row]),

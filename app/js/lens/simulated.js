@@ -46,7 +46,7 @@ export function simulatedRow(model, a, row) {
 }
 
 /**
- * W1 of each step's reward between the picture and the simulation, as laplace_core.encoding.reward_distance. What lies
+ * W1 of each step's reward between the picture and the simulation, as laplace_core.code.encoding.reward_distance. What lies
  * beyond the sensitivities counts at them: open ends have no width.
  * @param {Model} model
  * @param {Seen} seen

@@ -1,5 +1,5 @@
 // The sentence over the pictures: what the values choose, whether that is right, and what is to blame. The library says
-// the same on release, and why (laplace_core.verdict); this is what holds while a hand moves.
+// the same on release, and why (laplace_core.study.verdict); this is what holds while a hand moves.
 /** @import { Effect, Model, Seen, State, Verdict } from '../types.js' */
 import { short } from '../draw/drawing.js';
 import { ROUNDING, tieSize } from '../core/algebra.js';
@@ -7,7 +7,7 @@ import { SWITCHES, available, effect, timelineError } from '../core/maths.js';
 
 const VALUE_TOLERANCE = 0.1,
   SOUND = 0.1,
-  RUINED = 1 / 3; // as in laplace_core.grades
+  RUINED = 1 / 3; // as in laplace_core.study.grades
 export const WORDS = {
   bad: 'Wrong',
   warn: 'Right, for the wrong reason',
@@ -18,7 +18,7 @@ export const WORDS = {
 };
 
 // Decimals, never a negative zero. Values that are all below .01, but larger than rounding, get significant digits;
-// `apart` adds as many digits as make two values differ. As in laplace_core.verdict.in_words.
+// `apart` adds as many digits as make two values differ. As in laplace_core.study.verdict.in_words.
 const fixed = (value, digits) => (Math.round(value * 10 ** digits) / 10 ** digits + 0).toFixed(digits);
 const significant = (value, digits) => String(+value.toPrecision(digits) + 0);
 function inWords(values, scale, apart = false) {

@@ -28,7 +28,7 @@ export function levelsOf(halves, steps) {
 
 /**
  * An episode of a payload.
- * @param {Uint8Array} bytes - as app/player/payload.py packs them
+ * @param {Uint8Array} bytes - as app/components/player/payload.py packs them
  * @returns {Promise<Omit<Reel, 'id'>>}
  */
 export async function openReel(bytes) {
@@ -93,7 +93,7 @@ export const ownAt = ({ acting_gamma: gamma, steps, terminated }, step) =>
   !terminated && gamma ** (steps - step) > 0.05;
 
 /**
- * What the lens draws on the timeline of a step: see app/rolled.py.
+ * What the lens draws on the timeline of a step: see app/agents/episode.py.
  * @param {Reel} reel
  * @param {number} step
  * @returns {Followed}

@@ -8,7 +8,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, fields, replace
 
 from laplace_core.agents.settings import LoopSettings
-from laplace_core.training.command import command_of, settings_of
+from laplace_core.training.defaults import command_of, settings_of
 
 
 @dataclass(frozen=True)

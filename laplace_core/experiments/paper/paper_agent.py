@@ -9,7 +9,7 @@ Steps, the buffer and what happens every so many steps are counted over all disc
 gives every discount the 50,000 steps that our agents have, and LunarLander 200,000.
 """
 
-from laplace_core.encoding import PAPER_GAMMAS
+from laplace_core.code.encoding import PAPER_GAMMAS
 from laplace_core.experiments.paper.experiment import Cell, Experiment
 from laplace_core.experiments.paper.lander import ENVIRONMENT
 

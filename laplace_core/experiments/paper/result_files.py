@@ -13,7 +13,7 @@ from laplace_core.agents.settings import LoopSettings
 from laplace_core.errors import InputError
 from laplace_core.experiments.paper.experiment import Experiment
 from laplace_core.experiments.paper.runs import Training
-from laplace_core.strict_json import parse_json
+from laplace_core.files.strict_json import parse_json
 
 KEPT = "result.json"
 """In the folder of a run: its row, so that an experiment which needs the run as well evaluates nothing again."""

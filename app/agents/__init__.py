@@ -1,0 +1,1 @@
+"""The page of trained agents: observations, rollouts, returns and simulated truth."""

@@ -1,0 +1,72 @@
+"""The rollout that a page shows, as values of its link: the control, and the step under the cursor."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+from app.agents.rollout_jobs import Control
+from app.catalogue.rules import for_deadline, rules_of
+from laplace_core.acting.rollout import MOST_SEED, MOST_STEPS, RANDOM, Rollout
+from laplace_core.acting.rules import RULES
+from laplace_core.agents.agent import Agent
+from laplace_core.agents.capabilities import HasDiscounts
+from laplace_core.parameters import Parameter
+
+SHOWN, SEED, RULE, HORIZON, GAMMA, AT = "r.shown", "r.seed", "r.rule", "r.horizon", "r.gamma", "r.at"
+ACTION, TAKEN = "r.action", "taken"  # the action taken is an option of its own, which follows the cursor
+AFTER = "r.after"
+VIEW = (
+    Parameter(SHOWN, "no", help="Whether a rollout is shown.", choices=("no", "yes")),
+    Parameter(SEED, 0, 0, MOST_SEED, "Seed of the start, and of random actions."),
+    Parameter(RULE, "greedy", help="Control rule.", choices=(*RULES, RANDOM)),
+    Parameter(HORIZON, None, 1, MOST_STEPS, "Deadline T of the episode, in steps.", int),
+    Parameter(GAMMA, None, 1e-6, 0.999999, "Discount to be greedy at.", float),
+    Parameter(AT, 0, 0, MOST_STEPS, "Step under the cursor."),
+    Parameter(AFTER, "values", help="Control of what is simulated from there.", choices=("values", "rule")),
+)
+PARAMETERS = {parameter.name: parameter for parameter in VIEW}
+
+
+def parameters(agent: Agent) -> dict[str, Parameter]:
+    """What a link may say of a rollout of this agent."""
+    rules = tuple(rules_of(agent))
+    own = Parameter(RULE, rules[0], help="Control rule.", kind=str, choices=rules)
+    kept = {name: one for name, one in PARAMETERS.items() if name != GAMMA or isinstance(agent, HasDiscounts)}
+    shown = Parameter(ACTION, TAKEN, help="Action that is shown of an agent without a lens.", kind=str)
+    return kept | {RULE: own, ACTION: shown}
+
+
+def shown(values: Mapping[str, Any]) -> bool:
+    return values.get(SHOWN) == "yes"
+
+
+def control_of(values: Mapping[str, Any], limit: int, usual: str = "greedy") -> Control:
+    """The control that a page's values describe: ``limit`` is T where an adapted rule is told none, ``usual`` the rule
+    where there is none."""
+    rule = str(values.get(RULE, usual))
+    horizon = values.get(HORIZON)
+    if for_deadline(rule):
+        return Control(int(values.get(SEED, 0)), rule, min(limit, int(horizon or limit)))
+    gamma = values.get(GAMMA) if rule == "greedy" else None
+    return Control(int(values.get(SEED, 0)), rule, None, gamma)
+
+
+def step_of(values: Mapping[str, Any], rollout: Rollout) -> int:
+    return min(int(values.get(AT, 0)), len(rollout) - 1)
+
+
+def observation_at(rollout: Rollout, step: int) -> tuple[float, ...]:
+    return tuple(float(value) for value in rollout.observations[step])
+
+
+def followed(rollout: Rollout, step: int) -> dict[str, Any]:
+    """What the lens draws on the timeline: rewards from a step on, the action there, and how it went on.
+
+    ``over`` is how many steps were left if the episode then was over, None if it was only cut off.
+    """
+    rewards = np.asarray(rollout.rewards[step:], dtype=float)
+    over = len(rollout) - step if rollout.terminated else None
+    return {"rewards": rewards.tolist(), "action": int(rollout.actions[step]), "over": over}

@@ -1,0 +1,169 @@
+"""Codes side by side: for one state and first action, the return as each agent has learned it and as it comes."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import lru_cache
+from html import escape
+
+import numpy as np
+import streamlit as st
+
+from app import figures
+from app.agents import return_jobs
+from app.agents.return_jobs import Returned
+from app.agents.schema import DEFAULTS
+from app.components.chart import chart
+from app.figures.returns import ReturnRow, rows_height
+from laplace_core import InputError
+from laplace_core.acting.return_laws import (
+    COUNT,
+    INDEPENDENT,
+    LEARNED,
+    ReturnLaw,
+    SimulatedReturns,
+    laws_npz,
+    return_laws,
+)
+from laplace_core.acting.rollout import Rollout
+from laplace_core.environments import vector
+from laplace_core.training.checkpoint import Loaded
+
+LOOK_EVERY = 0.5  # seconds between two looks at a simulation in the making
+
+
+def section(
+    loaded: Loaded, observation: tuple[float, ...], action: int, name: str, *, alpha: float | None = None,
+    rollout: Rollout | None = None, step: int = 0,
+) -> None:  # fmt: skip
+    """Learned laws at once; those of what comes after a button, which needs a rollout to go on from.
+
+    Args:
+        action, name: the first action, and what it is called.
+        alpha: regularisation of the opened agent's inverse.
+    """
+    agents = return_jobs.beside(loaded)
+    if not agents:
+        return
+    st.html('<div class="panel-title">the same return in different codes: P(return ≤ x)</div>')
+    alphas = [alpha if each is loaded and alpha else DEFAULTS["alpha"] for each in agents]
+    laws = [law_of(each, observation, action, one) for each, one in zip(agents, alphas, strict=True)]
+    found = None if rollout is None else return_jobs.found(agents, rollout, step, action)
+    came = _offered(agents, rollout, step, action, name=name, found=found)
+    rows = [
+        ReturnRow(
+            _title(each, law, told_apart=each is loaded and len(agents) > len({a.algorithm for a in agents})),
+            law,
+            came[i] if came else None,
+        )
+        for i, (each, law) in enumerate(zip(agents, laws, strict=True))
+    ]
+    left, right = st.columns([2, 1], gap="medium")
+    with left:
+        alt = "Cumulated distribution of the return, a panel an agent: learned, and what came."
+        chart(figures.to_json(figures.returns_side_by_side(rows)), "codes", alt, rows_height(len(rows)))
+    with right:
+        st.html(_table(rows))
+        st.caption(_notes(agents, laws, observation, action=action, alphas=alphas))
+        st.download_button(
+            "Save returns (NPZ)", lambda: laws_npz([each.algorithm for each in agents], laws, came), on_click="ignore",
+            file_name=f"returns_{loaded.environment.replace(':', '-')}_step_{step}.npz",
+            mime="application/octet-stream", help="Locations and masses of every law, and the returns that came.",
+        )  # fmt: skip
+
+
+def _offered(
+    agents: Sequence[Loaded], rollout: Rollout | None, step: int, action: int, *, name: str, found: Returned | None
+) -> tuple | None:
+    """One line over the pictures: how to get what comes, how far it is, or what it is. Returns what came, if it did."""
+    with st.container(key="codes_line"):
+        words, button = st.columns([5, 1], vertical_alignment="center")
+        if rollout is None:
+            words.caption(
+                f"As learned, {name} first. Roll out to hold it against what comes from a state of an episode."
+            )
+            return None
+        if found is None:
+            words.caption(_offer(agents[0], step, name))
+            button.button("Simulate returns", key="simulate returns", width="stretch",
+                          on_click=return_jobs.begin, args=(agents, rollout, step, action))  # fmt: skip
+            return None
+        if found.going:
+            st.fragment(_progress, run_every=LOOK_EVERY)(found)
+            return None
+        try:
+            came = found.result()
+        except InputError as error:
+            st.error(str(error))
+            return None
+        words.caption(_told(came, step, name))
+        return came
+
+
+def _offer(loaded: Loaded, step: int, name: str) -> str:
+    times = f"{COUNT} times" if vector.chance(loaded.environment) else "once, because nothing here is by chance"
+    return f"As learned. What comes: {name} at step {step}, then each agent's own greedy policy, {times}."
+
+
+def _told(came: Sequence[SimulatedReturns], step: int, name: str) -> str:
+    most, count = max(came, key=lambda one: one.missing), len(came[0].returns)
+    times = f"{count} times" if count > 1 else "once, because nothing here is by chance"
+    cut = f"the cut at {most.steps} steps leaves out at most {most.missing:.2g}" if most.missing else "all ended"
+    return f"{name.capitalize()} at step {step}, then each agent's own greedy policy, {times}; {cut}. Shaded: W1."
+
+
+def _progress(found: Returned) -> None:
+    if not found.going:
+        st.rerun()
+    left, right = st.columns([5, 1], vertical_alignment="center")
+    share = found.done / found.of if found.of else 0.0
+    left.progress(share, f"Simulating: {share:.0%}" if found.of else "Simulating: waits for its turn")
+    right.button("Cancel", key="cancel returns", width="stretch", on_click=found.cancel)
+
+
+@lru_cache(maxsize=128)
+def law_of(loaded: Loaded, observation: tuple[float, ...], action: int, alpha: float) -> ReturnLaw:
+    """What an agent says of one return."""
+    return return_laws(loaded.agent, np.array(observation), [action], alpha)[0]
+
+
+def _title(loaded: Loaded, law: ReturnLaw, *, told_apart: bool) -> str:
+    """The algorithm, and where what is drawn is not what was learned, what it is."""
+    name = loaded.settings.TITLE + (" (opened)" if told_apart else "")
+    note = loaded.settings.RETURN_LAW or ("" if law.kind == LEARNED else law.kind)
+    return f"{name}, {note}" if note else name
+
+
+def _notes(
+    agents: Sequence[Loaded], laws: Sequence[ReturnLaw], observation: tuple[float, ...], *, action: int,
+    alphas: Sequence[float],
+) -> str:  # fmt: skip
+    """What the table's numbers mean, and why a stand-in's mean is not the agent's value."""
+    words = ["All in discounted reward; ± is one standard error; by chance: W1 of as many draws from their own law."]
+    for each, law, alpha in zip(agents, laws, alphas, strict=True):
+        if law.kind == INDEPENDENT:
+            value = each.agent.action_values(np.array(observation)[None], each.agent.acting_head)[0, action]
+            words.append(
+                f"{each.settings.TITLE} knows the rewards of each step and not how they hang together: its law is a "
+                f"stand-in, whose mean is what the inverse at α {alpha:g} leaves of its value {value:.4g}."
+            )
+            break
+    return " ".join(words)
+
+
+def _table(rows: Sequence[ReturnRow]) -> str:
+    """The numbers of the pictures, a line an agent."""
+    heads = ("", "W1", "by chance", "mean learned", "mean that came")
+    hints = ("", "area between learned and came, in reward", "W1 that as many draws of the same law would have",
+             "in reward, discounted", "in reward, discounted; +- one standard error")  # fmt: skip
+    lines = ["".join(f'<th title="{hint}">{head}</th>' for head, hint in zip(heads, hints, strict=True))]
+    for row in rows:
+        cells = [escape(row.name.split(",")[0]), "", "", f"{row.law.mean:.4g}", ""]
+        if row.came is not None:
+            mean, error = row.came.mean
+            many = len(row.came.returns) > 1
+            cells[1] = f"{row.came.distance(row.law):.3g}"
+            cells[2] = f"{row.came.by_chance:.2g}" if many else "none"
+            cells[4] = f"{mean:.4g} ± {error:.2g}" if many else f"{mean:.4g}"
+        lines.append("".join(f"<td>{cell or '–'}</td>" for cell in cells))
+    return f'<table class="numbers">{"".join(f"<tr>{line}</tr>" for line in lines)}</table>'

@@ -1,0 +1,15 @@
+"""What worlds and environments are called."""
+
+from __future__ import annotations
+
+from laplace_core import PRESETS
+
+TITLES = {"own": "Your own world", "timeline": "Your own timeline", "data": "Your own gamma-space"}
+"""What is looked at without being listed, by its name in a link."""
+
+
+def world_title(name: str) -> str:
+    """A world or an environment as a person reads it."""
+    if name in TITLES:
+        return TITLES[name]
+    return PRESETS[name].title if name in PRESETS else name.replace("gym:", "gymnasium ")

@@ -1,0 +1,1 @@
+"""What runs in the browser, and widgets: each takes values and returns what a person did."""

@@ -1,0 +1,102 @@
+"""What Streamlit serves to the browser as files of their own, so that no message carries it: ``app/static``.
+
+The browser's half of the app is one tree of modules, ``app/js``. It is served as it is, from a folder that is named by
+its content: a browser never shows an old one, and all components of a page share its modules. On a read-only file
+system everything is put there beforehand: ``python -m app.components.assets``.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import shutil
+import tempfile
+from functools import cache
+from pathlib import Path
+
+import plotly
+
+from laplace_core.files.atomic import atomic_write
+
+_HERE = Path(__file__).resolve().parents[1]
+_STATIC, _TREE = _HERE / "static", _HERE / "js"
+_NAME_LENGTH = 12
+_STUB = """
+let loading;
+
+export default function (component) {
+  loading ??= import(new URL('__ADDRESS__', document.baseURI).href);
+  loading.then((module) => module.default(component)).catch((error) => {
+    component.parentElement.textContent = `The page is not complete: ${error.message}. Reload it.`;
+  });
+}
+"""
+
+
+@cache
+def plotly_js() -> str:
+    """The address of the plotly.js of the installed plotly package."""
+    content = (Path(plotly.__file__).parent / "package_data" / "plotly.min.js").read_bytes()
+    path = _STATIC / "plotly.min.js"
+    if not path.exists() or path.read_bytes() != content:
+        _STATIC.mkdir(exist_ok=True)
+        with atomic_write(path) as file:
+            file.write(content)
+    return f"app/static/{path.name}?{_name_of(content)}"
+
+
+def module(name: str) -> str:
+    """The address of a module of ``app/js``, as ``lens/entry.js``."""
+    return f"app/static/js/{_tree().name}/{name}"
+
+
+def stub(name: str) -> str:
+    """The script of a component: Streamlit sends it with every answer, so it does nothing but load a module.
+
+    Every message is handed on to the default export of the module, in order.
+    """
+    return _STUB.replace("__ADDRESS__", module(name))
+
+
+@cache
+def offline_page() -> str:
+    """The lens as a page that needs no network; what it shows goes into the element ``held``, as JSON."""
+    page = (_HERE / "offline" / "page.html").read_text(encoding="utf-8")
+    script = (_HERE / "offline" / "standalone.js").read_text(encoding="utf-8")
+    style = (_HERE / "components" / "lens" / "style.css").read_text(encoding="utf-8")
+    return page.replace("/* STYLE */", style).replace("/* SCRIPT */", script)
+
+
+@cache
+def _tree() -> Path:
+    """The served folder of all modules; made whole, or by another server at the same moment."""
+    content = {path.relative_to(_TREE).as_posix(): path.read_bytes() for path in sorted(_TREE.rglob("*.js"))}
+    content["lens/offline.html"] = offline_page().encode()
+    folder = _STATIC / "js" / _name_of(*(part for pair in content.items() for part in (pair[0].encode(), pair[1])))
+    if folder.is_dir():
+        return folder
+    folder.parent.mkdir(parents=True, exist_ok=True)
+    made = Path(tempfile.mkdtemp(prefix=".", dir=folder.parent))
+    try:
+        for name, data in content.items():
+            (made / name).parent.mkdir(parents=True, exist_ok=True)
+            (made / name).write_bytes(data)
+        made.chmod(0o755)
+        os.rename(made, folder)
+    except OSError:
+        if not folder.is_dir():
+            raise
+    finally:
+        shutil.rmtree(made, ignore_errors=True)
+    return folder
+
+
+def _name_of(*parts: bytes) -> str:
+    digest = hashlib.sha256()
+    for part in parts:
+        digest.update(hashlib.sha256(part).digest())
+    return digest.hexdigest()[:_NAME_LENGTH]
+
+
+if __name__ == "__main__":
+    print(plotly_js(), module("lens/entry.js"))

@@ -1,0 +1,199 @@
+"""The lens: gamma-space, tau-space and what is read from them, moving in the browser as fast as it draws.
+
+The inverse is linear. The browser gets its factors once per world, grid and policy
+(:mod:`app.components.lens.payload`) and computes everything else; Python gets the state when a control is released.
+"""
+
+from __future__ import annotations
+
+import base64
+import json
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import asdict, dataclass
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import streamlit as st
+
+from app import session
+from app.components import assets
+from app.components.lens.payload import Simulated, payload, structure
+from app.components.lens.state import LIVE, checked, state_of, values_of
+from app.session import message
+
+_HERE = Path(__file__).resolve().parent
+_HELD = 2
+"""Payloads that a browser keeps (js/lens/models.js); what it holds is not sent again."""
+
+
+@dataclass(frozen=True)
+class Preset:
+    """A view worth seeing.
+
+    Attributes:
+        values: what a page has to hold to show it.
+        here: whether ``state`` shows it in the present lens, in the world and on the grids that it needs.
+    """
+
+    name: str
+    values: Mapping[str, Any]
+    here: bool
+    state: Mapping[str, Any]
+
+
+@dataclass(frozen=True)
+class Released:
+    """What a person let go of: the state of the lens, or what was asked for beside it.
+
+    Attributes:
+        preset: a view that needs another world.
+        remedy: index of a remedy of the verdict.
+        picked: a state clicked in the graph of the world.
+        pin: whether the view is to be kept as A, or no longer.
+    """
+
+    state: dict[str, Any]
+    preset: str | None = None
+    remedy: int | None = None
+    picked: int | None = None
+    pin: bool | None = None
+
+
+@dataclass(frozen=True)
+class Said:
+    """The library's verdict on the state that is handed over; remedies by their labels.
+
+    ``tone`` is ok, bad, warn (a right choice on wrong values), smeared or ruined (a right choice over such a timeline)
+    or unknown.
+    """
+
+    tone: str
+    sentence: str
+    remedies: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class Graph:
+    """The world as a plotly figure in JSON, in words, and what its zoom belongs to."""
+
+    figure: str
+    alt: str
+    revision: str
+
+
+def lens(
+    data: bytes,
+    state: Mapping[str, Any],
+    key: str,
+    *,
+    base: Mapping[str, Any] | None = None,
+    presets: Sequence[Preset] = (),
+    on_release: Callable[[Released], None] | None = None,
+    said: Said | None = None,
+    world: Graph | None = None,
+    pinnable: bool = False,
+    pinned: bool = False,
+    pin: Mapping[str, Any] | None = None,
+    lead: Mapping[str, Any] | None = None,
+    followed: Mapping[str, Any] | None = None,
+) -> Released | None:
+    """Draw the lens and return what was released just now, if anything; pass its state through :func:`checked`.
+
+    What is sent, and what the browser makes of it, is a rule of its own: :mod:`app.session.message`.
+
+    Args:
+        data: from :func:`payload`.
+        state: what the controls hold; :func:`state_of`.
+        base: where Reset leads; default: ``state``.
+        on_release: called before the rerun, as a widget's callback.
+        said: the verdict on ``state``; without it the lens judges by itself.
+        world: drawn in the first place; without it the fit over the discounts stands there.
+        pinnable, pinned: whether a view can be kept as A, and whether one is.
+        pin: the state of A, where it can be drawn from the same payload.
+        lead: ``id`` and ``step`` of the episode whose player (:mod:`app.components.player`) the lens follows.
+        followed: what came, to be drawn on the timeline; see :func:`app.agents.episode.followed`.
+    """
+    widget, digest = f"lens {key}", message.name_of(data)
+    channel = session.channel(widget)
+    sent = channel.show(digest, state)
+    told = {
+        "name": key,
+        "id": digest,
+        "revision": channel.revision,
+        "state": sent,
+        "base": dict(base or sent),
+        "presets": [{"name": each.name, "here": each.here, "state": dict(each.state)} for each in presets],
+        "said": None if said is None else {**asdict(said), "state": dict(state)},
+        "world": None if world is None else asdict(world),
+        "pinnable": pinnable,
+        "pinned": pinned,
+        "pin": None if pin is None else dict(pin),
+        "lead": None if lead is None else dict(lead),
+        "followed": None if followed is None else dict(followed),
+        "plotly": assets.plotly_js(),
+    }
+
+    def heard() -> None:
+        answer = st.session_state[widget].released
+        if not channel.answered(digest, answer, _HELD):
+            return
+        released = _released(answer, presets)
+        channel.release(released.state)
+        if on_release is not None:
+            on_release(released)
+
+    packed = message.pack(told, channel.due(digest, data))
+    result = _component()(key=widget, data=packed, on_released_change=heard, height="content")
+    return None if result.released is None else _released(result.released, presets)
+
+
+def _released(found: object, presets: Sequence[Preset]) -> Released:
+    """What the browser says, which is not to be trusted: :func:`checked` looks at the state value by value."""
+    found = found if isinstance(found, Mapping) else {}
+    state, preset, pin = found.get("state"), found.get("preset"), found.get("pin")
+    remedy, picked = (_index(found.get(name)) for name in ("remedy", "picked"))
+    return Released(
+        dict(state) if isinstance(state, Mapping) else {},
+        preset if preset in [each.name for each in presets] else None,
+        remedy,
+        picked,
+        pin if isinstance(pin, bool) else None,
+    )
+
+
+def _index(value: object) -> int | None:
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        return None
+    return int(value) if 0 <= value < 2**31 else None
+
+
+@cache
+def _component() -> Callable:
+    # Not isolated: plotly.js puts its style into the document.
+    css = (_HERE / "style.css").read_text(encoding="utf-8")
+    return st.components.v2.component("laplace_lens", js=assets.stub("lens/entry.js"), css=css, isolate_styles=False)
+
+
+def standalone(data: bytes, state: Mapping[str, Any], base: Mapping[str, Any] | None = None) -> str:
+    """The lens as one HTML file that works without a network."""
+    held = {"state": dict(state), "base": dict(base or state), "payload": base64.b64encode(data).decode()}
+    place = '<script id="held" type="application/json">'
+    return assets.offline_page().replace(place, place + json.dumps(held).replace("<", "\\u003c"), 1)
+
+
+__all__ = [
+    "LIVE",
+    "Graph",
+    "Preset",
+    "Released",
+    "Said",
+    "Simulated",
+    "checked",
+    "lens",
+    "payload",
+    "standalone",
+    "state_of",
+    "structure",
+    "values_of",
+]

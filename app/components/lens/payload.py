@@ -1,0 +1,185 @@
+"""What the lens needs of a study, once per world, grid and policy: packed for the browser, in double precision.
+
+Everything that is inverted stays in doubles; single floats would ruin a small alpha before the product. The truth is
+only looked at and is packed in single floats.
+"""
+
+from __future__ import annotations
+
+import json
+import struct
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from laplace_core import Study, World
+from laplace_core.code.encoding import PAPER_GAMMAS
+from laplace_core.inverse import transform_factors
+from laplace_core.planning import reward_indicator_basis
+from laplace_core.study.pipeline import WorldStudy, basis_of, clipped_sensitivities, policies_of, timeline_of
+from laplace_core.study.settings import Resolved
+
+if TYPE_CHECKING:  # it brings torch along, which no world needs
+    from laplace_core.acting.simulated_truth import Empirical
+
+MOST_REWARDS = 64
+"""With more distinct rewards the differences at one slope are smaller than the basis of all slopes."""
+
+LIVE: dict[str, Any] = {
+    "alpha": 1.0,
+    "softness": 0.0,
+    "noise": 0.0,
+    "noise_seed": 0,
+    "normalise": "none",
+    "deadline": "constant",
+    "horizon": None,
+    "used": 0.0,
+    "fold": False,
+    "shift": False,
+    "slope_share": 1.0,
+}
+"""Settings that move in the browser: a payload does not depend on them."""
+
+
+LEVELS = 65_535
+"""Of the simulated tails, which are probabilities."""
+
+
+@dataclass(frozen=True, eq=False)
+class Simulated:
+    """What continuations from the observation came to that begin with an action: the truth where there is no world."""
+
+    action: int
+    found: Empirical
+
+
+def structure(settings: Resolved, world: World | None) -> Resolved:
+    """Settings with everything set aside that moves in the browser: equal ones have the same payload."""
+    free = world is not None and world.reward_values.size <= MOST_REWARDS
+    of_world = {"slope": 1.0, "policy": "shared", "clip": False, "paper_grid": False} if free else {}
+    return replace(settings, **(LIVE | {"value_gamma": settings.acting_gamma} | of_world))
+
+
+def payload(
+    study: Study, simulated: Simulated | None = None, places: np.ndarray | None = None, added: int = 0
+) -> tuple[bytes, dict[str, Any]]:
+    """Arrays and their header, as one block of bytes, and the header once more for Python.
+
+    The study's settings are those of :func:`structure`: its gamma-space is free of noise.
+
+    Args:
+        places: of a network's sensitivities on the axis of its activation, ``(H,)``, as in
+            :func:`laplace_core.code.encoding.softening`.
+        added: how many of the discounts between two that were trained are interpolated.
+
+    Arrays by name, with A actions, G discounts, V distinct rewards, K rows, r usable singular values:
+        ``shared``, ``per_gamma``, ``paper_shared``, ``paper_per_gamma``: reward-indicator coefficients ``(A, G, V)``
+            on the study's grid and on the paper's; or, without them, ``differences`` ``(A, G, B)`` and
+            ``constant`` ``(A, G)``.
+        ``gammas``, ``U`` ``(G, r)``, ``s`` ``(r,)``, ``V`` ``(K, r)`` and the same with ``paper_``: the transform.
+        ``bin_values`` ``(B,)``, ``bin_edges`` ``(B+1,)``: of a gamma-space with open ends; elsewhere the B = H-1 bins
+            lie between the sensitivities and count as their midpoints.
+        ``thetas``, ``clipped_thetas``: sensitivities, and those that begin at the lowest reward that occurs.
+        ``rewards``, ``timeline`` ``(A, N, V)``, ``optimum`` ``(A, K)``: the truth, where there is a world.
+        ``simulated_tails`` ``(N, B+1)``, at the edges of the bins, in 65,535ths, and ``simulated_lines`` ``(5, N)``:
+            reward, survival, each with its standard error, and the W1 distance that chance alone makes; of the first N
+            whole steps.
+        ``places``: as given.
+    """
+    s, space = study.settings, study.gamma_space
+    arrays = {"thetas": space.thetas, **_transform("", space.gammas, s.steps, s.time_step)}
+    if space.open_ends:
+        arrays |= {"bin_values": space.bin_values, "bin_edges": space.bin_edges}
+    if isinstance(study, WorldStudy):
+        arrays |= _of_world(study)
+    else:
+        arrays |= {"differences": space.differences, "constant": space.constant}
+    if places is not None:
+        arrays["places"] = places
+    header: dict[str, Any] = {
+        "added": added,
+        "world": s.world,
+        "state": s.state or "",
+        "actions": list(study.action_names),
+        "steps": s.steps,
+        "time_step": s.time_step,
+        "acting_gamma": s.acting_gamma,
+        "learned": study.learned is not None,
+        "arrays": {},
+    }
+    if simulated is not None:
+        found, header["simulated"] = simulated.found, {"action": simulated.action, "count": simulated.found.count}
+        lines = (found.reward, found.reward_error, found.survival, found.survival_error, found.chance)
+        tails = found.open_tails if space.open_ends else found.tails
+        arrays["simulated_tails"] = np.rint(LEVELS * np.clip(tails, 0.0, 1.0)).astype(np.uint16)
+        arrays["simulated_lines"] = np.array(lines, dtype=np.float32)
+    return _packed(header, arrays), header
+
+
+def _of_world(study: WorldStudy) -> dict[str, np.ndarray]:
+    s, world, space = study.settings, study.world, study.gamma_space
+    length = int(np.ceil(study.horizons[-1] - 1e-9))
+    timeline = timeline_of(study, length)
+    arrays: dict[str, np.ndarray] = {
+        "rewards": world.reward_values,
+        "timeline": timeline,
+        "optimum": study.truth.optimum,
+    }
+    clipped = clipped_sensitivities(s, world, timeline)
+    if clipped is not None:
+        arrays["clipped_thetas"] = clipped
+    if world.reward_values.size > MOST_REWARDS:
+        return arrays | {"differences": space.differences, "constant": space.constant}
+    if study.learned is not None:
+        return arrays | {"shared": study.learned}
+    arrays |= {kind: basis_of(study, kind) for kind in ("shared", "per_gamma")}
+    if s.spacing != "paper":
+        grid = np.array(PAPER_GAMMAS)
+        arrays |= _transform("paper_", grid, s.steps, s.time_step)
+        arrays |= {f"paper_{kind}": _basis(study, world, grid, kind) for kind in ("shared", "per_gamma")}
+    # One process whichever discount decides: nothing to mix, and nothing to send twice.
+    for name in ("", "paper_"):
+        if f"{name}per_gamma" in arrays and np.array_equal(arrays[f"{name}shared"], arrays[f"{name}per_gamma"]):
+            del arrays[f"{name}per_gamma"]
+    return arrays
+
+
+def _basis(study: WorldStudy, world: World, gammas: np.ndarray, kind: str) -> np.ndarray:
+    if study.policy is not None:
+        return reward_indicator_basis(world, study.state, gammas, [study.policy] * gammas.size)
+    policies = policies_of(world, gammas, kind, study.settings.acting_gamma)
+    return reward_indicator_basis(world, study.state, gammas, policies)
+
+
+def _transform(prefix: str, gammas: np.ndarray, steps: int, time_step: float) -> dict[str, np.ndarray]:
+    """The factors of the transform, cut where the library's filter drops components as rounding."""
+    U, s, Vt = transform_factors(gammas, steps, time_step)
+    usable = int(np.sum(s > max(gammas.size, steps) * np.finfo(float).eps * s[0]))
+    factors = {"gammas": gammas, "U": U[:, :usable], "s": s[:usable], "V": Vt[:usable].T}
+    return {prefix + name: array for name, array in factors.items()}
+
+
+def _packed(header: dict[str, Any], arrays: dict[str, np.ndarray]) -> bytes:
+    """A length, the header as JSON, and the arrays, each on a multiple of 8 bytes after the header."""
+    blocks, at = [], 0
+    for name, array in arrays.items():
+        kind = {np.float32: "f4", np.uint16: "u2"}.get(array.dtype.type, "f8")
+        block = np.ascontiguousarray(array, dtype=f"<{kind}").tobytes()
+        header["arrays"][name] = [kind, at, list(array.shape)]
+        block += b"\0" * (-len(block) % 8)
+        blocks.append(block)
+        at += len(block)
+    text = json.dumps(header).encode()
+    text += b" " * (-(len(text) + 4) % 8)
+    return struct.pack("<I", len(text)) + text + b"".join(blocks)
+
+
+def unpacked(data: bytes) -> tuple[dict[str, Any], dict[str, np.ndarray]]:
+    """Header and arrays of :func:`payload`."""
+    (length,) = struct.unpack_from("<I", data)
+    header, arrays = json.loads(data[4 : 4 + length]), {}
+    for name, (kind, at, shape) in header["arrays"].items():
+        count = int(np.prod(shape))
+        arrays[name] = np.frombuffer(data, f"<{kind}", count, 4 + length + at).reshape(shape)
+    return header, arrays

@@ -1,0 +1,50 @@
+"""The player: an episode under a cursor that moves in the browser, and the lens beside it follows.
+
+The browser gets the episode once (:mod:`app.components.player.payload`). While the cursor moves, the player hands the
+lens the gamma-space of each step; when it comes to rest Python gets the step, and the lens the exact gamma-space of it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import streamlit as st
+
+from app.components import assets
+from app.components.cursor import under_cursor
+from app.components.player.payload import payload
+
+_HERE = Path(__file__).resolve().parent
+
+
+def player(
+    data: bytes, at: int, key: str, names: Sequence[tuple[str, str]], *, action_names: Sequence[str],
+    on_step: Callable[[int], None] | None = None, seconds: float = 0.05, flags: Mapping[str, Any] | None = None,
+) -> None:  # fmt: skip
+    """Draw the player.
+
+    Args:
+        data: from :func:`payload`.
+        at: the step under the cursor.
+        names: of the numbers of an observation, with their units; none for a tabular world.
+        on_step: called with the step at which the cursor came to rest, before the rerun, as a widget's callback.
+        seconds: that a step is shown for while it plays.
+        flags: from :func:`app.agents.artefact_jobs.for_player`; None while they are searched for; the
+            player asks again.
+    """
+    told = {"names": list(names), "actions": list(action_names), "seconds": seconds, "flags": flags}
+    under_cursor(_component(), "player", key, data, at=at, told=told, on_step=on_step)
+
+
+@cache
+def _component() -> Callable:
+    css = (_HERE / "style.css").read_text(encoding="utf-8")
+    return st.components.v2.component(
+        "laplace_player", js=assets.stub("player/player.js"), css=css, isolate_styles=False
+    )
+
+
+__all__ = ["payload", "player"]

@@ -1,0 +1,145 @@
+"""The race that a page shows, as values of its link: the agents, the rules, the deadline, the start; and its words."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from app.catalogue import checkpoints, training_runs
+from app.race.jobs import Control
+from app.session.url import Check, Entries, Schema, Values, by_name
+from laplace_core import InputError, Settings
+from laplace_core.acting import rules
+from laplace_core.acting.race import MOST_RACES, MOST_START
+from laplace_core.acting.rollout import longest
+from laplace_core.acting.rules import suited
+from laplace_core.agents.agent import Agent
+from laplace_core.agents.capabilities import HasDiscounts
+from laplace_core.environments import GYMNASIUM_ENVIRONMENTS, vector
+from laplace_core.parameters import Parameter
+from laplace_core.study.settings import resolve
+from laplace_core.training.checkpoint import Loaded
+from laplace_core.worlds import load_world
+
+AGENT, AGAINST = "checkpoint", "d.against"
+HORIZON, START, LEFT, GAMMA, RIGHT, AT, MANY, COUNT = (
+    "d.T", "d.start", "d.left", "d.gamma", "d.right", "d.at", "d.many", "d.starts",
+)  # fmt: skip
+FIRST_AGENT = "laplace_LunarLander-v3"
+"""What a visitor without a link sees: an environment in which a deadline matters."""
+USUAL_HORIZON, USUAL_COUNT = 50, 100
+_STOPS = (1, 2, 3, 4, 5, 6, 8, 10, 15, 20, 25, 30, 40, 50, 60, 80, 100, 125, 150, 200, 250, 300, 400, 500, 700, 1000)
+
+
+def opening() -> Values:
+    listed = checkpoints.names()
+    return {AGENT: FIRST_AGENT if FIRST_AGENT in listed else listed[0]} if listed else {}
+
+
+def rivals(name: str, environment: str) -> tuple[str, ...]:
+    """Other agents of the same environment."""
+    return tuple(other for other in checkpoints.names() if other != name and _environment(other) == environment)
+
+
+def _environment(name: str) -> str | None:
+    """Of a run without opening its checkpoint: there may be many."""
+    if name.startswith(checkpoints.RUN):
+        settings = training_runs.queue().get(name.removeprefix(checkpoints.RUN)).settings
+        return None if settings is None else settings.environment
+    return checkpoints.checkpoint(name).environment
+
+
+def rules_of(agent: Agent) -> tuple[str, ...]:
+    """Rules that an agent can act by; one that takes the time to go has no reason for another."""
+    found = rules.rules_of(agent)
+    return found[:1] if found[0] == "own" else found
+
+
+def longest_horizon(loaded: Loaded) -> int:
+    """Where an episode ends at the latest; in a tabular world, some times the length that suits it."""
+    limit = min(longest(loaded.agent), vector.spec(loaded.environment).time_limit or longest(loaded.agent))
+    if loaded.environment in GYMNASIUM_ENVIRONMENTS:
+        return limit
+    return min(limit, 4 * _suited_steps(loaded.environment))
+
+
+def _suited_steps(environment: str) -> int:
+    return resolve(Settings(world=environment), load_world(environment)).steps
+
+
+def usual_horizon(loaded: Loaded) -> int:
+    if loaded.environment in GYMNASIUM_ENVIRONMENTS:
+        return min(USUAL_HORIZON, longest_horizon(loaded))
+    return min(_suited_steps(loaded.environment), longest_horizon(loaded))
+
+
+def horizons(loaded: Loaded, shown: int) -> list[int]:
+    """Stops of the slider of T, denser where it is short; with the one that is shown."""
+    limit = longest_horizon(loaded)
+    return sorted({*(stop for stop in _STOPS if stop < limit), limit, shown})
+
+
+def parameters(loaded: Loaded, other: Loaded | None = None) -> dict[str, Parameter]:
+    """What a link may hold besides the agents."""
+    found = (
+        Parameter(HORIZON, usual_horizon(loaded), 1, longest_horizon(loaded), "Deadline T, in steps."),
+        Parameter(START, 0, 0, MOST_START, "Start of the race."),
+        Parameter(LEFT, None, help="How the left side acts.", kind=str, choices=rules_of((other or loaded).agent)),
+        Parameter(GAMMA, None, 1e-6, 0.999999, "Discount for the left side to be greedy at.", float),
+        Parameter(RIGHT, None, help="How the right side acts.", kind=str, choices=rules_of(loaded.agent)),
+        Parameter(AT, None, 0, 10_000, "Steps that are over under the cursor.", int),
+        Parameter(MANY, "no", help="Whether many starts are raced over.", choices=("no", "yes")),
+        Parameter(COUNT, USUAL_COUNT, 2, MOST_RACES, "How many starts."),
+    )
+    return {parameter.name: parameter for parameter in found}
+
+
+def _is_rival(values: Values) -> None:
+    """The other agent is one of the same environment, and can be opened."""
+    if AGAINST not in values or AGENT not in values:
+        return
+    environment = checkpoints.checkpoint(str(values[AGENT])).environment
+    if values[AGAINST] not in rivals(str(values[AGENT]), environment):
+        raise InputError(f"{str(values[AGAINST])[:40]!r} is no other agent of {environment}.")
+    checkpoints.checkpoint(str(values[AGAINST]))
+
+
+def _of_race(values: Values) -> dict[str, Parameter]:
+    if AGENT not in values:
+        return {}
+    other = checkpoints.checkpoint(str(values[AGAINST])) if AGAINST in values else None
+    return parameters(checkpoints.checkpoint(str(values[AGENT])), other)
+
+
+LINK = Schema(
+    opening=opening,
+    steps=(
+        *checkpoints.NAMED,
+        Entries(by_name(Parameter(AGAINST, None, help="Another agent, for the left side.", kind=str))),
+        Check(_is_rival, drops=(AGAINST,)),
+        Entries(_of_race),
+    ),
+)
+
+
+def control_of(values: Mapping[str, Any]) -> Control:
+    """The race that a page's values describe.
+
+    Raises:
+        InputError: an agent that is there no longer.
+    """
+    right = checkpoints.checkpoint(str(values[AGENT]))
+    left = checkpoints.checkpoint(str(values[AGAINST])) if AGAINST in values else right
+    horizon = min(int(values.get(HORIZON, usual_horizon(right))), longest_horizon(right))
+    left_rule = str(values.get(LEFT, rules_of(left.agent)[0]))
+    right_rule = str(values.get(RIGHT, suited(right.agent, horizon)))
+    gamma = _trained_discount(left.agent, values.get(GAMMA)) if left_rule == "greedy" else None
+    return Control(left, left_rule, gamma, right, right_rule, horizon)
+
+
+def _trained_discount(agent: Agent, gamma: float | None) -> float | None:
+    """The nearest one that the agent has learned; None for the acting one, or where there is no choice."""
+    if gamma is None or not isinstance(agent, HasDiscounts):
+        return None
+    head = int(abs(agent.gammas - float(gamma)).argmin())
+    return None if head == agent.acting_head else float(agent.gammas[head])

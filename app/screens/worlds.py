@@ -1,0 +1,54 @@
+"""The tabular workbench: one state of a world, from its gamma-space to the action of every horizon."""
+
+from __future__ import annotations
+
+import streamlit as st
+
+from app.components.lens import LIVE
+from app.session import store
+from app.view import compute, panels
+from app.worlds import bring, compare, export, learning, sidebar, sources
+from app.worlds.presets import presets_for
+from laplace_core import InputError
+
+LOOK_EVERY = 0.7  # seconds between two looks at a learner
+
+
+def page() -> None:
+    if not sidebar.begin():
+        return
+    running = learning.at_work()
+    st.fragment(_view, run_every=LOOK_EVERY if running else None)(running=running)
+
+
+def _view(*, running: bool) -> None:
+    """The main area. Its own controls rerun only this, and leave the sidebar alone."""
+    if store.sidebar_is_stale():
+        st.rerun()
+    store.write_url()
+    try:
+        world = sources.world_of(store.chosen())
+        learned, watched = learning.current(world) if world is not None else (None, None)
+        view = sources.view_of(store.chosen(), learned)
+        base = sources.view_of(store.without(*LIVE), learned)
+        compute.study_for(view)
+    except InputError as error:
+        st.error(str(error))
+        sidebar.undo_button()
+        return
+    store.worked()
+    learning.strip(view, watched)
+    presets = presets_for(view) if view.world is not None else ()
+    panels.pictures(view, base, presets=presets, pin=compare.pinning(view))
+    panels.artefacts(view)
+    learning.pictures(view)
+    export.footer(view)
+    compare.comparison(view)
+    bring.editor(view)
+    if not running:  # what is learned changes under the search
+        panels.explain(view)
+    if learning.at_work() != running:  # learning began or ended: look oftener, or no more
+        st.rerun()
+
+
+page()

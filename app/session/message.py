@@ -1,0 +1,93 @@
+"""What an in-browser component is sent: a small JSON with every answer, and a payload once.
+
+What is seen has two owners, the server and the hand in the browser, and this is how they keep from undoing each other:
+
+1. **Payloads.** A message names its payload, and carries it only where the browser does not hold it. The browser keeps
+   the last few (``HELD`` in ``lens/entry.js`` and ``cursor/cursor.js``), and :attr:`Channel.held` mirrors which. Where
+   the two differ, after a reload say, the browser answers ``missing``; then Python forgets what it believed and sends
+   the payload with its next message.
+2. **Revisions.** A message has a revision. A component takes over the state of a message only if the revision differs
+   from that of the last message; else the state on its screen stays, which a hand may have changed since.
+3. **Releases.** When a hand lets go, the browser reports the state. Python takes it over (:meth:`Channel.release`) and
+   does not raise the revision for it: the browser has it already. A state that Python itself sets (a remedy, Back,
+   another step) differs from what was released or sent last, and raises the revision.
+4. **Mounting anew.** Streamlit may take a component off a page and put it back with its last message. The lens
+   therefore remembers in the browser the last released state with its payload and revision (``released`` in
+   ``lens/entry.js``), so that its message need not change with a release (:meth:`Channel.show`). The message
+   of a cursor always holds the step that Python knows (:meth:`Channel.place`); a step that it has not heard of yet is
+   remembered under the same payload and revision (``latest`` in ``cursor/cursor.js``).
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import struct
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+
+def name_of(data: bytes) -> str:
+    """What the browser knows a payload by."""
+    return hashlib.sha256(data).hexdigest()[:16]
+
+
+def pack(told: Mapping[str, Any], data: bytes) -> bytes:
+    """A length, JSON and the payload, which begins on a multiple of 8 bytes."""
+    text = json.dumps(told).encode()
+    text += b" " * (-(len(text) + 4) % 8)
+    return struct.pack("<I", len(text)) + text + data
+
+
+@dataclass
+class Channel:
+    """What Python knows of one component in one browser; the rule is that of :mod:`app.session.message`.
+
+    Attributes:
+        revision: of the last message.
+        held: names of the payloads that the browser holds, the last one used first.
+        payload: name of the payload of the last message.
+        sent: the state of the last message.
+        released: the state that a person has released since; None if there is none, or the server has set another one
+            after it.
+    """
+
+    revision: int = 0
+    held: list[str] = field(default_factory=list)
+    payload: str | None = None
+    sent: Any = None
+    released: Any = None
+
+    def show(self, payload: str, state: Mapping[str, Any]) -> dict[str, Any]:
+        """The state to send to the lens, which keeps its place beside another payload: only a state moves it."""
+        if (self.sent if self.released is None else self.released) != dict(state):
+            self.revision, self.released = self.revision + 1, None
+        if payload != self.payload or self.released is None:
+            self.payload, self.sent = payload, dict(state)
+        sent: dict[str, Any] = self.sent
+        return sent
+
+    def place(self, payload: str, step: int) -> None:
+        """This step is sent to a cursor, which another payload puts there as well."""
+        if payload != self.payload or step != (self.sent if self.released is None else self.released):
+            self.revision += 1
+        self.payload, self.sent, self.released = payload, step, None
+
+    def release(self, state: object) -> None:
+        """A hand has let go at this state."""
+        self.released = state
+
+    def answered(self, name: str, answer: object, most: int) -> bool:
+        """Note that the browser answered a message with the payload ``name``; whether it holds that payload.
+
+        Args:
+            most: payloads that the browser keeps.
+        """
+        missing = isinstance(answer, Mapping) and "missing" in answer
+        self.held = [] if missing else [name, *(each for each in self.held if each != name)][:most]
+        return not missing
+
+    def due(self, name: str, data: bytes) -> bytes:
+        """The payload, if it has to be sent."""
+        return b"" if name in self.held else data

@@ -1,0 +1,111 @@
+"""What this server keeps for one session, a tab of a browser: one record, under one key of Streamlit's.
+
+Streamlit's other keys are those of widgets. No other module puts anything into ``st.session_state`` under a name of
+its own. What one part of a page has to remember, and nobody else asks for,
+is a dataclass of that part (:func:`part`). This module knows no page.
+"""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any, TypeVar
+
+import streamlit as st
+
+from app.session.echoes import Shown
+from app.session.message import Channel
+
+KEY = "session"
+"""Of the record in ``st.session_state``."""
+
+Kind = TypeVar("Kind")
+
+
+@dataclass
+class PageState:
+    """What is kept of one page while another one is shown.
+
+    Attributes:
+        chosen: values set by hand, by name.
+        notes: what was left out of the link that the page was opened with.
+        written: the link that the page has written into the address bar; None before the first time.
+        worked: values set by hand that could be shown last.
+    """
+
+    chosen: dict[str, Any] = field(default_factory=dict)
+    notes: list[str] = field(default_factory=list)
+    written: dict[str, str] | None = None
+    worked: dict[str, Any] = field(default_factory=dict)
+
+
+@dataclass
+class Session:
+    """The record.
+
+    Attributes:
+        page: name of the page that is shown.
+        pages: what is kept of each page, by its name.
+        widgets: what each widget shows, by its key.
+        reports: what widgets have reported, by their keys, since :func:`app.session.store.chosen` last looked.
+        touched: whether a widget, and not the browser's Back, is behind this run. What the address bar says may then be
+            a moment old.
+        sidebar_stale: whether something that the sidebar shows was changed from the main area.
+        refusals: why something that a person gave was not taken, by the key of the widget or form.
+        opened: files that this session has opened, by their kind and digest; one of each kind.
+        channels: to the components in the browser, by the key of their widgets.
+        parts: see :func:`part`.
+    """
+
+    page: str = ""
+    pages: dict[str, PageState] = field(default_factory=dict)
+    widgets: dict[str, Shown] = field(default_factory=dict)
+    reports: dict[str, Any] = field(default_factory=dict)
+    touched: bool = False
+    sidebar_stale: bool = False
+    refusals: dict[str, str] = field(default_factory=dict)
+    opened: dict[type, dict[str, Any]] = field(default_factory=dict)
+    channels: dict[str, Channel] = field(default_factory=dict)
+    parts: dict[type, Any] = field(default_factory=dict)
+
+    @property
+    def shown_page(self) -> PageState:
+        return self.pages.setdefault(self.page, PageState())
+
+
+def current() -> Session:
+    """The record of the session that this code runs for."""
+    if KEY not in st.session_state:
+        st.session_state[KEY] = Session()
+    record: Session = st.session_state[KEY]
+    return record
+
+
+def part(kind: type[Kind]) -> Kind:
+    """The one object of a class that this session holds, made without arguments when it is first asked for.
+
+    The class has to live in a module and not in the script of a page, which Streamlit runs anew every time.
+    """
+    parts = current().parts
+    if kind not in parts:
+        parts[kind] = kind()
+    held: Kind = parts[kind]
+    return held
+
+
+def channel(widget: str) -> Channel:
+    """The channel to the component with this key."""
+    return current().channels.setdefault(widget, Channel())
+
+
+def opened(kind: type[Kind]) -> Mapping[str, Kind]:
+    """The file of a kind that this session has opened, by its digest; none or one."""
+    return current().opened.get(kind, {})
+
+
+def keep_opened(file: object, data: bytes) -> str:
+    """Keep what was read from a file, in place of the last one of its kind; returns the digest of ``data``."""
+    digest = hashlib.sha256(data).hexdigest()[:12]
+    current().opened[type(file)] = {digest: file}
+    return digest

@@ -1,0 +1,213 @@
+"""One card a run: how far it is, how good, and what can be done with it."""
+
+from __future__ import annotations
+
+import shlex
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from html import escape
+from pathlib import Path
+
+import streamlit as st
+
+from app import session
+from app.catalogue import training_runs
+from app.catalogue.names import world_title
+from app.components.copy import copy_button
+from app.figures.theme import NEUTRAL
+from app.session import store
+from app.train.pictures import colour_of
+from app.train.schema import changed
+from laplace_core import InputError
+from laplace_core.agents.settings import algorithm_title
+from laplace_core.training.curves import Curves, metrics_csv
+from laplace_core.training.defaults import command_of
+from laplace_core.training.progress import Progress, read_progress
+from laplace_core.training.queue import FAILED, FINISHED, MOST_TRAINING, STOPPED, TRAINING, WAITING, Run
+
+SHOWN = 12
+"""Cards before the button for all."""
+_MOST_DOWNLOAD = 200_000_000  # bytes
+
+
+@dataclass
+class _Cards:
+    """What a session has asked of the cards.
+
+    Attributes:
+        everything: whether all runs have a card.
+        to_open: name of the run that is to be opened on the other page.
+        to_remove: names of the runs that are removed at the next, second, word.
+    """
+
+    everything: bool = False
+    to_open: str | None = None
+    to_remove: set[str] = field(default_factory=set)
+
+
+def cards(runs: Sequence[Run], looked: Run | None) -> None:
+    """All of them, two in a row."""
+    shown = runs if session.part(_Cards).everything else runs[:SHOWN]
+    for first in range(0, len(shown), 2):
+        for column, run in zip(st.columns(2, gap="small"), shown[first : first + 2], strict=False):
+            with column, st.container(border=True, key=f"run_{run.name}"):
+                _card(runs, run, looked=run == looked)
+    if len(runs) > len(shown):
+        st.button(f"Show all {len(runs)} runs", on_click=_show_all)
+
+
+def _show_all() -> None:
+    session.part(_Cards).everything = True
+
+
+def _card(runs: Sequence[Run], run: Run, *, looked: bool) -> None:
+    if run.settings is None:
+        _head(run, run.name, NEUTRAL, looked=False)
+        st.html(f'<div class="run-error">{escape(_sentence(run.error))}</div>')
+        _more(run, None)
+        return
+    settings, curves, progress = run.settings, training_runs.curves(run), read_progress(run.folder)
+    title = f"{algorithm_title(settings.ALGORITHM)} · {world_title(settings.environment)} · seed {settings.seed}"
+    _head(run, title, colour_of(runs, run), looked=looked)
+    share, words = _progress(run, progress, curves)
+    st.progress(share, words)
+    st.html(f'<div class="run-note">{escape(_numbers(curves))}<br>{escape(_different(run))}</div>')
+    if run.error:
+        st.html(f'<div class="run-error">{escape(_sentence(run.error))}</div>')
+    with st.container(horizontal=True, gap="small"):
+        if run.going:
+            st.button("Cancel", key=f"cancel {run.name}", on_click=_do, args=("stop", run.name))
+        elif run.state in (STOPPED, FAILED):
+            st.button("Resume", key=f"resume {run.name}", on_click=_do, args=("resume", run.name))
+        st.button("Show", key=f"show {run.name}", on_click=_show, args=(run.name,), disabled=looked)
+        _open(run)
+        _more(run, curves)
+
+
+def _head(run: Run, title: str, colour: str, *, looked: bool) -> None:
+    word = {FAILED: "failed", WAITING: f"waiting, place {run.place}"}.get(run.state, run.state)
+    shown = " shown" if looked else ""
+    st.html(
+        f'<div class="run-head{shown}"><i style="background:{colour}"></i><b>{escape(title)}</b>'
+        f'<span class="run-state {run.state}">{escape(word)}</span></div>'
+    )
+
+
+def _progress(run: Run, progress: Progress | None, curves: Curves) -> tuple[float, str]:
+    """Share of the steps that are done, and words for it."""
+    of = training_runs.settings_of(run).steps
+    told = [int(steps[-1]) for steps in (curves.episode_steps, curves.steps) if len(steps)]
+    step = min(of, max(progress.step if progress else 0, *told, 0))  # the last round of environments may go beyond
+    step = of if run.state == FINISHED else step
+    words = [f"{step:,} of {of:,} steps"]
+    if run.state == WAITING:
+        words.append(f"waits for one of the {MOST_TRAINING} places")
+    elif run.state == TRAINING and not told:
+        words.append("starting" if not step else "first episodes")
+    if run.state == TRAINING and progress and progress.steps_per_second:
+        words.append(f"{progress.steps_per_second:,.0f} steps/s")
+        if progress.seconds_left is not None:
+            words.append(f"{_duration(progress.seconds_left)} left")
+    return min(1.0, step / of), " · ".join(words)
+
+
+def _duration(seconds: float) -> str:
+    for size, unit in ((86_400, "days"), (3_600, "h"), (60, "min")):
+        if seconds >= 2 * size:
+            return f"{seconds / size:.0f} {unit}"
+    return f"{seconds:.0f} s"
+
+
+def _numbers(curves: Curves) -> str:
+    words = []
+    if curves.episodes:
+        words.append(f"return now {curves.smooth[-1]:,.4g} over {curves.episodes:,} episodes")
+    if curves.best is not None:
+        at = curves.best
+        error = f" ± {curves.errors[at]:.2g}" if curves.errors[at] else ""
+        words.append(f"best evaluation {curves.scores[at]:,.4g}{error} at step {curves.steps[at]:,}")
+    return " · ".join(words) or "no episode has ended yet"
+
+
+def _different(run: Run) -> str:
+    words = changed(training_runs.settings_of(run))
+    listed = ", ".join(words[:6]) + (", ..." if len(words) > 6 else "")
+    return f"set by hand: {listed}" if words else "settings that suit it"
+
+
+def _sentence(error: str | None) -> str:
+    words = error or "it failed."
+    return words[0].upper() + words[1:]
+
+
+def _do(what: str, name: str) -> None:
+    """Callback: something that the queue does with a run."""
+    try:
+        action: Callable[[str], None] = getattr(training_runs.queue(), what)
+        action(name)
+    except InputError as error:
+        st.toast(str(error))
+
+
+def _show(name: str) -> None:
+    store.choose("run", name)
+    store.choose("beside", None)
+
+
+def _open(run: Run) -> None:
+    """The other page, on the best checkpoint so far."""
+    why = None if training_runs.best(run) else "After the first evaluation."
+    st.button(
+        "Open in Trained agents", key=f"open {run.name}", disabled=why is not None, help=why, on_click=_wish_to_open,
+        args=(run.name,),
+    )  # fmt: skip
+    if session.part(_Cards).to_open == run.name:
+        session.part(_Cards).to_open = None
+        st.switch_page("screens/agents.py", query_params={"checkpoint": f"run:{run.name}"})
+
+
+def _wish_to_open(name: str) -> None:
+    """Callback. The wish is kept until a run of the page sees it: one that polls may come between click and answer."""
+    session.part(_Cards).to_open = name
+
+
+def _more(run: Run, curves: Curves | None) -> None:
+    box = st.popover("More", on_change="rerun", key=f"more_{run.name}")
+    if not box.open:
+        return
+    with box:
+        if curves is not None:
+            metrics, (left, right) = run.folder / "metrics.jsonl", st.columns(2, gap="small")
+            with left:
+                _file("Best checkpoint", run.folder / "best.safetensors", f"{run.name}.safetensors")
+                _file("Settings (JSON)", run.folder / "config.json", f"{run.name}.json")
+            with right:
+                _file("Metrics (JSONL)", metrics, f"{run.name}.jsonl")
+                _file("Metrics (CSV)", metrics, f"{run.name}.csv", metrics_csv)
+            words = command_of(training_runs.settings_of(run), f"runs/{run.name}_again")
+            copy_button("Copy the command", shlex.join(["python", "-m", "laplace_core", *words]), f"command {run.name}")
+        st.caption(f"In {run.folder}")
+        if run.name in session.part(_Cards).to_remove:
+            st.button("Yes, remove it for good", key=f"yes {run.name}", type="primary", width="stretch",
+                      on_click=_remove, args=(run.name,))  # fmt: skip
+        else:
+            st.button("Remove ...", key=f"remove {run.name}", width="stretch", on_click=_ask, args=(run.name,))
+
+
+def _ask(name: str) -> None:
+    session.part(_Cards).to_remove.add(name)
+
+
+def _remove(name: str) -> None:
+    session.part(_Cards).to_remove.discard(name)
+    if store.chosen().get("run") == name:
+        store.choose("run", None)
+    _do("remove", name)
+
+
+def _file(label: str, path: Path, name: str, read: Callable[[Path], bytes] = Path.read_bytes) -> None:
+    if path.is_file() and not path.is_symlink() and path.stat().st_size <= _MOST_DOWNLOAD:
+        st.download_button(
+            label, lambda: read(path), file_name=name, mime="application/octet-stream", width="stretch",
+            on_click="ignore", key=f"file {name}",
+        )  # fmt: skip

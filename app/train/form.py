@@ -1,0 +1,123 @@
+"""The sidebar of the page of training: what to train, on what, and how."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import streamlit as st
+
+from app import session
+from app.catalogue import training_runs
+from app.catalogue.names import world_title
+from app.components.widgets import number
+from app.session import store
+from app.train.schema import FORM, OPENING, TRAIN, fields, suited, wanted
+from laplace_core import InputError
+from laplace_core.agents.settings import ENVIRONMENTS, LOOP_SCHEMA, SETTINGS, LoopSettings, algorithm_title
+from laplace_core.parameters import Parameter
+
+_FORM = "training"  # what refusals of this form go by
+_NAMES = {"gammas": "Discounts", "thetas": "Sensitivities", "spacing": "Spacing"}
+_SHORT = 13  # letters of a title that has room beside another
+_GREEK = ("gamma", "theta")
+
+
+def form() -> None:
+    """All of it; a change is kept by hand and shows in the link, the button starts what is set."""
+    values = store.chosen()
+    key = store.show("algorithm", OPENING["algorithm"])
+    st.selectbox("Algorithm", tuple(SETTINGS), key=key, on_change=_change_algorithm, format_func=algorithm_title)
+    key = store.show("environment", OPENING["environment"])
+    st.selectbox("Environment", ENVIRONMENTS, key=key, on_change=_change_environment, format_func=world_title)
+    usual, refused = suited(values), None
+    try:
+        shown = wanted(values)
+    except InputError as error:
+        shown, refused = usual, str(error)
+    columns = st.columns(2)
+    with columns[0]:
+        number(f"{TRAIN}seed", _seed(), shown.seed, "Seed")
+    with columns[1]:
+        number("count", next(p for p in FORM if p.name == "count"), 1, "Runs")
+    first, others = fields(usual.ALGORITHM)
+    _in_columns(first, shown)
+    box = st.expander("All other settings", key="train_all", on_change="rerun")
+    if box.open:
+        with box:
+            _in_columns(others, shown)
+    if refused:
+        st.error(refused)
+    st.button("Start training", type="primary", width="stretch", on_click=start, disabled=refused is not None)
+    if _FORM in session.current().refusals:
+        st.error(session.current().refusals[_FORM])
+    if any(name.startswith(TRAIN) for name in values):
+        st.button("Back to the settings that suit it", on_click=_suit, width="stretch")
+
+
+def _seed() -> Parameter:
+    return next(parameter for parameter in LOOP_SCHEMA if parameter.name == "seed")
+
+
+def _in_columns(parameters: list[Parameter], shown: LoopSettings) -> None:
+    for row in _rows(parameters):
+        for column, parameter in zip(st.columns(len(row)), row, strict=True):
+            with column:
+                number(TRAIN + parameter.name, parameter, getattr(shown, parameter.name), _title(parameter.name))
+
+
+def _rows(parameters: list[Parameter]) -> list[list[Parameter]]:
+    """Two in a row, but for long titles."""
+    rows: list[list[Parameter]] = []
+    for parameter in parameters:
+        short = len(_title(parameter.name)) <= _SHORT
+        if short and rows and len(rows[-1]) == 1 and len(_title(rows[-1][0].name)) <= _SHORT:
+            rows[-1].append(parameter)
+        else:
+            rows.append([parameter])
+    return rows
+
+
+def _title(name: str) -> str:
+    if name in _NAMES:
+        return _NAMES[name]
+    words = name.replace("_", " ")
+    return words if name.startswith(_GREEK) else words.capitalize()
+
+
+def _change_algorithm() -> None:
+    """Callback: settings that the new algorithm has as well stay."""
+    name = st.session_state["algorithm"]
+    known = {TRAIN + parameter.name for parameter in SETTINGS[name].SCHEMA}
+    _replace({key: v for key, v in store.chosen().items() if not key.startswith(TRAIN) or key in known}, algorithm=name)
+
+
+def _change_environment() -> None:
+    """Callback: what suited the old one goes, the seed stays."""
+    kept = {k: v for k, v in store.chosen().items() if not k.startswith(TRAIN) or k == f"{TRAIN}seed"}
+    _replace(kept, environment=st.session_state["environment"])
+
+
+def _suit() -> None:
+    """Callback: nothing is set by hand any more."""
+    _replace({key: value for key, value in store.chosen().items() if not key.startswith(TRAIN)})
+
+
+def _replace(values: dict[str, Any], **changes: object) -> None:
+    session.current().refusals.pop(_FORM, None)
+    store.replace_all(values | changes)
+
+
+def start() -> None:
+    """Callback: a run for every seed that is asked for."""
+    session.current().refusals.pop(_FORM, None)
+    values, started = dict(store.chosen()), None
+    try:
+        for extra in range(int(values.get("count", 1))):
+            seed = int(values.get(f"{TRAIN}seed", 0)) + extra
+            name = training_runs.queue().add(wanted(values | {f"{TRAIN}seed": seed}))
+            started = started or name
+    except InputError as error:
+        session.current().refusals[_FORM] = str(error)[0].upper() + str(error)[1:]
+    if started is not None:
+        store.choose("run", started)
+        store.choose("beside", None)

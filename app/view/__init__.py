@@ -1,0 +1,1 @@
+"""One look at a subject: its study from the caches, the lens with its verdict, artefacts and downloads."""

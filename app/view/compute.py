@@ -1,0 +1,231 @@
+"""Bounded caches between the pages and the library."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import lru_cache
+from threading import Lock
+from typing import Any
+
+import numpy as np
+
+from app import figures
+from app.components.lens.payload import Simulated, payload, structure
+from app.view.subjects import Learner, Subject, View, state_in
+from laplace_core import InputError, Study, World
+from laplace_core.planning import greedy_policy
+from laplace_core.study.artefacts import Artefact, find_artefacts
+from laplace_core.study.compare import Space, difference, summary, value_difference
+from laplace_core.study.episodes import episode_regret_of
+from laplace_core.study.pipeline import WorldStudy
+from laplace_core.study.settings import Resolved
+from laplace_core.study.trials import Trials
+from laplace_core.study.verdict import Verdict, judge
+from laplace_core.tabular import Bands, Learned, bands, return_distributions
+
+
+@lru_cache(maxsize=32)
+def _study(subject: Subject, settings: Resolved) -> Study:
+    return subject.study(settings)
+
+
+def study_for(view: View) -> Study:
+    return _study(view.subject, view.settings)
+
+
+def row_of(view: View) -> int:
+    """The row of the horizon that is asked for; the last one by default."""
+    return study_for(view).row
+
+
+@lru_cache(maxsize=128)
+def _graded(view: View) -> Verdict:
+    return judge(study_for(view), row_of(view), view.action, explain=False)
+
+
+@lru_cache(maxsize=128)
+def _explained_verdict(view: View) -> Verdict:
+    return judge(study_for(view), row_of(view), view.action, trials=_trials(view))
+
+
+def verdict_for(view: View) -> Verdict:
+    """The verdict with its cause, which may take seconds to find."""
+    judged = _explained_verdict(view)
+    with _lock:
+        _explained[view] = None  # only now: nobody else is to wait for it before anything is drawn
+        while len(_explained) > 128:
+            _explained.pop(next(iter(_explained)))
+    return judged
+
+
+@lru_cache(maxsize=8)
+def _trials(view: View) -> Trials | None:
+    """What single changes make of a view, for its verdict and its list of artefacts alike."""
+    found = study_for(view)
+    return Trials(found, row_of(view), view.action) if isinstance(found, WorldStudy) else None
+
+
+_explained: dict[View, None] = {}
+"""Views whose cause was searched for, the oldest first."""
+_lock = Lock()
+AT_ONCE = 5e6
+"""Products that a search may cost to be made before the pictures are drawn: a tenth of a second."""
+
+
+def is_explained(view: View) -> bool:
+    """Whether the cause is known, needs no search, or is found at once."""
+    graded = _graded(view)
+    if graded.searched or view in _explained:
+        return True
+    trials = _trials(view)
+    return trials is None or trials.work <= AT_ONCE
+
+
+def verdict_at_once(view: View) -> tuple[Verdict, bool]:
+    """The verdict, and whether its cause was searched for; where that takes long, only what is wrong, without why."""
+    explained = is_explained(view)
+    return verdict_for(view) if explained else _graded(view), explained
+
+
+@lru_cache(maxsize=128)
+def _artefacts(view: View, action: int, *, searching: bool) -> tuple[Artefact, ...]:
+    found, trials = study_for(view), _trials(view) if searching and action == view.action else None
+    listed = find_artefacts(found, action, float(found.horizons[row_of(view)]), searching=searching, trials=trials)
+    return tuple(listed if searching else (replace(each, remedies=()) for each in listed))
+
+
+def artefacts_for(view: View, action: int | None = None) -> tuple[Artefact, ...]:
+    """Artefacts in the tau-space of the shown action, or of another.
+
+    Those of the shown action have their remedies once the cause is known: to try them is part of the same search.
+    """
+    other = action is not None and action != view.action
+    return _artefacts(view, view.action if action is None else action, searching=not other and is_explained(view))
+
+
+def artefacts_elsewhere(view: View) -> str:
+    """One line that names artefacts which only other actions have."""
+    here = {artefact.name for artefact in artefacts_for(view)}
+    lines: dict[str, list[str]] = {}
+    for other, name in enumerate(study_for(view).action_names):
+        for artefact in artefacts_for(view, other) if other != view.action else ():
+            if artefact.name not in here:
+                lines.setdefault(artefact.name, []).append(name)
+    return " ".join(f"Also {name}, in {', '.join(actions)}." for name, actions in lines.items())
+
+
+@lru_cache(maxsize=32)
+def _episode_regrets(subject: Subject, settings: Resolved) -> np.ndarray | None:
+    found = _study(subject, settings)
+    if not isinstance(found, WorldStudy):
+        return None
+    learned = None if subject.learner is None else subject.learner.tables
+    try:
+        return episode_regret_of(found.world, found.settings, learned=learned)[:, found.state]
+    except InputError:
+        return None
+
+
+def episode_regrets(view: View) -> np.ndarray | None:
+    """Loss of whole episodes under the decoded rule from the study's state, by T; None where it cannot be had."""
+    if view.world is None:
+        return None
+    return _episode_regrets(view.subject, replace(view.settings, noise=0.0, noise_seed=0, horizon=None, used=0.0))
+
+
+# What the graph of a world does not depend on; it is drawn once for all values of these.
+_UNSEEN: dict[str, Any] = {
+    "alpha": 1.0, "steps": 1, "time_step": 1.0, "normalise": "none", "softness": 0.0, "deadline": "constant",
+    "noise": 0.0, "noise_seed": 0, "thetas": 2, "gammas": 2, "theta_min": 0.0, "theta_max": 1.0, "slope": 1.0,
+    "policy": "shared", "value_gamma": 0.5, "horizon": None, "used": 0.0, "fold": False, "shift": False, "clip": False,
+    "paper_grid": False,
+}  # fmt: skip
+
+
+def world_figure(view: View) -> str:
+    """The graph of a view's world as JSON."""
+    world = view.world
+    assert world is not None  # without one there is no graph to ask for
+    return _world_figure(world, view.subject.learner, replace(view.settings, **_UNSEEN), view.action)
+
+
+@lru_cache(maxsize=64)
+def _world_figure(world: World, learner: Learner | None, settings: Resolved, action: int) -> str:
+    policy = greedy_policy(world, settings.acting_gamma) if learner is None else learner.policy
+    return figures.to_json(figures.world_graph(world, world.state_index(state_in(settings)), action, policy))
+
+
+@lru_cache(maxsize=8)
+def _bands(learned: Learned, settings: Resolved) -> Bands:
+    return bands(learned, settings)
+
+
+def learning_figure(name: str, view: View) -> str:
+    """One of the pictures that only learning has; ``values`` and ``rewards`` only with several seeds."""
+    softness = view.settings.softness if name == "values" else 0.0
+    settings = replace(view.settings, deadline="constant", softness=softness)
+    learner = view.subject.learner
+    assert learner is not None  # nobody asks for these pictures where nothing was learned
+    return _learning_figure(name, learner, settings, view.action, row=row_of(view) if name == "values" else 0)
+
+
+@lru_cache(maxsize=32)
+def _learning_figure(name: str, subject: Learner, settings: Resolved, action: int, *, row: int) -> str:
+    learned, index, state = subject.learned, subject.index or 0, state_in(settings)
+    drawn = {
+        "curve": lambda: figures.learning_curve(learned),
+        "probabilities": lambda: figures.reward_bands(_bands(learned, settings), action),
+        "returns": lambda: figures.return_laws(
+            return_distributions(learned, state, action, seed_index=index, settings=settings)
+        ),
+        "values": lambda: figures.values_over_horizon(_study(subject, settings), row, _bands(learned, settings)),
+        "rewards": lambda: figures.rewards_and_survival(_study(subject, settings), action, _bands(learned, settings)),
+    }[name]()
+    return figures.to_json(drawn)
+
+
+@lru_cache(maxsize=16)
+def comparison(a: View, b: View, what: Space) -> tuple[str, dict[str, str]]:
+    """One sentence on two views, and the pictures of a space of A, of B and of B - A.
+
+    Where the spaces have no common grid, the sentence says so and there are no pictures.
+    """
+    first, second = study_for(a), study_for(b)
+    values = value_difference(first, second, a.action, b.action)
+    try:
+        found = difference(first, second, a.action, b.action, what=what)
+    except InputError as error:
+        return f"{error} {summary(None, values)}", {}
+    drawn = figures.comparison(found)
+    note = f" {found.note}" if found.note else ""
+    return summary(found, values) + note, {name: figures.to_json(figure) for name, figure in drawn.items()}
+
+
+def lens_payload(view: View, simulated: Simulated | None = None) -> bytes:
+    """What the lens needs of a view: its factors, on whatever of the settings does not move in the browser."""
+    return _lens_payload(view.subject, structure(view.settings, view.world), simulated)
+
+
+@lru_cache(maxsize=16)
+def _lens_payload(subject: Subject, settings: Resolved, simulated: Simulated | None) -> bytes:
+    return payload(_study(subject, settings), simulated, subject.places, subject.added)[0]
+
+
+def forget() -> None:
+    """Let go of everything that is cached for views; a large learner leaves a new table behind every moment."""
+    for cached in (
+        _study,
+        _graded,
+        _explained_verdict,
+        _trials,
+        _artefacts,
+        _episode_regrets,
+        _world_figure,
+        _bands,
+        _learning_figure,
+        comparison,
+        _lens_payload,
+    ):
+        cached.cache_clear()
+    with _lock:
+        _explained.clear()

@@ -1,0 +1,66 @@
+"""Taking a view along: how to read it, the command and the Python that make it, its arrays and tables."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from dataclasses import replace
+from functools import partial
+
+import streamlit as st
+from streamlit.delta_generator import DeltaGenerator
+
+from app.view import compute, explain, subjects
+from app.view.subjects import View
+from laplace_core.study.npz import npz_bytes
+from laplace_core.study.settings import Resolved
+from laplace_core.study.tables import gamma_space_csv, rewards_csv, tau_space_csv, values_csv
+
+_BYTES = "application/octet-stream"
+_TABLES = {
+    "tau-space": tau_space_csv,
+    "gamma-space": gamma_space_csv,
+    "values over T": values_csv,
+    "rewards and survival": rewards_csv,
+}
+
+
+def agent_footer(view: View) -> None:
+    """The same for a trained agent, whose gamma-space no command computes anew."""
+    _, words, download = st.columns([3.8, 1, 0.9], vertical_alignment="center")
+    reading(words)
+    downloads(download, view)
+
+
+def reading(place: DeltaGenerator) -> None:
+    """What lies in a closed popover is left out: formulas bring a large script along."""
+    words = place.popover("How to read this", width="stretch", on_change="rerun", key="reading")
+    if words.open:
+        words.markdown(explain.READING)
+
+
+def settings_on_disk(view: View) -> Resolved:
+    """The settings by which the command line repeats a view: what was learned is read from its file."""
+    if view.learner is None:
+        return view.settings
+    shown = view.learner.index
+    file = f"{subjects.plain_name(view.learner.world)}_td.safetensors"
+    return replace(view.settings, world=file, params=() if shown is None else (("seed_index", shown),))
+
+
+def downloads(place: DeltaGenerator, view: View) -> None:
+    box = place.popover("Download", width="stretch", on_change="rerun", key="downloading")
+    if not box.open:
+        return
+    settings = settings_on_disk(view)
+    found = replace(compute.study_for(view), settings=settings)
+    name = re.sub(r"[^A-Za-z0-9_.-]+", "_", re.sub(r"\.(json|npz|safetensors)$", "", settings.world))
+    with box:
+        _file("NPZ: every array and the settings", lambda: npz_bytes(found), f"{name}.npz", _BYTES)
+        for title, csv in _TABLES.items():
+            _file(f"CSV: {title}", partial(csv, found), f"{name}_{title.replace(' ', '_')}.csv", "text/csv")
+        st.caption("PNG, SVG, CSV and HTML of the lens: the buttons under it.")
+
+
+def _file(label: str, data: Callable[[], str | bytes], file_name: str, mime: str) -> None:
+    st.download_button(label, data, file_name=file_name, mime=mime, width="stretch", on_click="ignore")

@@ -1,0 +1,187 @@
+"""The lens on a view with the verdict over it, and the list of artefacts under it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from html import escape
+from typing import Any
+
+import streamlit as st
+
+from app import session
+from app.components.lens import Graph, Preset, Released, Said, Simulated, checked, lens, state_of, values_of
+from app.session import store
+from app.view import compute
+from app.view.subjects import PARAM, View
+from laplace_core.study.artefacts import Artefact
+from laplace_core.study.settings import BY_NAME, SWITCHES
+from laplace_core.study.verdict import Verdict
+
+TONES = {"lucky": "warn", "wrong": "bad", "unknown": "unknown"}
+_ACROSS = 3  # artefacts side by side
+
+
+@dataclass
+class _Search:
+    """The search for the cause of a verdict: whether it is due, and the values that it was last made for."""
+
+    due: bool = False
+    done_for: dict[str, Any] | None = None
+
+
+@dataclass(frozen=True)
+class Pin:
+    """The view that is pinned as A, on a page that can pin one.
+
+    Attributes:
+        pinned: whether there is one.
+        state: that of the lens at A, where it can be drawn from the payload of the present view.
+        keep: pins the present view (True) or lets A go (False).
+    """
+
+    pinned: bool
+    state: Mapping[str, Any] | None
+    keep: Callable[[bool], None]
+
+
+def shown_state(view: View) -> dict[str, Any]:
+    """The state of the lens that a view stands for."""
+    horizon = float(compute.study_for(view).horizons[compute.row_of(view)])
+    look = str(store.chosen().get("look", "heatmap"))
+    return state_of(view.settings, horizon, action=view.action, look=look, added=view.subject.added)
+
+
+def pictures(
+    view: View, base: View, *, presets: Sequence[Preset] = (), pin: Pin | None = None,
+    lead: Mapping[str, Any] | None = None, followed: Mapping[str, Any] | None = None,
+    simulated: Simulated | None = None,
+) -> None:  # fmt: skip
+    """Draw the lens; what is let go of in it is set by hand.
+
+    Args:
+        base: the view that Reset leads to.
+        presets, pin: views that are one click away, and the one that is pinned.
+        lead, followed: the episode that the lens follows, and what came in it; see :func:`app.components.lens.lens`.
+        simulated: what continuations from there came to.
+    """
+    found, shown = compute.study_for(view), shown_state(view)
+    judged, explained = compute.verdict_at_once(view)
+
+    def heard(released: Released) -> None:
+        if released.preset is not None:
+            look = {"look": store.chosen()["look"]} if "look" in store.chosen() else {}
+            store.replace_all({**next(each.values for each in presets if each.name == released.preset), **look})
+            store.refresh_sidebar()
+            return
+        changes = values_of(checked(released.state, found), shown, found.action_names)
+        for name, value in changes.items():
+            store.choose(name, value)
+        if "policy" in changes:  # which the sidebar shows, too
+            store.refresh_sidebar()
+        if released.remedy is not None and released.remedy < len(judged.remedies):
+            remedy(judged.remedies[released.remedy].changes)
+        if view.world is not None and released.picked is not None and released.picked < view.world.n_states:
+            store.apply_changes({"state": view.world.states[released.picked]})
+        if released.pin is not None and pin is not None:
+            pin.keep(released.pin)
+
+    last = float(compute.study_for(base).horizons[-1])
+    lens(
+        compute.lens_payload(view, simulated),
+        shown,
+        store.page_name(),
+        base=state_of(base.settings, last, action=view.action),
+        presets=presets,
+        on_release=heard,
+        said=Said(
+            _tone(judged),
+            _sentence(judged, view, explained=explained),
+            tuple(remedy.label for remedy in judged.remedies),
+        ),
+        world=_graph(view),
+        pinnable=pin is not None and view.world is not None,
+        pinned=pin is not None and pin.pinned,
+        pin=None if pin is None else pin.state,
+        lead=lead,
+        followed=followed,
+    )
+
+
+def _tone(judged: Verdict) -> str:
+    """How the lens calls a verdict: by its choice, and where that is right by its timeline."""
+    if judged.choice == "right":
+        return "ok" if judged.timeline == "sound" else str(judged.timeline)
+    return TONES[judged.choice]
+
+
+def _sentence(judged: Verdict, view: View, *, explained: bool) -> str:
+    """The verdict; where its cause is still to be found, :func:`explain` finds it at the end of this run.
+
+    One search a view: what is learned meanwhile is another object at every run of the page, and would never be found.
+    """
+    search = session.part(_Search)
+    search.due = due = not explained and search.done_for != dict(store.chosen())
+    return f"{judged.sentence} The cause is being searched for." if due and view.learned is None else judged.sentence
+
+
+def explain(view: View) -> None:
+    """Find the cause that the lens does not show yet, once everything else is on the page, and draw the page with it.
+
+    What the lens shows counts, not what is known by now: another visitor's search may have ended meanwhile.
+    """
+    search = session.part(_Search)
+    if search.due:
+        compute.verdict_for(view)
+        search.done_for = dict(store.chosen())
+        st.rerun()
+
+
+def _graph(view: View) -> Graph | None:
+    if view.world is None:
+        return None
+    s, name = view.settings, view.world.actions[view.action]
+    alt = f"Graph of the world {s.world}, state {s.state} and action {name} lit up."
+    return Graph(compute.world_figure(view), alt, f"{s.world} {view.world.n_states}")
+
+
+def remedy(changes: Mapping[str, object]) -> None:
+    """Callback: make the changes of a remedy: fields, and ``param:NAME`` for a parameter of the world.
+
+    A switch that it turns off is let go, so that the link does not speak of it.
+    """
+    off = {name for name, value in changes.items() if name in SWITCHES and value == BY_NAME[name].default}
+    store.apply_changes(
+        {name.replace("param:", PARAM): None if name in off else value for name, value in changes.items()}
+    )
+
+
+def artefacts(view: View) -> None:
+    """What in the tau-space of the shown action is not in the world: name, size, a sentence, remedies."""
+    if view.subject.added:
+        st.caption("Interpolated discounts share the errors of their neighbours: noise is louder than it looks.")
+    name = compute.study_for(view).action_names[view.action]
+    found, others = compute.artefacts_for(view), compute.artefacts_elsewhere(view)
+    st.html(f'<div class="panel-title">artefacts in the tau-space of {escape(name)}</div>')
+    with st.container(key="artefacts"):
+        if not found:
+            st.html(f'<div class="artefact">None found for this action. {escape(others)}</div>')
+        for first in range(0, len(found), _ACROSS):
+            for column, artefact in zip(st.columns(_ACROSS), found[first : first + _ACROSS], strict=False):
+                with column:
+                    _artefact(artefact)
+        if found and others:
+            st.html(f'<div class="artefact">{escape(others)}</div>')
+
+
+def _artefact(artefact: Artefact) -> None:
+    st.html(
+        f'<div class="artefact"><b>{escape(artefact.name)}</b> · {escape(artefact.shown)}<br>'
+        f"<span>{escape(artefact.sentence)}</span></div>"
+    )
+    remedies = artefact.remedies[:2]
+    for column, offer in zip(st.columns(len(remedies)) if remedies else (), remedies, strict=True):
+        column.button(
+            offer.label, key=f"fix {artefact.name} {offer.label}", on_click=remedy,
+            args=(offer.changes,), width="stretch",
+        )  # fmt: skip

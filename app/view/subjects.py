@@ -1,0 +1,226 @@
+"""What a page can look at, and one look at it: a subject, through resolved settings, at one action."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Hashable, Mapping
+from dataclasses import dataclass, replace
+from typing import Any, Protocol
+
+import numpy as np
+
+from laplace_core import GammaSpace, InputError, Study, World, study, study_of_gamma_space
+from laplace_core.study.settings import Resolved
+from laplace_core.tabular import Learned
+
+PARAM = "p."
+"""Prefix of the parameters of a world, in the session and in the URL."""
+
+Values = Mapping[str, Any]
+
+
+class Subject(Hashable, Protocol):
+    """What can be looked at: a world, what was learned of it, or a gamma-space that came without a world.
+
+    Equal subjects show the same, so that what is cached for one is found again.
+    """
+
+    @property
+    def world(self) -> World | None:
+        """Where the truth comes from; None where there is only a gamma-space."""
+
+    @property
+    def learner(self) -> Learner | None:
+        """What was learned of the world, where that is looked at."""
+
+    @property
+    def gamma_space(self) -> GammaSpace | None:
+        """The one that is looked at where there is no world to make it from."""
+
+    @property
+    def action_names(self) -> tuple[str, ...]: ...
+
+    @property
+    def places(self) -> np.ndarray | None:
+        """Of a network's sensitivities on the axis of its activation, ``(H,)``, in units of 1/slope."""
+
+    @property
+    def added(self) -> int:
+        """How many of the discounts between two that were trained are interpolated."""
+
+    def study(self, settings: Resolved) -> Study:
+        """The subject, looked at through these settings.
+
+        Raises:
+            InputError: settings that do not fit the subject.
+        """
+
+
+class _Plain:
+    """What most subjects lack."""
+
+    @property
+    def learner(self) -> Learner | None:
+        return None
+
+    @property
+    def places(self) -> np.ndarray | None:
+        return None
+
+    @property
+    def added(self) -> int:
+        return 0
+
+
+@dataclass(frozen=True)
+class Exact(_Plain):
+    """A world, solved exactly; equal where the world is the same object."""
+
+    world: World
+
+    @property
+    def gamma_space(self) -> None:
+        return None
+
+    @property
+    def action_names(self) -> tuple[str, ...]:
+        return self.world.actions
+
+    def study(self, settings: Resolved) -> Study:
+        return study(self.world, settings)
+
+
+@dataclass(frozen=True, eq=False)
+class FromFile(_Plain):
+    """A gamma-space from a file, which may follow another convention and is looked at for that."""
+
+    gamma_space: GammaSpace
+
+    @property
+    def world(self) -> None:
+        return None
+
+    @property
+    def action_names(self) -> tuple[str, ...]:
+        return tuple(f"action {a}" for a in range(len(self.gamma_space.values)))
+
+    def study(self, settings: Resolved) -> Study:
+        return study_of_gamma_space(self.gamma_space, settings)
+
+
+@dataclass(frozen=True, eq=False)
+class Learner:
+    """What was learned of a world, through the eyes of one seed, or of the mean of all (``index`` None)."""
+
+    world: World
+    learned: Learned
+    index: int | None
+
+    @property
+    def learner(self) -> Learner:
+        return self
+
+    @property
+    def gamma_space(self) -> None:
+        return None
+
+    @property
+    def places(self) -> None:
+        return None
+
+    @property
+    def added(self) -> int:
+        return 0
+
+    @property
+    def action_names(self) -> tuple[str, ...]:
+        return self.world.actions
+
+    def study(self, settings: Resolved) -> Study:
+        return study(self.world, settings, learned=self.basis(self.world.state_index(state_in(settings))))
+
+    def basis(self, state: int) -> np.ndarray:
+        """The reward-indicator basis of a state, ``(A, G, V)``."""
+        tables = self.learned.basis[:, state].astype(float)
+        return tables.mean(axis=0) if self.index is None else tables[self.index]
+
+    @property
+    def tables(self) -> np.ndarray:
+        """The reward-indicator basis of every state, ``(S, A, G, V)``."""
+        tables = self.learned.basis.astype(float)
+        return tables.mean(axis=0) if self.index is None else tables[self.index]
+
+    @property
+    def policy(self) -> np.ndarray:
+        return self.learned.policies[self.index or 0]
+
+
+@dataclass(frozen=True, eq=False)
+class Observed:
+    """What a trained agent has learned for one observation.
+
+    Attributes:
+        gamma_space: at the discounts that were trained, and ``added`` interpolated ones in every gap between them.
+        places: ``(H,)``, of the sensitivities on the axis of the activation, in units of 1/slope.
+    """
+
+    gamma_space: GammaSpace
+    action_names: tuple[str, ...]
+    places: np.ndarray
+    added: int = 0
+
+    @property
+    def world(self) -> None:
+        return None
+
+    @property
+    def learner(self) -> None:
+        return None
+
+    def study(self, settings: Resolved) -> Study:
+        """Its convention is ours, so nothing is looked for; actions have the environment's names."""
+        space = replace(self.gamma_space, places=self.places)
+        found = study_of_gamma_space(space, settings, own_convention=False)
+        return replace(found, action_names=self.action_names)
+
+
+def state_in(settings: Resolved) -> str:
+    """The state that settings of a world look from.
+
+    Raises:
+        InputError: the settings leave it open; those of a world never do.
+    """
+    if settings.state is None:
+        raise InputError("state is not decided: resolve the settings with their world first.")
+    return settings.state
+
+
+@dataclass(frozen=True)
+class View:
+    """One state of one subject, looked at through resolved settings.
+
+    Attributes:
+        subject: the world; what was learned of it; or a gamma-space without a world,
+            from a file or from a trained agent.
+    """
+
+    subject: Subject
+    settings: Resolved
+    action: int
+
+    @property
+    def world(self) -> World | None:
+        return self.subject.world
+
+    @property
+    def learned(self) -> Learned | None:
+        return None if self.learner is None else self.learner.learned
+
+    @property
+    def learner(self) -> Learner | None:
+        return self.subject.learner
+
+
+def plain_name(world: World) -> str:
+    """A world's name as part of a file's name."""
+    return re.sub(r"[^A-Za-z0-9_-]+", "_", world.name)[:40].strip("_") or "world"

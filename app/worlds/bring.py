@@ -1,0 +1,236 @@
+"""What a person brings along: files to open, the world as a table, a timeline drawn by hand."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import streamlit as st
+from streamlit.delta_generator import DeltaGenerator
+
+from app import session
+from app.catalogue import tabular
+from app.session import store
+from app.session.link import pack
+from app.view.subjects import View
+from app.worlds import sources
+from app.worlds.actions import edit_world, go_to, world_name
+from laplace_core import InputError, World
+from laplace_core.worlds import (
+    dump_world,
+    parse_world,
+    rescaled,
+    timeline_world,
+    world_from_rows,
+    world_rows,
+    world_text,
+)
+
+MOST_ROWS = 2_000
+_KINDS = ("json", "npz", "safetensors")
+
+
+def open_group(world: World | None) -> None:
+    """In the sidebar: a file of one's own, or the present world as a table."""
+    box = st.expander("Bring your own", key="bring", on_change="rerun")
+    if not box.open:
+        return
+    with box:
+        st.file_uploader(
+            "World (.json), gamma-space (.npz) or learned agent (.safetensors)", type=list(_KINDS), key="upload",
+            on_change=_uploaded,
+            help="A world file as in the README; arrays gamma_space (actions, discounts, thetas), gammas and thetas; "
+            "or what Download agent saved.",
+        )  # fmt: skip
+        if "upload" in session.current().refusals:
+            st.error(session.current().refusals["upload"])
+        for name in tabular.shipped_agents():
+            st.button(
+                f"Open the learned {name.removesuffix('_td').replace('_', ' ')}",
+                on_click=_open_agent,
+                args=(name,),
+                width="stretch",
+            )
+        if world is not None and world_name() not in sources.BROUGHT:
+            st.button("Edit this world as a table", on_click=edit_world, args=(world,), width="stretch")
+        if world_name() != sources.TIMELINE:
+            st.button("Draw a timeline", on_click=_draw, width="stretch")
+
+
+def _open_agent(name: str) -> None:
+    go_to(**sources.world_values(tabular.agent(name).world), source="learned", agent=name)
+
+
+def _draw() -> None:
+    go_to(world=sources.TIMELINE, timeline=sources.FIRST_TIMELINE, edit="yes")
+
+
+def _uploaded() -> None:
+    """Callback: an uploaded file replaces the view, or says in one sentence why it cannot."""
+    session.current().refusals.pop("upload", None)
+    file = st.session_state["upload"]
+    if file is None:
+        return
+    ending = file.name.lower().rpartition(".")[2]
+    try:
+        if ending == "json":
+            text = world_text(file.getvalue(), file.name)
+            parse_world(text)
+            go_to(world=sources.OWN, own=pack(text))
+        elif ending == "safetensors":
+            _open_agent(tabular.open_agent(file.name, file.getvalue()))
+        else:
+            go_to(world=sources.DATA, data=sources.open_gamma_space(file.name, file.getvalue()), normalise="none")
+    except InputError as error:
+        session.current().refusals["upload"] = str(error)
+
+
+def editor(view: View) -> None:
+    """Under the pictures: the world or the timeline as a table, if it is open."""
+    name = world_name()
+    if view.world is None:
+        return
+    if name == sources.OWN:
+        _world_table(view.world)
+    elif name == sources.TIMELINE:
+        _timeline_table(view.world)
+
+
+@dataclass
+class _Table:
+    """One table: the packed rows that it holds, those that it was opened with, and how often it was opened."""
+
+    word: str | None = None
+    base: str = ""
+    version: int = 0
+
+
+@dataclass
+class _Tables:
+    """All of a session, by what they show."""
+
+    by_kind: dict[str, _Table] = field(default_factory=dict)
+
+
+def _table(kind: str) -> _Table:
+    return session.part(_Tables).by_kind.setdefault(kind, _Table())
+
+
+def _version(word: str, kind: str) -> str:
+    """Key of a table's widget: a new one when its content was changed from elsewhere, else the same.
+
+    A table keeps its edits relative to the rows that it was opened with, so those rows must stay; a table that was
+    off the page has lost its edits, and begins with the rows as they are now.
+    """
+    table = _table(kind)
+    if table.word != word or f"{kind} table {table.version}" not in st.session_state:
+        table.word, table.base, table.version = word, word, table.version + 1
+    return f"{kind} table {table.version}"
+
+
+def _edited(kind: str, word: str) -> None:
+    """Note that the table itself made this change, and take it over."""
+    _table(kind).word = word
+    store.choose(kind, word)
+    st.rerun()
+
+
+def _world_table(world: World) -> None:
+    word = str(store.chosen()[sources.OWN])
+    st.html('<div class="panel-title">the world as a table: every row is one thing that may happen</div>')
+    if world.state.size > MOST_ROWS:
+        st.caption(f"{world.state.size:,} outcomes are too many for a table: download the file, edit and open it.")
+        _download(world)
+        return
+    key = _version(word, sources.OWN)
+    base = sources.own_world(_table(sources.OWN).base)
+    rows = st.data_editor(
+        world_rows(base), key=key, num_rows="dynamic", height=260, width="stretch", hide_index=True,
+        column_config={
+            "probability": st.column_config.NumberColumn(min_value=0.0, max_value=1.0, format="%.6g", default=1.0),
+            "reward": st.column_config.NumberColumn(format="%.6g", default=0.0),
+            "next": st.column_config.TextColumn("next state", help="END terminates the episode.", default="END"),
+        },
+    )  # fmt: skip
+    left, right, _ = st.columns([1, 1, 3])
+    with left:
+        _download(world)
+    try:
+        made = world_from_rows(
+            rows,
+            name=base.name,
+            states=base.states,
+            actions=base.actions,
+            start=base.start,
+            suggested=base.suggested,
+            positions=base.positions,
+        )
+    except InputError as error:
+        st.warning(f"Not taken over yet: {error}")
+        _offer_rescale(right, rows, base)
+        return
+    new = pack(dump_world(made))
+    if new != word:
+        _edited(sources.OWN, new)
+
+
+def _offer_rescale(place: DeltaGenerator, rows: list[dict], base: World) -> None:
+    """One click for the commonest slip: probabilities that do not sum to 1."""
+    try:
+        scaled = rescaled(rows)
+        made = world_from_rows(
+            scaled,
+            name=base.name,
+            states=base.states,
+            actions=base.actions,
+            start=base.start,
+            suggested=base.suggested,
+            positions=base.positions,
+        )
+    except InputError:
+        return
+    place.button("Rescale probabilities to 1", on_click=_take_over, args=(pack(dump_world(made)),))
+
+
+def _take_over(word: str) -> None:
+    """Callback: show these rows, even where they make the world that is shown already."""
+    _table(sources.OWN).word = None
+    store.choose(sources.OWN, word)
+
+
+def _download(world: World) -> None:
+    st.download_button(
+        "Download world", dump_world(world), file_name=sources.file_name(world), mime="application/json",
+        on_click="ignore", width="stretch",
+    )  # fmt: skip
+
+
+def _timeline_table(world: World) -> None:
+    word = str(store.chosen()[sources.TIMELINE])
+    st.html('<div class="panel-title">your timeline: at future step tau, this reward comes with this probability</div>')
+    key = _version(word, sources.TIMELINE)
+    base, rest = sources.timeline_rows_of(_table(sources.TIMELINE).base)
+    table, beside = st.columns([3, 1.2])
+    with beside:
+        _download(world)
+        words = {"zero": "pays 0 and goes on", "ended": "has ended the episode"}
+        chosen_rest = st.radio("What is left of a step's probability", list(words), list(words).index(rest),
+                               format_func=words.get, key=f"{key} rest")  # fmt: skip
+        st.caption("Each action is a line of its own; a row more is typed at the foot of the table.")
+    with table:
+        rows = st.data_editor(
+            base, key=key, num_rows="dynamic", height=230, width="stretch", hide_index=True,
+            column_config={
+                "action": st.column_config.TextColumn(default="now"),
+                "tau": st.column_config.NumberColumn("tau (steps)", min_value=0, max_value=500, step=1, default=0),
+                "reward": st.column_config.NumberColumn(format="%.6g", default=1.0),
+                "probability": st.column_config.NumberColumn(min_value=0.0, max_value=1.0, format="%.6g", default=1.0),
+            },
+        )  # fmt: skip
+    try:
+        timeline_world(rows, chosen_rest)
+    except InputError as error:
+        beside.warning(f"Not taken over yet: {error}")
+        return
+    new = sources.packed_timeline(rows, chosen_rest)
+    if new != word:
+        _edited(sources.TIMELINE, new)

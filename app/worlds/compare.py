@@ -1,0 +1,113 @@
+"""A view pinned as A beside the present one, B, and where they differ."""
+
+from __future__ import annotations
+
+import json
+from html import escape
+from typing import Any
+
+import streamlit as st
+
+from app.components.chart import chart
+from app.components.lens import state_of
+from app.figures.theme import HEIGHT
+from app.session import store
+from app.session.link import pack
+from app.session.url import query_of
+from app.view import compute
+from app.view.panels import Pin
+from app.view.subjects import View
+from app.worlds import learning, sources
+from app.worlds.actions import world_name
+from app.worlds.schema import unpinned
+from laplace_core import InputError
+
+_UNSAID = ("pin", "edit", "compare", "look", "run", "own", "timeline")
+
+
+def is_pinned() -> bool:
+    return "pin" in store.chosen()
+
+
+def pin() -> None:
+    """Keep what is seen as A; whatever changes then is B, beside it."""
+    values = {name: value for name, value in store.chosen().items() if name not in ("pin", "edit")}
+    store.choose("pin", pack(json.dumps({"world": world_name(), **query_of(values)})))
+
+
+def unpin() -> None:
+    store.choose("pin", None)
+
+
+def _pinned() -> tuple[dict[str, Any], View | None]:
+    """The values of A and its view; None while what was learned of it is learned again.
+
+    Raises:
+        InputError: A cannot be shown any more.
+    """
+    values = unpinned(str(store.chosen()["pin"]))
+    world = sources.world_of(values)
+    learned, coming = (None, False) if world is None else learning.learned_in(values, world)
+    return values, None if coming else sources.view_of(values, learned)
+
+
+def pinned_state(view: View) -> dict[str, Any] | None:
+    """The state of the lens at A, where it shows the same payload as the present view."""
+    if not is_pinned():
+        return None
+    try:
+        values, pinned = _pinned()
+        if pinned is None or compute.lens_payload(pinned) != compute.lens_payload(view):
+            return None
+    except InputError:
+        return None
+    horizon = float(compute.study_for(pinned).horizons[compute.row_of(pinned)])
+    return state_of(pinned.settings, horizon, action=pinned.action, look=str(values.get("look", "heatmap")))
+
+
+def pinning(view: View) -> Pin:
+    """What the lens has to know of A."""
+    return Pin(is_pinned(), pinned_state(view), lambda wanted: pin() if wanted else unpin())
+
+
+def _differs(pinned: dict[str, Any]) -> str:
+    """In words, what was set otherwise in A and in B."""
+    a, b = ({**query_of(values), "world": str(values.get("world"))} for values in (pinned, store.chosen()))
+    names = [name for name in (*a, *b) if a.get(name) != b.get(name) and name not in _UNSAID]
+    names = list(dict.fromkeys(names))
+    if not names:
+        return '<div class="artefact">Nothing is set otherwise yet.</div>'
+    told = [
+        f"{which}: " + ", ".join(f"{name} {values.get(name, 'by default')[:24]}" for name in names[:5])
+        for which, values in (("A", a), ("B", b))
+    ]
+    return f'<div class="artefact">{escape(" · ".join(told))}</div>'
+
+
+def comparison(view: View) -> None:
+    """Three pictures: A, B, and B minus A; and a sentence."""
+    if not is_pinned():
+        return
+    try:
+        values, pinned = _pinned()
+        if pinned is None:
+            st.info("A was learned, and is learned again from its seed; it stands here in a moment.")
+            return
+        compute.study_for(pinned)
+    except InputError as error:
+        st.warning(f"A cannot be shown any more: {error}")
+        return
+    title, choice, away = st.columns([3.2, 1, 0.7], vertical_alignment="center")
+    title.html(f'<div class="panel-title">A, pinned, against B, what you see above</div>{_differs(values)}')
+    with choice:
+        key = store.show("compare", "tau-space")
+        st.segmented_control("Space", ("tau-space", "gamma-space"), key=key, on_change=store.keep, args=(key,),
+                             label_visibility="collapsed", required=True)  # fmt: skip
+    with away:
+        st.button("Unpin", on_click=unpin, width="stretch")
+    what = store.chosen().get("compare", "tau-space").replace("-", "_")
+    sentence, figures = compute.comparison(pinned, view, what)
+    for column, (name, figure) in zip(st.columns(3, gap="small"), figures.items(), strict=False):
+        with column:
+            chart(figure, f"compare {name}", f"{what.replace('_', '-')}: {name}", HEIGHT, revision=what)
+    st.caption(sentence)

@@ -1,0 +1,78 @@
+"""Taking a view of a world along: its loss, the command and the Python that make it, its arrays and tables."""
+
+from __future__ import annotations
+
+import numpy as np
+import streamlit as st
+from streamlit.delta_generator import DeltaGenerator
+
+from app.components.copy import copy_button
+from app.session import link, store
+from app.session.url import query_of
+from app.view import compute
+from app.view.export import downloads, reading, settings_on_disk
+from app.view.subjects import View
+from app.worlds import sources
+from app.worlds.actions import world_name
+
+TOO_LONG = "This view is too long for a link; download the world to keep it."
+
+
+def footer(view: View) -> None:
+    regret, words, copying, download = st.columns([3, 1, 0.8, 0.9], vertical_alignment="center")
+    regret.caption(_loss(view) if link.fits(query_of(store.chosen())) else TOO_LONG)
+    reading(words)
+    _copying(copying, view)
+    downloads(download, view)
+
+
+def _loss(view: View) -> str:
+    lost = compute.episode_regrets(view)
+    if lost is None or not len(lost):
+        return ""
+    found = compute.study_for(view)
+    whole = int(np.clip(round(float(found.horizons[compute.row_of(view)])), 1, len(lost)))
+    loss = lost[whole - 1] if lost[whole - 1] > 1e-6 else 0.0  # below that it is a near tie
+    length = f"{whole} step" + ("s" if whole > 1 else "")
+    free = " (without the noise)" if view.settings.noise else ""
+    constant = " with T at every step" if view.settings.deadline == "constant" else ""
+    return f"Acting by these values{free}{constant} for an episode of {length} loses {loss:.3g} against the best."
+
+
+def _copying(place: DeltaGenerator, view: View) -> None:
+    box = place.popover("Copy", width="stretch", on_change="rerun", key="copying")
+    if not box.open:
+        return
+    with box:
+        file = settings_on_disk(view).world
+        copy_button("Copy as command", settings_on_disk(view).to_command("view.npz"), "command")
+        copy_button("Copy as Python", python_of(view), "python")
+        if view.learner is not None:
+            mean = " The command shows the first learner, not the mean of all." if view.learner.index is None else ""
+            st.caption(f"Both read {file}: Download agent saves it.{mean}")
+        elif world_name() in sources.BROUGHT:
+            st.caption(f"Both read {file}, so download or keep that file beside them.")
+
+
+def python_of(view: View) -> str:
+    """A script that repeats a view."""
+    if view.learner is None:
+        brought = world_name() in sources.BROUGHT and view.world is not None
+        return view.settings.to_python(f'read_world("{view.settings.world}")' if brought else None)
+    settings = view.settings.to_python().partition("settings = Settings(")[2]
+    imports, found = "Settings", f"found = study_of(learned, settings, {view.learner.index})"
+    if view.learner.index is None:
+        imports = "Settings, study"
+        found = (
+            "tables = learned.basis[:, learned.world.state_index(settings.state)]  # a table a seed\n"
+            "found = study(learned.world, settings, learned=tables.astype(float).mean(axis=0))"
+        )
+    return "\n".join(
+        [
+            f"from laplace_core import {imports}",
+            f"from laplace_core.tabular import read_learned{'' if view.learner.index is None else ', study_of'}",
+            "",
+            f'learned = read_learned("{settings_on_disk(view).world}")',
+            "settings = Settings(" + settings.replace("found = study(world, settings)", found),
+        ]
+    )

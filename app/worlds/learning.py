@@ -1,0 +1,297 @@
+"""Learning in front of the person: its settings, its progress, and the pictures that only learning has."""
+
+from __future__ import annotations
+
+import hashlib
+
+import streamlit as st
+
+from app import session
+from app.catalogue import tabular
+from app.components.chart import chart
+from app.components.widgets import number
+from app.figures.theme import HEIGHT
+from app.session import store
+from app.view import compute, subjects
+from app.view.subjects import View
+from app.worlds import learners, sources
+from app.worlds.sources import LEARN
+from laplace_core import InputError, World, load_world
+from laplace_core.tabular import LEARN_SCHEMA, Learned, LearnSettings, learned_bytes, resolve_learning
+from laplace_core.tabular.settings import DECIDED_NAMES, ResolvedLearning
+
+_SHOWN = {
+    "episodes": "Episodes",
+    "seeds": "Learners (seeds)",
+    "seed": "First seed",
+    "max_steps": "Longest episode",
+    "starts": "Start",
+    "rate_first": "First rate",
+    "rate_half": "Rate half-life",
+    "rate_floor": "Least rate",
+    "epsilon_first": "First epsilon",
+    "epsilon_half": "Epsilon half-life",
+    "epsilon_floor": "Least epsilon",
+    "peers": "Also learn the four other codes of the return",
+}
+
+LARGE = 500_000
+"""Numbers in a learner's table beyond which pictures of its earlier snapshots are not kept."""
+LEARN_DEFAULTS = resolve_learning(LearnSettings(), load_world("two_branch"))
+
+
+def source_group(world: World) -> None:
+    """Exact or learned; and how it is learned."""
+    key = store.show("source", "exact")
+    st.segmented_control("Gamma-space", ("exact", "learned"), key=key, on_change=store.keep, args=(key,), required=True,
+                         help="Solved exactly, or learned from sampled episodes in front of you.")  # fmt: skip
+    if store.chosen().get("source") != "learned":
+        return
+    if "agent" in store.chosen():
+        st.caption(f"Learned before, in {agent_title(str(store.chosen()['agent']))}.")
+        st.button("Learn anew instead", on_click=store.choose, args=("agent", None), width="stretch")
+        return
+    refused = None
+    try:
+        wanted = learning_of(world)
+    except InputError as error:
+        refused, wanted = str(error), LEARN_DEFAULTS  # what was set by hand is shown, and can be set right
+        st.error(refused)
+    box = st.expander("How it learns", key="how", on_change="rerun")
+    if box.open:
+        with box:
+            columns = st.columns(2)
+            for i, (name, title) in enumerate(_SHOWN.items()):
+                parameter = next(p for p in LEARN_SCHEMA if p.name == name)
+                with st.container() if parameter.type is bool else columns[i % 2]:
+                    number(LEARN + name, parameter, getattr(wanted, name), title)
+    going = None if refused else _runs().get(_key(world, wanted))
+    busy = bool(refused) or (going is not None and going.running)
+    st.button("Learn", on_click=_begin, args=(world,), type="primary", width="stretch", disabled=busy)
+
+
+def agent_title(agent: str) -> str:
+    return "the file that you opened" if agent in tabular.opened_agents() else agent.replace("_", " ")
+
+
+def learning_of(world: World, values: subjects.Values | None = None) -> ResolvedLearning:
+    """What would be learned in a view, by default the present one: the learner's settings, its discounts and policy.
+
+    Raises:
+        InputError: settings that do not fit the world.
+    """
+    values = store.chosen() if values is None else values
+    given = {name: values[name] for name in DECIDED_NAMES if name in values}
+    given |= {name.removeprefix(LEARN): value for name, value in values.items() if name.startswith(LEARN)}
+    return resolve_learning(LearnSettings(**given), world)
+
+
+def _key(world: World, wanted: LearnSettings, values: subjects.Values | None = None) -> str:
+    """Names a run in the session and in the link."""
+    values = store.chosen() if values is None else values
+    what = (world.source, world.params, values.get("own"), values.get("timeline"), wanted)
+    return hashlib.sha256(repr(what).encode()).hexdigest()[:10]
+
+
+def _begin(world: World) -> None:
+    """Callback: (re)start the run of the present settings."""
+    try:
+        key = _key(world, learning_of(world))
+    except InputError:  # said beside the button already
+        return
+    _runs().again(key)
+    store.choose("run", key)
+
+
+def _runs() -> learners.Runs:
+    return session.part(learners.Runs)
+
+
+def current(world: World) -> tuple[Learned | None, learners.Watched | None]:
+    """What was learned, or is being learned, for what the page shows; nothing under an exact gamma-space."""
+    values = store.chosen()
+    if values.get("source") != "learned":
+        return None, None
+    if "agent" in values:
+        opened = tabular.agent(str(values["agent"]))
+        if sources.fits(opened, world):
+            return sources.about(opened, world), None
+        store.choose("agent", None)
+        st.toast("The agent learned another world, and was closed.")
+    try:
+        wanted = learning_of(world)
+    except InputError:  # said where the settings are
+        return None, None
+    key = _key(world, wanted)
+    watched = _runs().get(key)
+    if watched is None and values.get("run") == key:
+        watched = _runs().begin(key, world, wanted)
+    if watched is None:
+        return None, None
+    found = watched.learned()
+    if found is not None and watched.running and found.basis.size > LARGE:
+        compute.forget()
+    return None if found is None else sources.about(found, world), watched
+
+
+def at_work() -> bool:
+    """Whether a run of this session is going on, shown or pinned."""
+    return _runs().running
+
+
+def learned_in(values: subjects.Values, world: World) -> tuple[Learned | None, bool]:
+    """What was learned for a pinned view, and whether it is still to come.
+
+    A run that this session does not have is learned again, from its seed, while no other one is at work.
+
+    Raises:
+        InputError: an agent that is not here, or a run that ended before anything was learned.
+    """
+    if values.get("source") != "learned":
+        return None, False
+    if "agent" in values:
+        opened = tabular.agent(str(values["agent"]))
+        return (sources.about(opened, world) if sources.fits(opened, world) else None), False
+    wanted = learning_of(world, values)
+    key = _key(world, wanted, values)
+    if values.get("run") != key:
+        return None, False
+    watched = _runs().get(key)
+    if watched is None:
+        if _runs().running:
+            return None, True
+        watched = _runs().begin(key, world, wanted)
+    found = watched.learned()
+    if found is None and not watched.running:
+        raise InputError("its learning ended before anything was learned.")
+    return (None, True) if found is None else (sources.about(found, world), False)
+
+
+def strip(view: View, watched: learners.Watched | None) -> None:
+    """Between the verdict and the pictures: how far learning is."""
+    if store.chosen().get("source") != "learned":
+        return
+    with st.container(key="learning_strip"):
+        text, button, seed, save = st.columns([3, 1, 1.2, 1.2], vertical_alignment="center")
+        with text:
+            _told(view, watched)
+        learner = view.learner
+        if watched is None and learner is None:
+            button.button("Learn now", on_click=_begin, args=(view.world,), type="primary", width="stretch")
+        if watched is not None and watched.running:
+            button.button("Cancel", on_click=_cancel, args=(watched,), width="stretch")
+        if learner is None:
+            return
+        if len(learner.learned.basis) > 1:
+            with seed:
+                _which(learner.learned)
+        if watched is None or not watched.running:
+            save.download_button(
+                "Download agent", lambda: learned_bytes(learner.learned), mime="application/octet-stream",
+                file_name=f"{subjects.plain_name(learner.world)}_td.safetensors", width="stretch", on_click="ignore",
+            )  # fmt: skip
+
+
+def _cancel(watched: learners.Watched) -> None:
+    """Callback: stop; a link no longer asks for the whole run."""
+    watched.cancel()
+    store.choose("run", None)
+
+
+def _told(view: View, watched: learners.Watched | None) -> None:
+    if watched is None:
+        if view.learned is None:
+            st.info("Nothing is learned with these settings yet: the pictures are exact.")
+        else:
+            shown = view.learned.settings
+            who = f"each of {shown.seeds} learners" if shown.seeds > 1 else "one learner"
+            st.caption(f"Learned in {shown.episodes:,} episodes by {who}, policy {shown.policy}.")
+        return
+    if watched.error:
+        st.error(watched.error)
+        return
+    told = watched.progress()
+    if told is None and not watched.running:
+        st.info("Cancelled before anything was learned: the pictures are exact.")
+        return
+    if told is None:
+        st.progress(0.0, "Waiting for a free place: other learners are running." if watched.waiting else "Starting ...")
+        return
+    share = told["episodes"] / told["of"]
+    if view.learned is None:
+        assert view.world is not None  # a run learns of a world
+        seeds = learning_of(view.world).seeds
+    else:
+        seeds = view.learned.settings.seeds
+    each = f" by each of {seeds} learners" if seeds > 1 else ""
+    words = [f"{told['episodes'] // seeds:,} of {told['of'] // seeds:,} episodes{each}"]
+    words.append(f"{told['steps_per_second']:,} steps/s")
+    if told["error"] is not None:
+        words.append(f"error {_percent(told['error'])} of the range")
+    if watched.running and told["eta"] is not None:
+        words.append(f"{told['eta']:.0f} s left")
+    elif not told["finished"]:
+        words.insert(0, "cancelled at")
+    st.progress(min(1.0, share), " · ".join(words))
+
+
+def _percent(share: float) -> str:
+    if share < 1e-6:
+        return "below 0.0001%"
+    return f"{100 * share:.0f}%" if share >= 0.0995 else f"{100 * share:.2g}%"
+
+
+def _which(learned: Learned) -> None:
+    options = ["mean", *(str(i) for i in range(len(learned.basis)))]
+    key = store.show("learner", "mean")
+    st.selectbox(
+        "Learner shown", options, key=key, on_change=store.keep, args=(key,), label_visibility="collapsed",
+        format_func=lambda word: "mean of all" if word == "mean" else f"seed {learned.seeds[int(word)]}",
+    )  # fmt: skip
+
+
+def pictures(view: View) -> None:
+    """Under the lens: the learning curve, what the learners agree on, the codes of the return."""
+    if view.learned is None:
+        return
+    name = view.subject.action_names[view.action]
+    row = st.columns(3, gap="small")
+    with row[0]:
+        alt = "Error of the learned gamma-space and return over episodes, a line a seed."
+        chart(compute.learning_figure("curve", view), "curve", alt, HEIGHT, revision=view.settings.world)
+    with row[1]:
+        alt = f"Probability of each reward after {name} over future steps: the range over all seeds, the truth dotted."
+        chart(
+            compute.learning_figure("probabilities", view), "probabilities", alt, HEIGHT, revision=view.settings.world
+        )
+    with row[2]:
+        if view.learned.peers is None:
+            st.html('<div class="panel-title">return: four codes and the truth</div>')
+            st.caption(
+                "Categorical, quantile, expectile and plain Q can learn from the same transitions; they stand here "
+                "beside the true return then."
+            )
+            st.button("Learn them too", on_click=_with_peers, args=(view.world,))
+        else:
+            alt = f"Cumulated distribution of the return after {name}: four codes and the true one."
+            chart(compute.learning_figure("returns", view), "returns", alt, HEIGHT, revision=view.settings.world)
+    if len(view.learned.basis) > 1:
+        _over_seeds(view, name)
+
+
+def _over_seeds(view: View, name: str) -> None:
+    """What the learners agree on beside the probabilities: values and choices, rewards and survival."""
+    left, right = st.columns([1.4, 1], gap="small")
+    with left:
+        alt = "Value of each action over the horizon: the range over all seeds, and which share of them chooses each."
+        chart(compute.learning_figure("values", view), "values", alt, HEIGHT, revision=view.settings.world)
+    with right:
+        alt = f"Expected reward and survival of {name} over future steps: the range over all seeds."
+        chart(compute.learning_figure("rewards", view), "rewards", alt, HEIGHT, revision=view.settings.world)
+
+
+def _with_peers(world: World) -> None:
+    store.choose("agent", None)
+    store.choose(f"{LEARN}peers", True)
+    _begin(world)
+    store.refresh_sidebar()

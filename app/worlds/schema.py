@@ -1,0 +1,156 @@
+"""What the link of the Worlds page may hold, and the view that is pinned in it."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+
+from app.catalogue import tabular
+from app.session.link import unpack
+from app.session.url import Check, Entries, Schema, Values, by_name
+from app.view.schema import ACTION, LOOK, OLD_SWITCHES
+from app.view.subjects import PARAM
+from app.worlds import sources
+from app.worlds.sources import LEARN
+from laplace_core import InputError, Settings
+from laplace_core.parameters import Parameter
+from laplace_core.study.pipeline import grids
+from laplace_core.study.settings import BY_NAME, resolve
+from laplace_core.tabular import LEARN_SCHEMA
+from laplace_core.worlds import parameters_of
+
+OPENING = {"world": sources.FIRST_WORLD, "normalise": "paper"}
+"""The paper's Fig. 4c: what a visitor without a link sees."""
+
+WORLD = (
+    Parameter("world", OPENING["world"], help="What is looked at.", kind=str),
+    Parameter(sources.OWN, None, help="Your own world, packed.", kind=str),
+    Parameter(sources.TIMELINE, None, help="Your own timeline, packed.", kind=str),
+    Parameter(sources.DATA, None, help="Your own gamma-space, by the digest of its file.", kind=str),
+)
+"""What decides which other entries there are."""
+
+VIEW = (
+    ACTION,
+    LOOK,
+    Parameter(
+        "compare", "tau-space", help="Which space A and B are compared in.", choices=("tau-space", "gamma-space")
+    ),
+    Parameter("source", "exact", help="Whether gamma-space is exact or learned.", choices=("exact", "learned")),
+    Parameter("agent", None, help="An agent that learned before.", kind=str),
+    Parameter("run", None, help="The run of learning that is looked at.", kind=str),
+    Parameter("learner", "mean", help="The learner shown, or the mean of all.", choices=("mean", *"01234567")),
+    Parameter("edit", "no", help="Whether the world is open as a table.", choices=("no", "yes")),
+)
+"""How it is looked at, beside the settings of the study."""
+
+PIN = Parameter("pin", None, help="The view pinned as A, packed.", kind=str)
+
+
+def _is_listed(values: Values) -> None:
+    world = str(values["world"])
+    if world not in (*sources.WORLDS, *sources.BROUGHT) or (world in sources.BROUGHT and world not in values):
+        raise InputError(f"The link asks for an unknown world, {world[:40]!r}; this is the opening view instead.")
+
+
+def _was_brought_whole(values: Values) -> None:
+    if values["world"] in sources.BROUGHT:
+        sources.world_of(values)
+
+
+def _can_be_made(values: Values) -> None:
+    sources.world_of(values)
+
+
+def _agent_is_here(values: Values) -> None:
+    if "agent" in values:
+        tabular.agent(str(values["agent"]))
+
+
+def _pin_holds(values: Values) -> None:
+    if "pin" in values:
+        unpinned(values["pin"])
+
+
+def _has_state(values: Values) -> None:
+    world = sources.world_of(values)
+    if world is not None:
+        _is_one_of("state", world.states, values)
+
+
+def _has_action(values: Values) -> None:
+    world = sources.world_of(values)
+    if world is not None:
+        _is_one_of("action", world.actions, values)
+
+
+def _is_one_of(name: str, members: tuple[str, ...], values: Values) -> None:
+    if name in values and values[name] not in members:
+        raise InputError(f"{name} {str(values[name])[:40]!r} is not in {values['world']}.")
+
+
+def _grids_fit(values: Values) -> None:
+    world = sources.world_of(values)
+    if world is not None:
+        given = {name: value for name, value in values.items() if name in BY_NAME}
+        grids(resolve(Settings(world=values["world"], **given), world))
+
+
+def _file_is_open(values: Values) -> None:
+    if "data" in values and values["data"] not in sources.gamma_space_files():
+        raise InputError(sources.DATA_IS_GONE)
+
+
+_ENTRIES = (
+    Entries(by_name(*WORLD)),
+    Check(_is_listed, lead=""),
+    Entries(
+        lambda values: by_name(*parameters_of(values["world"])),
+        prefix=PARAM,
+        owner=lambda values: str(values["world"]),
+    ),
+    Entries({**BY_NAME, **by_name(*VIEW)}),
+    Entries(by_name(*LEARN_SCHEMA), prefix=LEARN),
+)
+_CHECKS = (
+    Check(_agent_is_here, drops=("agent",)),
+    Check(_was_brought_whole),
+    Check(_can_be_made, drops=(f"{PARAM}*",)),
+    Check(_has_state, drops=("state",)),
+    Check(_has_action, drops=("action",)),
+    Check(_grids_fit, drops=("gamma*", "theta*")),
+)
+PINNED = Schema(
+    opening=lambda: OPENING,
+    assumed=lambda: {"world": OPENING["world"]},
+    old=OLD_SWITCHES,
+    steps=(*_ENTRIES, *_CHECKS),
+)
+"""A view that is pinned: it holds no other pinned view."""
+
+LINK = replace(
+    PINNED,
+    steps=(
+        *_ENTRIES,
+        Entries(by_name(PIN)),
+        *_CHECKS,
+        Check(_pin_holds, drops=("pin",)),
+        Check(_file_is_open, lead=""),  # a link carries no file: it has to be open in this session
+    ),
+)
+
+
+def unpinned(word: str) -> Values:
+    """The values of a pinned view.
+
+    Raises:
+        InputError: not a pinned view.
+    """
+    try:
+        query = {str(name): str(value) for name, value in json.loads(unpack(word)).items() if name != "pin"}
+    except (ValueError, AttributeError, RecursionError):
+        raise InputError("the link holds no pinned view; copy it again in full.") from None
+    values, notes = PINNED.read(query)
+    if notes:
+        raise InputError(f"the pinned view does not hold: {notes[0]}")
+    return values

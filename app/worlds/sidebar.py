@@ -1,0 +1,55 @@
+"""The sidebar of the pages that show a world: what is looked at, and how it was learned."""
+
+from __future__ import annotations
+
+import streamlit as st
+
+from app.session import store
+from app.view.subjects import View
+from app.worlds import actions, bring, controls, learning, sources
+from app.worlds.schema import LINK, OPENING
+from laplace_core import InputError
+
+
+def begin() -> bool:
+    """The top of a page that shows a world: its state, notes and sidebar; whether there is a view to draw."""
+    store.open_page("worlds", LINK)
+    with st.sidebar:
+        return _groups() is not None
+
+
+def _groups() -> View | None:
+    """All groups of controls; None if what is set by hand makes no view, which is said."""
+    st.html('<div class="brand">Laplace code workbench</div>')
+    controls.world_group()
+    try:
+        world = sources.world_of(store.chosen())
+        if world is not None:
+            actions.drop_missing(world)
+        learned, _ = learning.current(world) if world is not None else (None, None)
+        view = sources.view_of(store.chosen(), learned)
+    except InputError as error:
+        st.error(str(error))
+        undo_button()
+        st.button("Back to the opening view", on_click=actions.go_to, kwargs=OPENING)
+        return None
+    if world is None:
+        file = sources.gamma_space_files()[str(store.chosen()["data"])]
+        space = view.subject.gamma_space
+        if space is not None:
+            st.caption(f"{file.name}: {len(space.gammas)} discounts, {len(space.thetas)} sensitivities")
+        controls.state_of_file(file.states)
+    else:
+        controls.state_group(world, view.settings)
+        learning.source_group(world)
+    bring.open_group(world)
+    grids = st.expander("Discounts, sensitivities, policy", key="learning", on_change="rerun")
+    if grids.open:
+        with grids:
+            controls.grid_group(view.settings, decided="agent" in store.chosen())
+    st.button("Reset world and settings", on_click=actions.reset, width="stretch")
+    return view
+
+
+def undo_button() -> None:
+    st.button("Undo the last change", on_click=store.undo)

@@ -1,0 +1,181 @@
+"""What can be looked at: the listed worlds, and what a person brings along."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from functools import lru_cache
+from typing import Any
+
+from app import session
+from app.session.link import pack, unpack
+from app.view.subjects import PARAM, Exact, FromFile, Learner, Subject, Values, View, plain_name
+from laplace_core import (
+    PRESETS,
+    InputError,
+    Settings,
+    World,
+    load_world,
+)
+from laplace_core.study.npz import read_gamma_space, states_of
+from laplace_core.study.settings import BY_NAME, ENCODING_NAMES, Resolved, resolve, resolve_for_gamma_space
+from laplace_core.tabular import Learned
+from laplace_core.tabular.reading import study_settings
+from laplace_core.worlds import TOY_TEXT, dump_world, parse_world, timeline_world
+
+WORLDS = (*PRESETS, *(f"gym:{name}" for name in TOY_TEXT))
+FIRST_WORLD = "two_branch"
+OWN, TIMELINE, DATA = "own", "timeline", "data"
+BROUGHT = (OWN, TIMELINE, DATA)
+DATA_IS_GONE = (
+    "The link shows a gamma-space from a file, which stays with the person who opened it: open the file again."
+)
+LEARN = "l."
+"""Prefix of the settings of learning, in the session and in the URL."""
+
+
+def packed_timeline(rows: list[dict], rest: str) -> str:
+    return pack(json.dumps({"rest": rest, "rows": [[row.get(name) for name in TIMELINE_COLUMNS] for row in rows]}))
+
+
+TIMELINE_COLUMNS = ("action", "tau", "reward", "probability")
+_FIRST_ROWS = [("now", 0, 5.0, 1.0), ("later", 3, 3.0, 0.6), ("later", 8, 10.0, 0.8)]
+FIRST_TIMELINE = packed_timeline([dict(zip(TIMELINE_COLUMNS, row, strict=True)) for row in _FIRST_ROWS], "zero")
+
+
+def timeline_rows_of(word: str) -> tuple[list[dict], str]:
+    """Rows and what the rest of a step does, from a packed timeline.
+
+    Raises:
+        InputError: not a packed timeline.
+    """
+    try:
+        told = json.loads(unpack(word))
+        rows = [dict(zip(TIMELINE_COLUMNS, row, strict=True)) for row in told["rows"]]
+        return rows, str(told["rest"])
+    except (ValueError, TypeError, KeyError, RecursionError):
+        raise InputError("the link holds no timeline; copy it again in full.") from None
+
+
+@lru_cache(maxsize=16)
+def _timeline(word: str) -> World:
+    return timeline_world(*timeline_rows_of(word))
+
+
+@lru_cache(maxsize=16)
+def own_world(word: str) -> World:
+    return parse_world(unpack(word))
+
+
+def world_of(values: Values) -> World | None:
+    """The world of a view; None where there is only a gamma-space.
+
+    Raises:
+        InputError: the values name no world that exists.
+    """
+    name = str(values.get("world", FIRST_WORLD))
+    if name == DATA:
+        return None
+    if name in (OWN, TIMELINE):
+        return (own_world if name == OWN else _timeline)(str(values.get(name, "")))
+    return load_world(name, {key.removeprefix(PARAM): v for key, v in values.items() if key.startswith(PARAM)})
+
+
+@dataclass(frozen=True)
+class GammaSpaceFile:
+    """An uploaded ``.npz``, checked, and how many states it holds."""
+
+    name: str
+    data: bytes
+    states: int
+
+
+def gamma_space_files() -> Mapping[str, GammaSpaceFile]:
+    """The gamma-space that this session has opened, by digest; one at a time."""
+    return session.opened(GammaSpaceFile)
+
+
+def open_gamma_space(name: str, data: bytes) -> str:
+    """Check an uploaded gamma-space and keep it for this session; returns its digest.
+
+    Raises:
+        InputError: not such a file.
+    """
+    read_gamma_space(data, name=name)
+    return session.keep_opened(GammaSpaceFile(name, data, states_of(data, name=name)), data)
+
+
+@lru_cache(maxsize=8)
+def _from_file(data: bytes, state: str | None) -> FromFile:
+    return FromFile(read_gamma_space(data, state))
+
+
+def world_values(world: World) -> dict[str, Any]:
+    """The values that make a page show this world, whether it has a name here or not."""
+    if world.source in WORLDS:
+        return {"world": world.source, **{PARAM + name: value for name, value in world.params}}
+    return {"world": OWN, OWN: pack(dump_world(world))}
+
+
+@lru_cache(maxsize=16)
+def about(learned: Learned, world: World) -> Learned:
+    """The same tables about the world object that the page holds, so that what is cached per world is found again."""
+    return replace(learned, world=world)
+
+
+@lru_cache(maxsize=16)
+def fits(learned: Learned, world: World) -> bool:
+    """Whether an agent from a file learned this very world."""
+    return dump_world(learned.world) == dump_world(world)
+
+
+@lru_cache(maxsize=32)
+def learner(world: World, learned: Learned, index: int | None) -> Learner:
+    """The same object for the same words, so that what is cached per learner is found again."""
+    return Learner(world, learned, index)
+
+
+def view_of(values: Values, learned: Learned | None = None) -> View:
+    """What a set of values shows: exact, or as it was learned.
+
+    Raises:
+        InputError: values that do not fit each other.
+    """
+    world = world_of(values)
+    given = {name: value for name, value in values.items() if name in BY_NAME}
+    subject: Subject
+    settings: Resolved
+    if world is None:
+        file = gamma_space_files().get(str(values.get("data", "")))
+        if file is None:
+            raise InputError(DATA_IS_GONE)
+        state = given.get("state")
+        subject = opened = _from_file(file.data, None if state is None else str(state))
+        given = {name: value for name, value in given.items() if name not in ENCODING_NAMES}
+        settings = resolve_for_gamma_space(Settings(world=file.name, **given), opened.gamma_space.gammas)
+    else:
+        params = tuple(sorted((k.removeprefix(PARAM), v) for k, v in values.items() if k.startswith(PARAM)))
+        wanted = Settings(world=world.source or file_name(world), params=params, **given)
+        subject = Exact(world)
+        if learned is not None:
+            wanted = replace(wanted, paper_grid=None)  # it learned at its own discounts
+            wanted = study_settings(learned.settings, wanted)
+            subject = learner(world, learned, _shown_seed(values, learned))
+        settings = resolve(wanted, world)
+    names = subject.action_names
+    action = names.index(values["action"]) if values.get("action") in names else 0
+    return View(subject, settings, action)
+
+
+def _shown_seed(values: Values, learned: Learned) -> int | None:
+    seeds = len(learned.basis)
+    shown = str(values.get("learner", "mean"))
+    if seeds == 1:
+        return 0
+    return min(int(shown), seeds - 1) if shown.isdecimal() else None
+
+
+def file_name(world: World) -> str:
+    """What the file of a world that somebody brought or edited is called."""
+    return f"{plain_name(world)}.json"

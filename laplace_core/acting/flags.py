@@ -1,0 +1,63 @@
+"""Which artefacts each step of a rollout has, in the tau-space of the action that was taken."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from laplace_core.acting.rollout import Rollout
+from laplace_core.code.interpolation import with_added
+from laplace_core.study.artefacts import LISTED, find_artefacts
+from laplace_core.study.pipeline import study_of_gamma_space
+from laplace_core.study.settings import Settings
+
+
+@dataclass(frozen=True, eq=False)
+class Flags:
+    """Artefacts by name, each with the steps that have it.
+
+    Attributes:
+        names: of those that are anywhere, the gravest kinds first.
+        marks: bool ``(N, len(names))``.
+    """
+
+    names: tuple[str, ...]
+    marks: np.ndarray
+
+    @property
+    def begins(self) -> np.ndarray:
+        """``(N,)``: steps with an artefact that the step before has not."""
+        before = np.vstack([np.zeros_like(self.marks[:1]), self.marks[:-1]])
+        return (self.marks & ~before).any(axis=1)
+
+
+def flag_steps(
+    rollout: Rollout, settings: Settings, added: int = 0, told: Callable[[int, int], None] | None = None
+) -> Flags:  # fmt: skip
+    """Look for artefacts at every step, by the same measures and from the same level on as anywhere else.
+
+    A network has no truth beside it: what is found is what shows in the data alone.
+
+    Args:
+        settings: of the inverse and the reading.
+        added: interpolated discounts in every gap.
+        told: hears how many steps are done, of how many; what it raises ends the search.
+
+    Raises:
+        InputError: the agent has no gamma-space, or the settings do not fit it.
+    """
+    found = np.zeros((len(rollout), len(LISTED)), dtype=bool)
+    order = {name: i for i, name in enumerate(LISTED)}
+    for step, action in enumerate(rollout.actions):
+        space = rollout.space(step)
+        # The inverse treats every action by itself.
+        alone = replace(space, values=space.values[[action]], constant=space.constant[[action]])
+        study = study_of_gamma_space(with_added(alone, added), settings, own_convention=False)
+        for artefact in find_artefacts(study, 0, searching=False):
+            found[step, order[artefact.name]] = True
+        if told is not None:
+            told(step + 1, len(rollout))
+    there = np.asarray(found.any(axis=0))
+    return Flags(tuple(name for name, seen in zip(LISTED, there, strict=True) if seen), found[:, there])

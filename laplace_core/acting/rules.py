@@ -1,0 +1,210 @@
+"""Rules of control: how an agent that knows values for many discounts acts when an episode ends after T steps.
+
+A rule is a function of the agent, of the length of the episode and of :class:`Options`, and returns what is asked at
+every step: a function from observations ``(B, O)`` and the step t, from 0, to the values of all actions ``(B, A)``, the
+best of which is taken. T - t steps are to go.
+
+To add a rule, write one more such function and its entry in ``RULES``; the command line, rollouts, races and
+evaluations follow. What the page calls it is a row of ``app.agents.episode.TITLES``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+
+import numpy as np
+
+from laplace_core.agents.agent import Agent
+from laplace_core.agents.capabilities import HasDiscounts, HasGammaSpace, HasTimeToGo
+from laplace_core.code.gamma_space import GammaSpace
+from laplace_core.code.ties import greedy_action
+from laplace_core.errors import InputError
+from laplace_core.study.horizon import readout_weights, target_discounts
+from laplace_core.study.pipeline import decode_and_read
+from laplace_core.study.settings import Settings, resolve_for_gamma_space
+
+FADING_ALPHA = 1e-2
+"""Interpolation between neighbouring discounts is well conditioned: this only keeps rounding out."""
+
+Judge = Callable[[np.ndarray, int], np.ndarray]
+"""From observations ``(B, O)`` and the step to the values of all actions ``(B, A)``."""
+Choose = Callable[[np.ndarray, int], np.ndarray]
+"""The same to actions ``(B,)``."""
+
+
+@dataclass(frozen=True)
+class Options:
+    """What a rule may be told besides.
+
+    Attributes:
+        softness: width of the deadline as a fraction of the time to go.
+        alpha, steps: regularisation and length of the inverse; it is never shorter than the episode.
+        stretch: time constant of a fading deadline over the time to go.
+        head: another one than the acting head to be greedy at.
+    """
+
+    softness: float = 0.2
+    alpha: float = 1.0
+    steps: int = 1000
+    stretch: float = 1.5
+    head: int | None = None
+
+
+def greedy(agent: Agent, length: int | None, options: Options) -> Judge:
+    """Values at the acting discount, or at another one, whatever the time to go."""
+    head = agent.acting_head if options.head is None else options.head
+    return lambda observations, time: agent.action_values(observations, head)
+
+
+def matched(agent: Agent, length: int | None, options: Options) -> Judge:
+    """Values at one trained discount: that whose time constant -1 / log gamma is nearest to the time to go.
+
+    Nearest in the logarithm; of two as near, the shorter.
+    """
+    gammas, length = _discounts(agent, length, "matched")
+    left = np.arange(1, length + 1)
+    heads = np.abs(np.log(left[:, None]) + np.log(-np.log(gammas))).argmin(axis=1)  # row T - 1 is for T steps to go
+    return lambda observations, time: agent.action_values(observations, int(heads[length - time - 1]))
+
+
+def readout(agent: Agent, length: int | None, options: Options) -> Judge:
+    """The values of all discounts, weighed for the time to go by :func:`laplace_core.study.horizon.readout_weights`."""
+    gammas, length = _discounts(agent, length, "readout")
+    acting, steps = float(gammas[agent.acting_head]), max(options.steps, length)
+    wanted = [target_discounts(left, steps, acting, options.softness) for left in range(1, length + 1)]
+    return _by_weights(agent, readout_weights(gammas, np.array(wanted), options.alpha), length)
+
+
+def fading(agent: Agent, length: int | None, options: Options) -> Judge:
+    """A deadline that fades: a reward at tau counts exp(-tau / (stretch * time to go)), no more than gamma^tau allows.
+
+    The edge of a deadline is what a gamma-space knows least about, and its weights multiply the noise of the values
+    by their norm, |w|. An exponential lies between the discounts that were learned, so |w| stays at 1 or below. Where
+    stretch * time to go exceeds the time constant of the acting discount, this is ``greedy``.
+    """
+    gammas, length = _discounts(agent, length, "fading")
+    acting, left = agent.acting_head, np.arange(1, length + 1)
+    constants = np.minimum(options.stretch * left, -1.0 / np.log(gammas[acting]))
+    wanted = np.exp(-np.arange(max(options.steps, length)) / constants[:, None])
+    weights = readout_weights(gammas, wanted, FADING_ALPHA)
+    weights[options.stretch * left >= -1.0 / np.log(gammas[acting])] = np.eye(len(gammas))[acting]
+    return _by_weights(agent, weights, length)
+
+
+def _by_weights(agent: Agent, weights: np.ndarray, length: int) -> Judge:
+    """sum_g w_g Q_g, where row T - 1 of the weights ``(length, G)`` is for T steps to go."""
+    return lambda observations, time: np.einsum(
+        "bga,g->ba", agent.action_values(observations), weights[length - time - 1]
+    )
+
+
+def decoded(agent: Agent, length: int | None, options: Options) -> Judge:
+    """The same as ``readout`` through the tau-space, slowly."""
+    gammas, length = _discounts(agent, length, "decoded")
+    chosen = Settings(
+        alpha=options.alpha, steps=max(options.steps, length), time_step=1.0, normalise="none",
+        acting_gamma=float(gammas[agent.acting_head]), softness=options.softness,
+    )  # fmt: skip
+    settings = resolve_for_gamma_space(chosen, gammas)
+
+    def judge(observations: np.ndarray, time: int) -> np.ndarray:
+        assert isinstance(agent, HasGammaSpace)  # its discounts were asked for
+        found = zip(*agent.gamma_spaces(observations), strict=True)
+        spaces = [GammaSpace(values, constant, gammas, agent.thetas, open_ends=True) for values, constant in found]
+        return np.array([decode_and_read(one, settings).horizon_values[:, length - time - 1] for one in spaces])
+
+    return judge
+
+
+def own(agent: Agent, length: int | None, options: Options) -> Judge:
+    """Values for the time to go, of an agent that has learned it; beyond its longest one, for that."""
+    if not isinstance(agent, HasTimeToGo):
+        raise InputError("rule 'own' needs an agent that takes the time to go as an input: train fixed_horizon.")
+    longest = agent.horizon
+    return lambda observations, time: agent.action_values(
+        observations, min(longest, longest if length is None else length - time) - 1
+    )
+
+
+@dataclass(frozen=True)
+class Rule:
+    """A rule of control. Called with an agent, the length of an episode and :class:`Options`, it takes the best action.
+
+    Attributes:
+        values: what is asked at every step.
+        suits: whether an agent has learned enough for it.
+        for_deadline: whether it acts for the T of an episode; else T changes nothing.
+        options: names of the :class:`Options` that it hears, besides ``steps`` and ``head``.
+    """
+
+    values: Callable[[Agent, int | None, Options], Judge]
+    suits: Callable[[Agent], bool]
+    for_deadline: bool = True
+    options: tuple[str, ...] = ()
+
+    def __call__(self, agent: Agent, length: int | None, options: Options) -> Choose:
+        judge = self.values(agent, length, options)
+        return lambda observations, time: greedy_action(judge(observations, time))
+
+
+def _has_discounts(agent: Agent) -> bool:
+    return isinstance(agent, HasDiscounts)
+
+
+def _has_gamma_space(agent: Agent) -> bool:
+    return isinstance(agent, HasGammaSpace)
+
+
+def _has_time_to_go(agent: Agent) -> bool:
+    return isinstance(agent, HasTimeToGo)
+
+
+RULES: dict[str, Rule] = {
+    "greedy": Rule(greedy, lambda agent: True, for_deadline=False),
+    "matched": Rule(matched, _has_discounts),
+    "fading": Rule(fading, _has_discounts, options=("stretch",)),
+    "readout": Rule(readout, _has_discounts, options=("softness", "alpha")),
+    "decoded": Rule(decoded, _has_gamma_space, options=("softness", "alpha")),
+    "own": Rule(own, _has_time_to_go),
+}
+
+
+def rules_of(agent: Agent) -> tuple[str, ...]:
+    """Names of the rules that an agent has learned enough for, that which suits it first."""
+    found = tuple(name for name, rule in RULES.items() if rule.suits(agent))
+    return ("own", *(name for name in found if name != "own")) if "own" in found else found
+
+
+def check_rule_options(rule: str, given: Iterable[str]) -> None:
+    """Refuse an option that a rule would not hear; a rule that does not exist is refused elsewhere.
+
+    Raises:
+        InputError: naming the option and the rules that take it.
+    """
+    for name in given if rule in RULES else ():
+        if name not in RULES[rule].options:
+            takers = " and ".join(taker for taker, other in RULES.items() if name in other.options)
+            raise InputError(f"--{name} changes nothing under the rule {rule[:40]!r}: it is of {takers}.")
+
+
+def suited(agent: Agent, horizon: int | None) -> str:
+    """The rule by which an agent acts for a horizon if none is named."""
+    if horizon is None:
+        return "greedy"
+    if isinstance(agent, HasTimeToGo):
+        return "own"
+    return "fading" if isinstance(agent, HasDiscounts) else "greedy"
+
+
+def _discounts(agent: Agent, length: int | None, rule: str) -> tuple[np.ndarray, int]:
+    """Discounts of the agent, and the length of an episode.
+
+    Raises:
+        InputError: it has one discount only, or the episode has no end to go to.
+    """
+    if not isinstance(agent, HasDiscounts):
+        raise InputError(f"rule {rule!r} needs an agent with many discounts.")
+    if length is None:
+        raise InputError(f"rule {rule!r} needs a horizon here: the environment has no time limit.")
+    return agent.gammas, length

@@ -1,0 +1,142 @@
+"""Decoded timelines against simulated ones: expected reward, survival, how far tau-space is off, and calibration.
+
+Rewards are seen through the agent's own activation: what it learned is E f_h(r), and a threshold that a reward meets
+exactly is passed by half of it. Everything is decoded with whole steps and without rescaling.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import torch
+
+from laplace_core.acting.continuations import Calibration, Continuations, Outcomes, calibration, standard_error
+from laplace_core.agents.agent import Agent
+from laplace_core.agents.capabilities import HasGammaSpace
+from laplace_core.code.encoding import area_around_zero, reward_distance
+from laplace_core.code.gamma_space import GammaSpace, bin_differences, bin_values
+from laplace_core.errors import InputError
+from laplace_core.inverse import decode
+from laplace_core.study.horizon import expected_rewards
+
+
+@dataclass(frozen=True, eq=False)
+class Empirical:
+    """The timeline of ``count`` simulations on K steps; means with their standard errors.
+
+    Attributes:
+        tails: ``(K, H)``, E f_h(r_tau) over those alive: what a perfect tau-space sums up to.
+        reward, reward_error: ``(K,)``, E[r_tau], in units of reward.
+        survival, survival_error: ``(K,)``, P(alive).
+        chance: ``(K,)``, the distance that a perfect tau-space has on average, because simulations are few.
+    """
+
+    count: int
+    tails: np.ndarray
+    reward: np.ndarray
+    reward_error: np.ndarray
+    survival: np.ndarray
+    survival_error: np.ndarray
+    chance: np.ndarray
+
+    @property
+    def open_tails(self) -> np.ndarray:
+        """The tails at the edges of a tau-space with open ends, ``(K, H+2)``: alive before them, nothing after."""
+        return with_ends(self.tails, self.survival)
+
+    def distance(self, tau_space: np.ndarray, thetas: np.ndarray) -> np.ndarray:
+        """W1 distance to a tau-space ``(K, H-1)``, or with open ends ``(K, H+1)``: ``(K,)``.
+
+        See :func:`laplace_core.code.encoding.reward_distance`. What lies in an open end counts at its sensitivity, so
+        that there, too, a distance is never less than the difference of the expected rewards.
+        """
+        if tau_space.shape[-1] < thetas.size:
+            return reward_distance(tau_space, self.tails, thetas)
+        return reward_distance(tau_space, self.open_tails, np.concatenate([thetas[:1], thetas, thetas[-1:]]))
+
+
+def with_ends(tails: np.ndarray, alive: np.ndarray) -> np.ndarray:
+    """P(alive), the tails, and 0, ``(..., H+2)``, from tails ``(..., H)`` and ``(...)``."""
+    return np.concatenate([alive[..., None], tails, np.zeros((*alive.shape, 1))], axis=-1)
+
+
+def empirical(agent: Agent, found: Continuations) -> Empirical:
+    """What an agent with a gamma-space should have decoded."""
+    passed = _passed(agent, found)
+    assert isinstance(agent, HasGammaSpace)  # or nothing would have passed
+    thetas = agent.thetas
+    places, ends = np.concatenate([thetas[:1], thetas, thetas[-1:]]), with_ends(passed, found.alive.astype(float))
+    # The mean of the absolute value of a normal number is sqrt(2 / pi) times its standard deviation.
+    chance = np.sqrt(2.0 / np.pi) * area_around_zero(ends[..., :1] - ends, places, standard_error)
+    return Empirical(len(passed), passed.mean(axis=0), *found.expected, *found.survival, chance)
+
+
+def _passed(agent: Agent, found: Continuations) -> np.ndarray:
+    """f_h(r) of every step of every simulation, 0 where it is over, ``(N, K, H)``.
+
+    Raises:
+        InputError: an agent without a gamma-space.
+    """
+    if not isinstance(agent, HasGammaSpace):
+        raise InputError("this agent has no gamma-space to hold against what came.")
+    with torch.no_grad():
+        passed = agent.sensitivities.tails(torch.as_tensor(found.rewards, dtype=torch.float32))[..., 1:].double()
+    return np.where(found.alive[..., None], passed.numpy(), 0.0)
+
+
+@dataclass(frozen=True, eq=False)
+class Confronted:
+    """What is simulated and what is decoded for it, on K future steps.
+
+    Attributes:
+        simulated: means over simulations, or over states.
+        reward: ``(K,)``, decoded E[r_tau], in units of reward.
+        survival: ``(K,)``, decoded probabilities.
+        distance: ``(K,)``, the W1 distance of tau-space, in units of reward.
+        calibration: of E f_h(r_tau) over those alive, over all steps and sensitivities.
+    """
+
+    simulated: Empirical
+    reward: np.ndarray
+    survival: np.ndarray
+    distance: np.ndarray
+    calibration: Calibration
+
+
+def confront(agent: Agent, space: GammaSpace, action: int, found: Continuations, *, alpha: float) -> Confronted:
+    """One state's gamma-space and the continuations that begin with an action."""
+    return _confronted(
+        agent, found, space.values[[action]], space.constant[[action]], open_ends=space.open_ends, alpha=alpha
+    )
+
+
+def confront_states(agent: Agent, found: Outcomes, alpha: float) -> Confronted:
+    """Many states' gamma-spaces and what came after each; means are over the states.
+
+    Raises:
+        InputError: an agent without a gamma-space.
+    """
+    if not isinstance(agent, HasGammaSpace):
+        raise InputError("this agent has no gamma-space to hold against what came.")
+    values, constant = agent.gamma_spaces(found.observations)
+    row = np.arange(len(values))
+    tails, constant = values[row, found.actions], constant[row, found.actions]
+    return _confronted(agent, Continuations(found.rewards, found.alive), tails, constant, open_ends=True, alpha=alpha)
+
+
+def _confronted(
+    agent: Agent, found: Continuations, tails: np.ndarray, constant: np.ndarray, *, open_ends: bool, alpha: float
+) -> Confronted:
+    """Gamma-space of one state or of as many as there are simulations: tails ``(S, G, H)``, constant ``(S, G)``."""
+    happened = _passed(agent, found)
+    assert isinstance(agent, HasGammaSpace)  # or nothing would have happened
+    steps, gammas, thetas = found.rewards.shape[1], agent.gammas, agent.thetas
+    tau_space = decode(bin_differences(tails, constant, open_ends), gammas, steps, alpha).mean(axis=0)
+    alive = decode(constant[..., None], gammas, steps, alpha)[..., 0].mean(axis=0)
+    simulated = empirical(agent, found)
+    said = np.broadcast_to(decode(tails, gammas, steps, alpha), happened.shape)
+    return Confronted(
+        simulated, expected_rewards(tau_space, bin_values(thetas, open_ends)), alive,
+        simulated.distance(tau_space, thetas), calibration(said, happened),
+    )  # fmt: skip

@@ -1,0 +1,100 @@
+"""The verb ``race``: what acting for a deadline is worth, from starts that no agent was trained or chosen on."""
+
+from __future__ import annotations
+
+import argparse
+import json
+from typing import TYPE_CHECKING, Any
+
+from laplace_core.cli.options import checked_number
+from laplace_core.errors import InputError
+
+if TYPE_CHECKING:  # these bring torch along
+    from laplace_core.acting.race import Race, Races
+
+
+def add_race(verbs: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    """The parser of the verb ``race``."""
+    race = verbs.add_parser(
+        "race",
+        help="two ways to act, from the same starts to the same deadline",
+        description="Races between two control rules, or two agents: who has the larger return after T steps. Starts "
+        "are such that no agent was trained or chosen on.",
+    )
+    race.add_argument("checkpoint", metavar="CHECKPOINT", help="a .safetensors file of a trained agent")
+    race.add_argument("--horizon", required=True, metavar="T", help="the deadline, in steps")
+    race.add_argument("--rule", metavar="NAME", help="how it acts (default: for T as well as the agent can)")
+    race.add_argument("--against", default="greedy", metavar="NAME", help="rule of the other side (default: greedy)")
+    race.add_argument("--against-agent", metavar="CHECKPOINT", help="another agent for the other side")
+    race.add_argument("--gamma", metavar="g", help="discount for the other side to be greedy at (default: acting one)")
+    race.add_argument("--seeds", metavar="N", help="how many starts, 2 to 500 (default: 100)")
+    race.add_argument("--first", metavar="K", help="the first of them (default: 0)")
+    race.add_argument("--start", metavar="K", help="only the race from this start, step by step")
+    race.add_argument("--json", action="store_true", help="print JSON, with every return")
+    race.set_defaults(run=run_race)
+
+
+def run_race(options: argparse.Namespace) -> None:
+    """One race, or many."""
+    horizon = checked_number("horizon", options.horizon, int, 1, high=10_000)
+    count = 100 if options.seeds is None else checked_number("seeds", options.seeds, int, 2, high=500)
+    first = 0 if options.first is None else checked_number("first", options.first, int, 0, high=10**8)
+    for name in ("seeds", "first"):
+        if options.start is not None and getattr(options, name) is not None:
+            raise InputError(f"--{name} changes nothing beside --start, which is one race: leave one of them out.")
+    start = None if options.start is None else checked_number("start", options.start, int, 0, high=10**8)
+    gamma = None if options.gamma is None else checked_number("gamma", options.gamma, float, 1e-6, high=0.999999)
+    from laplace_core.acting.race import Entrant, race, races
+    from laplace_core.acting.rules import suited
+    from laplace_core.training.checkpoint import load_checkpoint  # all three load torch
+
+    loaded = load_checkpoint(options.checkpoint)
+    other = load_checkpoint(options.against_agent) if options.against_agent else loaded
+    if other.environment != loaded.environment:
+        raise InputError(
+            f"one agent is of {loaded.environment}, the other of {other.environment}: race two of one kind."
+        )
+    right = Entrant(loaded.agent, options.rule or suited(loaded.agent, horizon))
+    left = Entrant(other.agent, options.against, gamma)
+    told = {
+        "checkpoint": options.checkpoint, "environment": loaded.environment, "horizon": horizon,
+        "rule": right.rule, "against": left.rule, "against_agent": options.against_agent, "gamma": gamma,
+    }  # fmt: skip
+    if start is None:
+        found = races(loaded.environment, left, right, horizon, count=count, first=first)
+        _print_many(found, told | {"first": first}, as_json=options.json)
+    else:
+        _print_one(
+            race(loaded.environment, left, right, start, horizon=horizon), told | {"start": start}, as_json=options.json
+        )
+
+
+def _print_many(found: Races, told: dict[str, Any], *, as_json: bool) -> None:
+    summary = found.summary()
+    if as_json:
+        returns = {"left": found.left.tolist(), "right": found.right.tolist(), "all_starts": found.starts.tolist()}
+        print(json.dumps(told | summary | {"notable": found.notable()} | {"returns": returns}))
+        return
+    low, high = summary["interval"]
+    print(f"{told['environment']}, T = {found.horizon}, {summary['starts']} starts from {told['first']}")
+    print(f"  {told['against']:>9} {summary['left']:9.2f}    mean return")
+    print(f"  {told['rule']:>9} {summary['right']:9.2f}")
+    print(f"  difference {summary['difference']:+8.2f}    95% {low:+.2f} to {high:+.2f}")
+    print(f"  better {summary['better']:.0%}, equal {summary['equal']:.0%}, worse {summary['worse']:.0%}")
+    if low <= 0.0 <= high:
+        print("  the interval covers 0: these starts do not tell which is better")
+
+
+def _print_one(found: Race, told: dict[str, Any], *, as_json: bool) -> None:
+    sides = {"left": found.left, "right": found.right}
+    if as_json:
+        told |= {"difference": found.difference, "parting": found.parting}
+        told |= {f"{name}_actions": side.actions.tolist() for name, side in sides.items()}
+        told |= {f"{name}_rewards": side.rewards.tolist() for name, side in sides.items()}
+        print(json.dumps(told))
+        return
+    part = "never" if found.parting is None else f"first at step {found.parting + 1}"
+    print(f"{told['environment']}, T = {found.horizon}, start {found.start}; the actions differ {part}")
+    for rule, side in ((told["against"], found.left), (told["rule"], found.right)):
+        print(f"  {rule:>9} {side.rewards.sum():9.2f} in {len(side)} steps")
+    print(f"  difference {found.difference:+8.2f}")

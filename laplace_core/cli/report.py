@@ -1,0 +1,182 @@
+"""The command line's ``report`` verb: run an experiment and print what it found."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import sys
+from pathlib import Path
+
+from laplace_core.cli.options import checked_number
+from laplace_core.training.defaults import settings_of
+
+
+def add_report(verbs: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    """Add ``report`` to the verbs."""
+    report = verbs.add_parser("report", help="run an experiment and print its report")
+    kinds = report.add_subparsers(dest="experiment", required=True, metavar="EXPERIMENT")
+
+    detectors = kinds.add_parser("detectors", help="precision and recall of each artefact's detector")
+    detectors.add_argument(
+        "--cases", type=int, default=500, metavar="N", help="random cases of each kind (default: 500)"
+    )
+    detectors.add_argument("--seed", type=int, default=0, metavar="N", help="seed of the cases (default: 0)")
+    detectors.add_argument("--json", action="store_true", help="print JSON")
+    detectors.add_argument("--check", action="store_true", help="end with status 1 where a share is below .97")
+    detectors.set_defaults(run=_detectors)
+
+    verdicts = kinds.add_parser("verdicts", help="what verdicts say against an independent judge")
+    verdicts.add_argument("--cases", default="2000", metavar="N", help="random views (default: 2000)")
+    verdicts.add_argument("--seed", default="0", metavar="N", help="seed of the views (default: 0)")
+    verdicts.add_argument("--jobs", default="1", metavar="N", help="processes at a time (default: 1)")
+    verdicts.add_argument("--only", metavar="NUMBER", help="show this one view in full instead")
+    verdicts.add_argument("--json", action="store_true", help="print JSON")
+    verdicts.add_argument(
+        "--check", action="store_true", help="end with status 1 where a share is below what is demanded"
+    )
+    verdicts.set_defaults(run=_verdicts)
+
+    training = kinds.add_parser("training", help="score, steps and time of an algorithm over several seeds")
+    training.add_argument("algorithm", metavar="ALGORITHM", help="as in train")
+    training.add_argument("environment", metavar="ENVIRONMENT", help="as in train")
+    training.add_argument("--seeds", default="5", metavar="N", help="how many, from seed 0 (default: 5)")
+    training.add_argument("--aim", default="490", metavar="X", help="score to be reached (default: 490)")
+    training.add_argument("--runs", default="runs", metavar="FOLDER", help="where the runs are kept (default: runs)")
+    training.add_argument("--json", action="store_true", help="print JSON")
+    training.set_defaults(run=_training)
+
+    ship = kinds.add_parser("ship", help="evaluate finished runs, keep the median seed's checkpoint and its manifest")
+    ship.add_argument("algorithm", metavar="ALGORITHM", help="as in train")
+    ship.add_argument("environment", metavar="ENVIRONMENT", help="as in train")
+    ship.add_argument("--seeds", default="5", metavar="N", help="how many, from seed 0 (default: 5)")
+    ship.add_argument("--runs", default="runs", metavar="FOLDER", help="where the runs are (default: runs)")
+    ship.add_argument("--out", default="checkpoints", metavar="FOLDER", help="where it goes (default: checkpoints)")
+    ship.set_defaults(run=_ship)
+
+    shipped = kinds.add_parser("shipped", help="scores of the agents that ship, and how steady their trainings were")
+    shipped.add_argument("--folder", default="checkpoints", metavar="FOLDER", help="default: checkpoints")
+    shipped.add_argument("--json", action="store_true", help="print JSON")
+    shipped.set_defaults(run=_shipped)
+
+    horizon = kinds.add_parser("horizon", help="acting for other horizons, against greedy and the matched discount")
+    horizon.add_argument("checkpoints", nargs="+", metavar="CHECKPOINT", help="agents of one environment")
+    horizon.add_argument("--horizons", default="50,100,200,full", metavar="T,T,...", help="default: 50,100,200,full")
+    horizon.add_argument("--rule", default="fading", metavar="NAME", help="the rule to be judged (default: fading)")
+    horizon.add_argument("--stretch", metavar="C", help="of the rule fading")
+    horizon.add_argument("--alpha", metavar="A", help="of the rules readout and decoded")
+    horizon.add_argument("--softness", metavar="W", help="of the rules readout and decoded")
+    horizon.add_argument(
+        "--reference", action="append", default=[], metavar="CHECKPOINT", help="another agent to show beside them"
+    )
+    horizon.add_argument("--episodes", default="100", metavar="N", help="episodes of each agent (default: 100)")
+    horizon.add_argument("--seed", default="0", metavar="N", help="which start seeds (default: 0)")
+    horizon.add_argument("--json", action="store_true", help="print JSON")
+    horizon.set_defaults(run=_horizon)
+
+    interpolation = kinds.add_parser("interpolation", help="how far discounts put between those trained are off")
+    interpolation.add_argument("checkpoint", metavar="CHECKPOINT", help="an agent with values at many discounts")
+    interpolation.add_argument("--seed", default="0", metavar="N", help="start seed of the episode (default: 0)")
+    interpolation.add_argument("--json", action="store_true", help="print JSON")
+    interpolation.set_defaults(run=_interpolation)
+
+    searches = kinds.add_parser("searches", help="what searches over settings have found")
+    searches.add_argument("files", nargs="+", metavar="FILE", help="results of searches: their search.json, kept")
+    searches.add_argument("--json", action="store_true", help="print JSON")
+    searches.set_defaults(run=_searches)
+
+
+def _detectors(options: argparse.Namespace) -> None:
+    from laplace_core.experiments import detector  # only this verb needs it
+
+    numbers, text = detector.report(options.cases, options.seed)
+    print(json.dumps(numbers, indent=1) if options.json else text)
+    if options.check:
+        kinds = {"all": numbers["artefacts"], **numbers["kinds"]}
+        _check([f"{one['name']} ({kind})" for kind, ones in kinds.items() for one in ones if detector.falls_short(one)])
+
+
+def _check(missed: list[str]) -> None:
+    """End with status 1 and one line where a report falls short of what is demanded."""
+    if missed:
+        print(f"laplace: not reached: {', '.join(missed)}.", file=sys.stderr)
+        raise SystemExit(1)
+
+
+def _verdicts(options: argparse.Namespace) -> None:
+    from laplace_core.experiments import verdicts  # only this verb needs it
+
+    seed = checked_number("seed", options.seed, int, 0, high=2**31 - 1)
+    if options.only is not None:
+        print(verdicts.shown(checked_number("only", options.only, int, 0, high=verdicts.MOST_VIEWS), seed))
+        return
+    cases = checked_number("cases", options.cases, int, 1, high=verdicts.MOST_VIEWS)
+    numbers, text = verdicts.report(cases, seed, checked_number("jobs", options.jobs, int, 1, high=verdicts.MOST_JOBS))
+    print(json.dumps(numbers, indent=1) if options.json else text)
+    if options.check:
+        _check([row["words"] for row in numbers["rows"] if not row["met"]])
+
+
+def _training(options: argparse.Namespace) -> None:
+    seeds = checked_number("seeds", options.seeds, int, 1, high=100)
+    aim = checked_number("aim", options.aim, float, -1e9, high=1e9)
+    settings_of(options.algorithm, options.environment, {})
+    from laplace_core.experiments import training  # loads torch
+
+    numbers, text = training.report(options.algorithm, options.environment, seeds, aim, folder=Path(options.runs))
+    print(json.dumps(numbers, indent=1) if options.json else text)
+
+
+def _horizon(options: argparse.Namespace) -> None:
+    episodes, seed = (
+        checked_number("episodes", options.episodes, int, 2, high=10_000),
+        checked_number("seed", options.seed, int, 0, high=10**6),
+    )
+    horizons = [
+        None if word == "full" else checked_number("horizons", word, int, 1, high=10_000)
+        for word in options.horizons.split(",")
+    ]
+    given = {
+        name: checked_number(name, getattr(options, name), float, low, high=high)
+        for name, low, high in (("stretch", 0.01, 100.0), ("alpha", 1e-9, 1e6), ("softness", 0.0, 10.0))
+        if getattr(options, name) is not None
+    }
+    from laplace_core.acting.rules import check_rule_options
+    from laplace_core.experiments import horizon  # loads torch
+
+    check_rule_options(options.rule, given)
+    paths, references = ([Path(path) for path in several] for several in (options.checkpoints, options.reference))
+    numbers, text = horizon.report(
+        paths, options.rule, horizons, episodes, seed=seed, options=given, references=references
+    )
+    print(json.dumps(numbers, indent=1) if options.json else text)
+
+
+def _interpolation(options: argparse.Namespace) -> None:
+    seed = checked_number("seed", options.seed, int, 0, high=10**6)
+    from laplace_core.experiments import interpolation  # loads torch
+
+    numbers, text = interpolation.report(Path(options.checkpoint), seed)
+    print(json.dumps(numbers, indent=1) if options.json else text)
+
+
+def _searches(options: argparse.Namespace) -> None:
+    from laplace_core.experiments import search_report
+
+    numbers, text = search_report.report([Path(path) for path in options.files])
+    print(json.dumps(numbers, indent=1) if options.json else text)
+
+
+def _ship(options: argparse.Namespace) -> None:
+    seeds = checked_number("seeds", options.seeds, int, 1, high=100)
+    settings_of(options.algorithm, options.environment, {})
+    from laplace_core.experiments import shipping  # loads torch
+
+    entry = shipping.ship(options.algorithm, options.environment, seeds, Path(options.runs), folder=Path(options.out))
+    print(json.dumps(entry, indent=1))
+
+
+def _shipped(options: argparse.Namespace) -> None:
+    from laplace_core.experiments import shipped_report  # loads torch
+
+    numbers, text = shipped_report.report(Path(options.folder))
+    print(json.dumps(numbers, indent=1) if options.json else text)

@@ -1,0 +1,137 @@
+"""The verb ``train``. torch is loaded when it runs."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import os
+import sys
+import time
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from laplace_core.agents.settings import SETTINGS
+from laplace_core.cli.options import add_parameters
+from laplace_core.cli.stop import Stop
+from laplace_core.environments import ENVIRONMENTS
+from laplace_core.errors import InputError
+from laplace_core.training.defaults import name_of, settings_of
+from laplace_core.training.events import Checkpoint, Episode, Evaluation, Resumed, Step
+from laplace_core.training.progress import ProgressFile
+from laplace_core.training.run_folder import read_config
+
+if TYPE_CHECKING:  # these bring torch along
+    pass
+
+REPORT_EVERY = 0.5
+"""Seconds between two lines of progress."""
+_RECENT = 50  # episodes in the mean return of the progress line
+
+
+def add_train(verbs: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    """The parser of the verb ``train``."""
+    train = verbs.add_parser(
+        "train",
+        help="train an agent, or go on with a run",
+        description="Train an agent on an environment. What is not given comes from the settings file of the "
+        "algorithm and environment, else, for a tabular world, from its rewards and returns, else from the defaults "
+        "below. A setting that the others make meaningless is refused.",
+        usage="laplace train ALGORITHM ENVIRONMENT [settings] [--run FOLDER]\n       laplace train --resume FOLDER",
+    )
+    train.add_argument("algorithm", nargs="?", metavar="ALGORITHM", help=f"one of {', '.join(SETTINGS)}")
+    train.add_argument("environment_name", nargs="?", metavar="ENVIRONMENT", help=f"one of {', '.join(ENVIRONMENTS)}")
+    train.add_argument("--run", metavar="FOLDER", dest="folder", help="where the run is kept (default: runs/...)")
+    train.add_argument("--resume", metavar="FOLDER", help="go on with the run in this folder")
+    train.add_argument("--json", action="store_true", help="print events as JSON lines")
+    parameters = {p.name: p for kind in SETTINGS.values() for p in kind.SCHEMA if p.name != "environment"}
+    add_parameters(train, parameters.values())
+    train.set_defaults(run=run_train)
+
+
+def run_train(options: argparse.Namespace) -> None:
+    """Train to the end of the run."""
+    from laplace_core.training.loop import train  # loads torch
+
+    names = {p.name for kind in SETTINGS.values() for p in kind.SCHEMA}
+    given = {name: value for name, value in vars(options).items() if name in names and value is not None}
+    if options.resume:
+        if options.algorithm or options.folder or given:
+            raise InputError("--resume goes on with the settings of the run: leave out everything else.")
+        folder = Path(options.resume)
+        settings = read_config(folder / "config.json")
+    else:
+        settings = settings_of(options.algorithm, options.environment_name, given)
+        folder = Path(options.folder or Path("runs") / name_of(settings))
+    progress = _Json() if options.json else _Line(folder, settings.steps)
+    file, step = ProgressFile(folder, settings.steps), 0
+    with Stop() as stop:
+        new = None if options.resume else settings
+        for event in train(new, folder, resume=bool(options.resume), stop=lambda: bool(stop.asked)):
+            progress.show(event)
+            step = event.step
+            file.at(step)
+    if step:
+        file.at(step, last=True)
+    progress.end()
+    if stop.asked and step < settings.steps:
+        print(f"stopped; laplace train --resume {folder} goes on from there", file=sys.stderr, flush=True)
+        sys.stdout.flush()
+        os._exit(128 + stop.asked)  # everything is written; to take torch apart would need seconds
+
+
+class _Json:
+    """One JSON line an event that says something."""
+
+    def show(self, event: Any) -> None:
+        if not isinstance(event, Step):
+            print(json.dumps({"event": type(event).__name__.lower(), **vars(event)}), flush=True)
+
+    def end(self) -> None:
+        pass
+
+
+class _Line:
+    """One line that is written over: steps, speed, score, time left; evaluations stay."""
+
+    def __init__(self, folder: Path, total: int):
+        self.folder, self.total = folder, total
+        self.started = self.shown = time.monotonic()
+        self.first: int | None = None
+        self.step = 0
+        self.score: float | None = None
+        self.returns: list[float] = []
+
+    def show(self, event: Any) -> None:
+        self.step = event.step
+        self.first = event.step if self.first is None else self.first
+        if isinstance(event, Episode):
+            self.returns = [*self.returns[-_RECENT + 1 :], event.episode_return]
+        elif isinstance(event, Resumed):
+            self._say(f"step {event.step:,}: {event.message}")
+        elif isinstance(event, Evaluation):
+            self.score = event.score
+            best = ", the best so far" if event.best else ""
+            self._say(f"step {event.step:,}: {event.score:.1f} +- {event.standard_error:.1f} in evaluation{best}")
+        elif isinstance(event, Checkpoint):
+            return
+        if time.monotonic() - self.shown >= REPORT_EVERY and sys.stderr.isatty():
+            self.shown = time.monotonic()
+            print(f"\r\033[K{self._words()}", end="", file=sys.stderr, flush=True)
+
+    def _words(self) -> str:
+        rate = (self.step - (self.first or 0)) / max(1e-9, time.monotonic() - self.started)
+        left = (self.total - self.step) / rate if rate > 0 else float("inf")
+        words = [f"{self.step:,} of {self.total:,} steps", f"{rate:,.0f} steps/s"]
+        if self.returns:
+            words.append(f"return {sum(self.returns) / len(self.returns):.1f}")
+        if self.score is not None:
+            words.append(f"score {self.score:.1f}")
+        return " · ".join([*words, f"{left:.0f} s left" if left < 1e7 else "..."])
+
+    def _say(self, line: str) -> None:
+        if sys.stderr.isatty():
+            print("\r\033[K", end="", file=sys.stderr)
+        print(line, flush=True)
+
+    def end(self) -> None:
+        self._say(f"{self.step:,} steps in {time.monotonic() - self.started:.0f} s; the run is in {self.folder}")

@@ -1,0 +1,262 @@
+"""``python -m laplace_core VERB``: exit 0, or 2 and one line on stderr for bad input."""
+
+from __future__ import annotations
+
+import argparse
+import io
+import json
+import sys
+from collections.abc import Sequence
+from typing import NoReturn
+
+import numpy as np
+
+from laplace_core.agents.settings import SETTINGS
+from laplace_core.cli.evaluate import add_evaluate
+from laplace_core.cli.learn import add_learn, study_of_file
+from laplace_core.cli.options import action_runs, add_parameters, checked_number, named_params, study_notes
+from laplace_core.cli.race import add_race
+from laplace_core.cli.report import add_report
+from laplace_core.cli.reproduce import add_reproduce
+from laplace_core.cli.search import add_search
+from laplace_core.cli.train import add_train
+from laplace_core.code.ties import ROUNDING
+from laplace_core.errors import InputError
+from laplace_core.study.artefacts import Artefact, find_artefacts
+from laplace_core.study.npz import read_gamma_space, save_study
+from laplace_core.study.pipeline import Study, study, study_of_gamma_space
+from laplace_core.study.settings import SCHEMA, check_paper_grid, flag, parse_settings
+from laplace_core.study.verdict import Verdict, judge
+from laplace_core.tabular.settings import LEARN_SCHEMA
+from laplace_core.worlds import PRESETS, TOY_TEXT, load_world
+
+
+class _Parser(argparse.ArgumentParser):
+    """argparse, with its errors in one line."""
+
+    def error(self, message: str) -> NoReturn:
+        raise InputError(f"{message} (see {self.prog} --help)")
+
+
+def main(argv: Sequence[str] | None = None) -> int:
+    """Run one verb; returns the exit status."""
+    if isinstance(sys.stdout, io.TextIOWrapper):  # a terminal without the letters of a name shows their numbers
+        sys.stdout.reconfigure(errors="backslashreplace")
+    try:
+        options = _parser().parse_args(_joined(sys.argv[1:] if argv is None else argv))
+        options.run(options)
+    except InputError as error:
+        print(f"laplace: {' '.join(str(error).split())}", file=sys.stderr)
+        return 2
+    except BrokenPipeError:  # the reader of a pipe has seen enough
+        sys.stderr.close()
+    return 0
+
+
+def _joined(words: Sequence[str]) -> list[str]:
+    """``--theta-min -1e-5`` as ``--theta-min=-1e-5``: argparse would take the value for an option."""
+    schemas = (SCHEMA, LEARN_SCHEMA, *(kind.SCHEMA for kind in SETTINGS.values()))
+    valued = {flag(parameter) for schema in schemas for parameter in schema if parameter.type is not bool}
+    valued |= {"--param", "--out"}
+    joined: list[str] = []
+    for word in words:
+        if joined and joined[-1] in valued and word.startswith("-") and not word.startswith("--"):
+            joined[-1] += f"={word}"
+        else:
+            joined.append(word)
+    return joined
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser: argparse.ArgumentParser = _Parser(
+        prog="laplace", description="The Laplace code: gamma-space, tau-space and the actions they choose."
+    )
+    verbs = parser.add_subparsers(dest="verb", required=True, metavar="VERB")
+
+    worlds = verbs.add_parser("worlds", help="list the preset worlds and their parameters")
+    worlds.add_argument("--json", action="store_true", help="print JSON")
+    worlds.set_defaults(run=_worlds)
+
+    decode = verbs.add_parser(
+        "decode",
+        help="decode one state of a world",
+        description="From a world's exact gamma-space to its tau-space and the action of every horizon. "
+        "Every option has a default that suits the world.",
+    )
+    decode.add_argument(
+        "world",
+        metavar="WORLD",
+        help="a preset, a world file (.json), gym:NAME, a gamma-space (.npz) or a learned agent (.safetensors)",
+    )
+    decode.add_argument("--param", action="append", default=[], metavar="name=value", help="a parameter of the world")
+    add_parameters(decode, SCHEMA)
+    decode.add_argument("--seed-index", metavar="N", help="which learner of a learned agent, from 0")
+    decode.add_argument(
+        "--explain", action="store_true", help="search for the cause of what is wrong: every single setting is tried"
+    )
+    decode.add_argument("--out", metavar="FILE.npz", help="write all arrays and the settings here")
+    decode.add_argument("--json", action="store_true", help="print JSON")
+    decode.set_defaults(run=_decode)
+    add_learn(verbs)
+    add_train(verbs)
+    add_evaluate(verbs)
+    add_race(verbs)
+    add_report(verbs)
+    add_search(verbs)
+    add_reproduce(verbs)
+    return parser
+
+
+def _worlds(options: argparse.Namespace) -> None:
+    if options.json:
+        listed = [
+            {
+                "name": preset.name,
+                "title": preset.title,
+                "summary": preset.summary,
+                "parameters": [
+                    {"name": p.name, "default": p.default, "low": low, "high": high, "help": p.help}
+                    for p in preset.parameters
+                    for low, high in [(0, 1) if p.type is bool else p.bounds]
+                ],
+            }
+            for preset in PRESETS.values()
+        ]
+        print(json.dumps({"presets": listed, "gym": list(TOY_TEXT)}, indent=1))
+        return
+    for preset in PRESETS.values():
+        print(f"{preset.name}\n    {preset.summary}")
+        for p in preset.parameters:
+            shown = str(p.default).lower() if p.type is bool else f"{p.default:g}"
+            print(f"    {p.name}={shown:8} {p.help}")
+    for name, parameters in TOY_TEXT.items():
+        print(f"gym:{name}")
+        for p in parameters:
+            print(f"    {p.name}={str(p.default).lower():8} {p.help}")
+
+
+def _decode(options: argparse.Namespace) -> None:
+    params = named_params(options.param)
+    if options.seed_index is not None:
+        params["seed_index"] = options.seed_index
+    given = {parameter.name: getattr(options, parameter.name) for parameter in SCHEMA}
+    settings = parse_settings(options.world, params, given)
+    check_paper_grid(given)
+    if options.noise is None and options.noise_seed is not None:
+        raise InputError("--noise-seed changes nothing without --noise: give both, or neither.")
+    if settings.theta_scale and settings.theta_spacing in (None, "uniform"):
+        raise InputError("--theta-scale changes nothing beside --theta-spacing uniform: leave it out.")
+    if options.out is not None and not options.out.lower().endswith(".npz"):
+        raise InputError(f"--out {options.out[:60]!r} must end in .npz.")
+    ending = options.world.lower().rpartition(".")[2]
+    if ending == "safetensors":
+        found = study_of_file(options.world, settings)
+    elif ending == "npz":
+        if settings.deadline == "constant" and not settings.used:
+            raise InputError("--deadline changes nothing for a saved gamma-space: no episode is acted without a world.")
+        found = study_of_gamma_space(read_gamma_space(options.world, settings.state), settings)
+    else:
+        found = study(load_world(options.world, params), settings)
+    if options.horizon is not None:  # at a time_step of 1 there is no T between two whole ones
+        kind, least = (int, 1) if found.settings.time_step == 1.0 else (float, float(found.horizons[0]))
+        checked_number("horizon", options.horizon, kind, least, high=float(found.horizons[-1]))
+    if options.out is not None:
+        save_study(found, options.out)
+    row = found.row
+    verdict = judge(found, row, explain=options.explain)
+    listed = find_artefacts(found, verdict.chosen, float(found.horizons[row])) if options.explain else None
+    if options.json:
+        print(json.dumps(summary(found) | {"verdict": _verdict(found, row, verdict, listed)}, indent=1))
+    else:
+        print("\n".join([_report(found), *_verdict_lines(found, verdict, listed)]))
+
+
+def _verdict(found: Study, row: int, verdict: Verdict, listed: list[Artefact] | None) -> dict[str, object]:
+    """What is right and wrong at one horizon, for JSON; causes, remedies and artefacts only where they were sought."""
+    told: dict[str, object] = {
+        "horizon": float(found.horizons[row]),
+        "choice": verdict.choice,
+        "chosen": found.action_names[verdict.chosen],
+        "timeline": verdict.timeline,
+        "timeline_error": verdict.timeline_error,
+        "value_error": verdict.value_error,
+        "regret": verdict.regret,
+        "sentence": verdict.sentence,
+    }
+    if listed is None:
+        return told
+    remedies = [{"label": remedy.label, "changes": dict(remedy.changes)} for remedy in verdict.remedies]
+    return told | {
+        "cause": verdict.cause.name if verdict.cause else None,
+        "remedies": remedies,
+        "exhausted": verdict.exhausted,
+        "artefacts": [{"name": each.name, "size": each.size, "shown": each.shown} for each in listed],
+    }
+
+
+def _verdict_lines(found: Study, verdict: Verdict, listed: list[Artefact] | None) -> list[str]:
+    lines = [f"verdict       {verdict.sentence}"]
+    if listed is None:
+        return lines
+    lines += [f"remedy        {remedy.label}" for remedy in verdict.remedies]
+    name = found.action_names[verdict.chosen]
+    return lines + [f"artefact      {each.name}, in {name}: {each.shown}. {each.sentence}" for each in listed]
+
+
+def summary(found: Study) -> dict[str, object]:
+    """What ``decode`` prints: expected rewards, values at the longest horizon, and the chosen actions."""
+    decoded, truth = found.decoded, found.truth
+    result: dict[str, object] = {
+        "settings": {**vars(found.settings), "params": dict(found.settings.params)},
+        "actions": list(found.action_names),
+        "expected_reward": decoded.expected_reward.tolist(),
+        "survival": decoded.survival.tolist(),
+        "horizon_values": decoded.horizon_values.tolist(),
+        "chosen_action": decoded.actions.tolist(),
+        "notes": study_notes(found),
+    }
+    if truth is not None:
+        result |= {
+            "true_expected_reward": truth.expected_reward.tolist(),
+            "true_horizon_values": truth.horizon_values.tolist(),
+            "optimal_action": truth.optimal_action.tolist(),
+        }
+    return result
+
+
+def _report(found: Study, shown: int = 8) -> str:
+    s, decoded, truth = found.settings, found.decoded, found.truth
+    rows = min(s.steps, shown)
+    more = " ..." if s.steps > rows else ""
+    lines = [
+        f"{s.world}, state {s.state or 0}: "
+        f"{len(found.gamma_space.gammas)} discounts, {len(found.gamma_space.thetas)} sensitivities, alpha {s.alpha:g}, "
+        f"{s.steps} {'step' if s.steps == 1 else 'steps'}, normalise {s.normalise}",
+        f"expected reward at tau = {', '.join(f'{tau:g}' for tau in found.taus[:rows])}{more}",
+    ]
+    width = max(map(len, found.action_names))
+    parts = [found.decoded] if truth is None else [found.decoded, truth]
+    largest = max(float(np.abs(part.expected_reward).max()) for part in parts)
+    largest = 0.0 if largest <= ROUNDING * decoded.scale else largest
+    for a, name in enumerate(found.action_names):
+        lines.append(f"  {name:{width}}  decoded  {_numbers(decoded.expected_reward[a, :rows], largest)}{more}")
+        if truth is not None:
+            lines.append(f"  {'':{width}}  true     {_numbers(truth.expected_reward[a, :rows], largest)}{more}")
+    read, left = found.reading(found.row)
+    lines.append(f"value for the horizon T = {found.horizons[read]:g} at gamma {s.value_gamma:g}")
+    for a, name in enumerate(found.action_names):
+        against = "" if truth is None else f"   true  {_numbers(truth.horizon_values[a, left : left + 1], largest)}"
+        value = _numbers(decoded.horizon_values[a, read : read + 1], largest)
+        lines.append(f"  {name:{width}}  decoded  {value}{against}")
+    lines.append(f"chosen by T   {action_runs(found, decoded.actions)}")
+    if truth is not None:
+        lines.append(f"best by T     {action_runs(found, truth.optimal_action)}")
+    lines += study_notes(found)
+    return "\n".join(lines)
+
+
+def _numbers(values: np.ndarray, largest: float) -> str:
+    """Two decimals, never a negative zero; two significant digits where the largest of all values is small."""
+    if 0.0 < largest < 0.05:
+        return " ".join(f"{value + 0.0:8.1e}" for value in values)
+    return " ".join(f"{round(float(value), 2) + 0.0:7.2f}" for value in values)

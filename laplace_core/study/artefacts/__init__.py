@@ -1,0 +1,68 @@
+"""Names, measures and explains what in a tau-space is not real.
+
+An artefact is measured for one action, from what was decoded and how, and carries the change of settings that
+removes it. Each size has the unit that its name suggests and is listed from one level on, :data:`VISIBLE`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from laplace_core.study.artefacts.deadline import constant_horizon, soft_deadline
+from laplace_core.study.artefacts.inverse import negative_mass, over_smoothing, shifted_index
+from laplace_core.study.artefacts.look import Look
+from laplace_core.study.artefacts.model import VISIBLE, Artefact, Remedy
+from laplace_core.study.artefacts.noise import noise_amplification
+from laplace_core.study.artefacts.offers import offered
+from laplace_core.study.artefacts.process import conditional_rewards, folding, mixed_policies, repeated_reward
+from laplace_core.study.artefacts.rewards import edge_clipping, reward_quantisation, slope_blur
+from laplace_core.study.pipeline import Study, WorldStudy
+from laplace_core.study.trials import Trials
+
+MEASURES: dict[str, Callable[[Look], Artefact | None]] = {
+    "repeated reward": repeated_reward,
+    "conditional rewards": conditional_rewards,
+    "mixed policies": mixed_policies,
+    "noise amplification": noise_amplification,
+    "folding": folding,
+    "edge clipping": edge_clipping,
+    "slope blur": slope_blur,
+    "reward quantisation": reward_quantisation,
+    "over-smoothing": over_smoothing,
+    "negative mass": negative_mass,
+    "soft deadline": soft_deadline,
+    "constant horizon": constant_horizon,
+}
+"""Every artefact that has to be found, by name, the gravest kinds first."""
+LISTED: dict[str, Callable[[Look], Artefact | None]] = {"shifted index": shifted_index, **MEASURES}
+"""These, and an error of the decoder that is there only if it was switched on."""
+
+
+def find_artefacts(
+    study: Study, action: int, horizon: float | None = None, *, searching: bool = True, trials: Trials | None = None
+) -> list[Artefact]:  # fmt: skip
+    """Every artefact present in the tau-space of one action, the gravest kinds first.
+
+    A gamma-space without a world has no truth to measure against; only what shows in the data is found.
+
+    Args:
+        horizon: the T of the view, at which remedies are tried and a constant horizon is judged; default: the longest,
+            and for a constant horizon the one at which it costs most.
+        searching: whether to search for remedies, which takes most of the time; without, those that are listed were
+            not tried, and sentences are as if there were none.
+        trials: of this very view and action, where they are there already.
+
+    Raises:
+        InputError: an action that the study does not have.
+    """
+    study.check_view(action=action)
+    look = Look(study, action, horizon, searching=searching)
+    found = [artefact for measure in LISTED.values() if (artefact := measure(look)) is not None]
+    if not searching:
+        return found
+    if trials is None and isinstance(study, WorldStudy):
+        trials = Trials(study, len(study.horizons) - 1 if horizon is None else study.row_at(horizon), action)
+    return offered(found, look, LISTED, trials)
+
+
+__all__ = ["LISTED", "MEASURES", "VISIBLE", "Artefact", "Remedy", "find_artefacts"]

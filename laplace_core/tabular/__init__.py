@@ -1,0 +1,46 @@
+"""Agents that learned the Laplace code: how they learn, what they hold, and how it is read, saved and watched."""
+
+from laplace_core.tabular.files import learned_bytes, parse_learned, read_learned, save_learned
+from laplace_core.tabular.learner import Learning
+from laplace_core.tabular.model import CURVE_NAMES, Learned, PeerTables
+from laplace_core.tabular.process import Run, start
+from laplace_core.tabular.reading import (
+    CODES,
+    QUANTILE_LEVELS,
+    Band,
+    Bands,
+    Returns,
+    bands,
+    return_distributions,
+    study_of,
+)
+from laplace_core.tabular.returns import independent_steps_return, return_bounds, wasserstein
+from laplace_core.tabular.settings import LEARN_SCHEMA, LearnSettings, parse_learn_settings, resolve_learning
+
+__all__ = [
+    "CODES",
+    "CURVE_NAMES",
+    "LEARN_SCHEMA",
+    "QUANTILE_LEVELS",
+    "Band",
+    "Bands",
+    "LearnSettings",
+    "Learned",
+    "Learning",
+    "PeerTables",
+    "Returns",
+    "Run",
+    "bands",
+    "independent_steps_return",
+    "learned_bytes",
+    "parse_learn_settings",
+    "parse_learned",
+    "read_learned",
+    "resolve_learning",
+    "return_bounds",
+    "return_distributions",
+    "save_learned",
+    "start",
+    "study_of",
+    "wasserstein",
+]

@@ -1,0 +1,168 @@
+"""Reading what was learned: one learner's tau-space, bands over all, and its return beside the other codes."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import lru_cache
+
+import numpy as np
+
+from laplace_core.errors import InputError
+from laplace_core.study.pipeline import WorldStudy, policies_of, study
+from laplace_core.study.settings import Settings
+from laplace_core.tabular.model import Learned
+from laplace_core.tabular.peers import ReturnDistribution, impute, return_distribution
+from laplace_core.tabular.returns import independent_steps_return, return_bounds, wasserstein
+from laplace_core.tabular.settings import DECIDED_NAMES, ResolvedLearning
+from laplace_core.worlds import World
+
+QUANTILE_LEVELS = (0.1, 0.25, 0.5, 0.75, 0.9)
+CODES = ("laplace", "independent_steps", "categorical", "quantile", "expectile", "plain")
+"""What is held against the true distribution of the return; ``independent_steps`` is no code of its own but what the
+Laplace code's tau-space would say IF STEPS WERE INDEPENDENT, and has to be labelled so."""
+
+
+def study_settings(learning: ResolvedLearning, settings: Settings | None = None) -> Settings:
+    """Settings of a study with the discounts, target policy and acting gamma of the learner, whatever they said."""
+    decided = {name: getattr(learning, name) for name in DECIDED_NAMES}
+    return replace(settings or Settings(), **decided)
+
+
+def study_of(learned: Learned, settings: Settings | None = None, seed_index: int = 0) -> WorldStudy:
+    """One state through the table of one learner, the exact truth beside it.
+
+    Args:
+        settings: the state, the sensitivities and how to decode; what the learner has decided (``DECIDED_NAMES``) is
+            replaced by its own.
+
+    Raises:
+        InputError: settings that do not fit the world, or no such learner.
+    """
+    index = learned.seed_index(seed_index)
+    settings = study_settings(learned.settings, settings)
+    return study(learned.world, settings, learned=_basis(learned, index, settings.state))
+
+
+def _basis(learned: Learned, index: int, state: str | None) -> np.ndarray:
+    world = learned.world
+    at = int(np.argmax(world.start)) if state is None else world.state_index(state)
+    return learned.basis[index, at].astype(np.float64)
+
+
+@dataclass(frozen=True, eq=False)
+class Band:
+    """One array over the seeds; each field has its shape, ``quantiles`` (Q, ...) by ``QUANTILE_LEVELS``."""
+
+    mean: np.ndarray
+    low: np.ndarray
+    high: np.ndarray
+    quantiles: np.ndarray
+
+
+@dataclass(frozen=True, eq=False)
+class Bands:
+    """What all learners see from one state.
+
+    Attributes:
+        tau_space: over ``(A, K, H-1)``; survival, expected_reward, horizon_values over ``(A, K)``.
+        action_share: share of the learners that choose each action at each horizon, ``(A, K)``.
+        studies: one a learner; the truth is in each.
+    """
+
+    tau_space: Band
+    survival: Band
+    expected_reward: Band
+    horizon_values: Band
+    action_share: np.ndarray
+    studies: tuple[WorldStudy, ...]
+
+
+def bands(learned: Learned, settings: Settings | None = None) -> Bands:
+    """Decode one state from every learner's table and take the spread over the learners."""
+    studies = tuple(study_of(learned, settings, i) for i in range(len(learned.basis)))
+    actions = np.stack([found.decoded.actions for found in studies])
+    share = np.stack([(actions == a).mean(axis=0) for a in range(learned.world.n_actions)])
+    decoded = [found.decoded for found in studies]
+    return Bands(
+        _band([each.tau_space for each in decoded]),
+        _band([each.survival for each in decoded]),
+        _band([each.expected_reward for each in decoded]),
+        _band([each.horizon_values for each in decoded]),
+        share,
+        studies,
+    )
+
+
+def _band(arrays: list[np.ndarray]) -> Band:
+    stacked = np.stack(arrays)
+    quantiles = np.quantile(stacked, QUANTILE_LEVELS, axis=0)
+    return Band(stacked.mean(axis=0), stacked.min(axis=0), stacked.max(axis=0), quantiles)
+
+
+@dataclass(frozen=True, eq=False)
+class Returns:
+    """The return after one state and action, at ``gamma``: the truth and every code of it.
+
+    Attributes:
+        truth: (locations, masses), under the policy that is best at the acting gamma; ``truth_error`` bounds its
+            Wasserstein-1 distance from the exact law.
+        codes: (locations, masses) by the names in ``CODES``.
+        distances: Wasserstein-1 distance of each from the truth, in units of reward.
+    """
+
+    gamma: float
+    truth: tuple[np.ndarray, np.ndarray]
+    truth_error: float
+    codes: dict[str, tuple[np.ndarray, np.ndarray]]
+    distances: dict[str, float]
+
+
+def return_distributions(
+    learned: Learned, state: str | int, action: int, *, seed_index: int = 0, settings: Settings | None = None
+) -> Returns:
+    """The codes of one return beside the true one; ``settings`` decode the tau-space of ``independent_steps``.
+
+    Raises:
+        InputError: the peers were not learned, or no such state, action or learner.
+    """
+    peers, s, world = learned.peers, learned.settings, learned.world
+    if peers is None:
+        raise InputError("these learners have no peers: learn again with peers on.")
+    index, at = learned.seed_index(seed_index), world.state_index(state)
+    if not 0 <= action < world.n_actions:
+        raise InputError(f"action {action} is not there: use 0 to {world.n_actions - 1}.")
+    pair = index, at, action
+    found = study_of(learned, replace(settings or Settings(), state=str(at)), index)
+    tau_space = found.decoded.tau_space[action]
+    quantiles, expectiles = (table[pair].astype(float) for table in (peers.quantile, peers.expectile))
+    levels = np.arange(1, expectiles.size + 1) / (expectiles.size + 1)
+    codes = {
+        "laplace": _point(peers.laplace_values[pair]),
+        "independent_steps": independent_steps_return(tau_space, found.midpoints, s.peer_gamma**found.taus),
+        "categorical": (peers.atoms, peers.categorical[pair].astype(float)),
+        "quantile": (np.sort(quantiles), np.full(quantiles.size, 1.0 / quantiles.size)),
+        "expectile": impute(expectiles, levels, peers.low, peers.high),
+        "plain": _point(peers.plain[pair]),
+    }
+    truth = _true_return(world, at, action, s.acting_gamma, gamma=s.peer_gamma)
+    law = truth.locations, truth.masses
+    distances = {name: wasserstein(code, law) for name, code in codes.items()}
+    return Returns(s.peer_gamma, law, truth.error, codes, distances)
+
+
+def _point(value: float) -> tuple[np.ndarray, np.ndarray]:
+    return np.array([float(value)]), np.ones(1)
+
+
+@lru_cache(maxsize=16)
+def _true_return(world: World, state: int, action: int, acting_gamma: float, *, gamma: float) -> ReturnDistribution:
+    return return_distribution(world, state, action, _best_policy(world, acting_gamma), gamma=gamma)
+
+
+def bounds_of(world: World, learning: ResolvedLearning) -> tuple[float, float]:
+    """What the peers' atoms span: bounds of the return under the policy that is best at the acting gamma."""
+    return return_bounds(world, _best_policy(world, learning.acting_gamma), learning.peer_gamma)
+
+
+def _best_policy(world: World, acting_gamma: float) -> np.ndarray:
+    return policies_of(world, np.array([acting_gamma]), "shared", acting_gamma)[0]

@@ -1,0 +1,60 @@
+"""The settings of a run: those that suit an algorithm and an environment, from readable files beside this module, with
+those that were given in their place; and the command and the folder's name that stand for them."""
+
+from __future__ import annotations
+
+import json
+from importlib import resources
+from typing import Any
+
+from laplace_core.agents.settings import SETTINGS, LoopSettings
+from laplace_core.environments import ENVIRONMENTS, GYMNASIUM
+from laplace_core.errors import InputError
+from laplace_core.parameters import as_text
+from laplace_core.study.settings import flag
+
+
+def tuned_settings(algorithm: str, environment: str) -> dict[str, Any]:
+    """What the file of this pair says, by name; nothing if there is none."""
+    file = resources.files("laplace_core.training") / "settings" / algorithm / f"{environment}.json"
+    return json.loads(file.read_text(encoding="utf-8")) if file.is_file() else {}
+
+
+def name_of(settings: LoopSettings) -> str:
+    """What the folder of a run is called by default."""
+    return f"{settings.ALGORITHM}_{settings.environment.replace(':', '-')}_{settings.seed}"
+
+
+def command_of(settings: LoopSettings, folder: str) -> list[str]:
+    """The words after ``laplace`` that train with these settings: only what its files do not say already."""
+    usual = settings_of(settings.ALGORITHM, settings.environment, {}).as_dict()
+    words = ["train", settings.ALGORITHM, settings.environment]
+    for parameter in settings.SCHEMA:
+        value = getattr(settings, parameter.name)
+        if value != usual[parameter.name] and parameter.name not in settings.unheard():
+            words += [flag(parameter), as_text(value)]
+    return [*words, "--run", folder]
+
+
+def settings_of(algorithm: str | None, environment: str | None, given: dict[str, Any]) -> LoopSettings:
+    """Settings for an algorithm and environment: its file's, with those given in their place.
+
+    Raises:
+        InputError: an unknown algorithm, environment or setting, a value out of its range, or a given setting that
+            changes nothing beside the others.
+    """
+    if algorithm not in SETTINGS:
+        raise InputError(f"the algorithm must be one of {', '.join(SETTINGS)}, not {str(algorithm)[:40]!r}.")
+    if environment not in ENVIRONMENTS:
+        raise InputError(f"the environment must be one of {', '.join(ENVIRONMENTS)}, not {str(environment)[:40]!r}.")
+    if given.get("environment", environment) != environment:
+        raise InputError("the environment is named once, behind the algorithm: it is no setting besides.")
+    kind = SETTINGS[algorithm]
+    suits = tuned_settings(algorithm, environment)
+    if not suits and environment not in GYMNASIUM:
+        suits = kind.suited_to(environment)
+    settings = kind.parse(suits | given | {"environment": environment})
+    for name, reason in settings.unheard().items():
+        if name in given:
+            raise InputError(f"{name} changes nothing {reason}: leave it out.")
+    return settings
