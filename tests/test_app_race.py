@@ -12,17 +12,17 @@ import plotly.graph_objects as go
 import pytest
 from streamlit.testing.v1 import AppTest
 
-from app import figures
 from app.catalogue import checkpoints
 from app.components.track import COLOURS
 from app.components.track.payload import payload
-from app.figures.race import piles
 from app.race import form, jobs, schema, words
 from app.race.jobs import Control
 from app.session.background import Work
+from laplace_core import figures
 from laplace_core.acting.race import FIRST_START, Entrant, Races, race
 from laplace_core.acting.race import races as races_of
 from laplace_core.agents import SETTINGS, LaplaceSettings
+from laplace_core.figures.race import piles
 from laplace_core.training.checkpoint import Loaded, load_checkpoint, new_agent, save_checkpoint
 from tests.pages import MAIN, charts, link, press, run
 from tests.quick_runs import until

@@ -11,11 +11,10 @@ import numpy as np
 import plotly.graph_objects as go
 import pytest
 
-from app import figures
 from app.view import compute
 from app.view.subjects import Exact, Learner, View
 from app.worlds.sources import WORLDS
-from laplace_core import Settings, load_world, study
+from laplace_core import Settings, figures, load_world, study
 from laplace_core.study.compare import difference
 from laplace_core.study.settings import resolve
 from laplace_core.tabular import Learning, LearnSettings, bands, return_distributions, study_of

@@ -8,7 +8,9 @@ import numpy as np
 import plotly.graph_objects as go
 import pytest
 
-from app.figures import (
+from laplace_core.acting.return_laws import ReturnLaw, SimulatedReturns
+from laplace_core.experiments.shipping import TrainingCurve
+from laplace_core.figures import (
     ReturnRow,
     returns_of_actions,
     returns_over_episode,
@@ -17,10 +19,8 @@ from app.figures import (
     values_of_actions,
     values_over_time_to_go,
 )
-from app.figures.theme import staircase
-from app.figures.training import score_curve
-from laplace_core.acting.return_laws import ReturnLaw, SimulatedReturns
-from laplace_core.experiments.shipping import TrainingCurve
+from laplace_core.figures.theme import staircase
+from laplace_core.figures.training import score_curve
 
 LAW = ReturnLaw("learned", 0.9, np.array([-1.0, 0.0, 2.0]), np.array([0.25, 0.25, 0.5]))
 CAME = SimulatedReturns(np.array([3.0, 1.0]), 0.9, 51, 0.0, 0.0)

@@ -8,9 +8,9 @@ import numpy as np
 import plotly.graph_objects as go
 import pytest
 
-from app.figures import calibration_plot, simulated_timeline, to_json
 from laplace_core.acting.continuations import Calibration
 from laplace_core.acting.simulated_truth import Confronted, Empirical
+from laplace_core.figures import calibration_plot, simulated_timeline, to_json
 
 
 @pytest.fixture

@@ -8,9 +8,16 @@ import numpy as np
 import plotly.graph_objects as go
 import pytest
 
-from app.figures import to_json
-from app.figures.training import Band, Line, discount_errors, learning_curves, shipped_curves, values_by_discount
 from laplace_core.experiments.shipping import TrainingCurve
+from laplace_core.figures import to_json
+from laplace_core.figures.training import (
+    Band,
+    Line,
+    discount_errors,
+    learning_curves,
+    shipped_curves,
+    values_by_discount,
+)
 from laplace_core.training.curves import Curves
 from tests.pages import numbers
 

@@ -20,13 +20,13 @@ from app.components.lens import state_of, structure
 from app.components.lens.payload import unpacked
 from app.components.player.payload import payload as player_payload
 from app.components.player.payload import rounded
-from app.figures import returns_of_actions
 from laplace_core import GammaSpace, Settings, load_world, study, study_of_gamma_space
 from laplace_core.acting.return_laws import ReturnLaw
 from laplace_core.acting.rollout import Rollout
 from laplace_core.code.gamma_space import bin_differences
 from laplace_core.code.interpolation import left_out
 from laplace_core.code.noise import normal_noise
+from laplace_core.figures import returns_of_actions
 from tests.lens_agreement import fixture, network, packed, payloads, random_cases, verdicts
 from tests.lens_reference import seen
 

@@ -6,11 +6,11 @@ from html import escape
 
 import streamlit as st
 
-from app import figures
 from app.catalogue import checkpoints
 from app.catalogue.scenes import Scene
 from app.components.chart import chart
-from app.figures.training import CARD, score_curve
+from laplace_core import figures
+from laplace_core.figures.training import CARD, score_curve
 from laplace_core.training.checkpoint import Loaded
 
 

@@ -5,18 +5,17 @@ from __future__ import annotations
 import numpy as np
 import streamlit as st
 
-from app import figures
 from app.agents import episode, returns, rollout_form
 from app.agents.rollout_jobs import Rolling
 from app.agents.schema import action_of, observation_of
 from app.catalogue.scenes import Scene
 from app.components.chart import chart
-from app.figures.theme import HEIGHT, Figure
 from app.session import store
-from laplace_core import InputError
+from laplace_core import InputError, figures
 from laplace_core.acting.return_laws import return_laws, return_quantiles
 from laplace_core.acting.rollout import Rollout, acting_gamma
 from laplace_core.agents.capabilities import HasTimeToGo
+from laplace_core.figures.theme import HEIGHT, Figure
 from laplace_core.training.checkpoint import Loaded
 
 

@@ -9,13 +9,11 @@ from html import escape
 import numpy as np
 import streamlit as st
 
-from app import figures
 from app.agents import return_jobs
 from app.agents.return_jobs import Returned
 from app.agents.schema import DEFAULTS
 from app.components.chart import chart
-from app.figures.returns import ReturnRow, rows_height
-from laplace_core import InputError
+from laplace_core import InputError, figures
 from laplace_core.acting.return_laws import (
     COUNT,
     INDEPENDENT,
@@ -27,6 +25,7 @@ from laplace_core.acting.return_laws import (
 )
 from laplace_core.acting.rollout import Rollout
 from laplace_core.environments import vector
+from laplace_core.figures.returns import ReturnRow, rows_height
 from laplace_core.training.checkpoint import Loaded
 
 LOOK_EVERY = 0.5  # seconds between two looks at a simulation in the making

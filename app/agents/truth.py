@@ -6,21 +6,20 @@ from functools import lru_cache
 
 import streamlit as st
 
-from app import figures
 from app.agents import truth_jobs
 from app.agents.episode import AFTER
 from app.agents.truth_jobs import COUNT, EACH, EPISODES, STEPS, Simulation
 from app.catalogue import rules
 from app.components.chart import chart
 from app.components.lens import Simulated
-from app.figures.theme import HEIGHT
 from app.session import store
 from app.view.subjects import Subject, View
-from laplace_core import InputError
+from laplace_core import InputError, figures
 from laplace_core.acting.continuations import Outcomes, steps_known
 from laplace_core.acting.rollout import Rollout
 from laplace_core.acting.simulated_truth import Confronted, confront, confront_states
 from laplace_core.environments import vector
+from laplace_core.figures.theme import HEIGHT
 from laplace_core.training.checkpoint import Loaded
 
 LOOK_EVERY = 0.5  # seconds between two looks at a simulation in the making

@@ -7,17 +7,17 @@ from typing import Any
 
 import streamlit as st
 
-from app import figures
 from app.components.chart import chart
 from app.components.copy import copy_button
 from app.components.track import COLOURS
-from app.figures.theme import HEIGHT
 from app.race import form, jobs, schema, words
 from app.race.jobs import Control
 from app.race.schema import AT, COUNT, MANY, START
 from app.session import store
+from laplace_core import figures
 from laplace_core.acting.race import Races
 from laplace_core.acting.race_file import races_csv, races_npz
+from laplace_core.figures.theme import HEIGHT
 
 _KEY = "differences"
 

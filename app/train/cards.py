@@ -14,12 +14,12 @@ from app import session
 from app.catalogue import training_runs
 from app.catalogue.names import world_title
 from app.components.copy import copy_button
-from app.figures.theme import NEUTRAL
 from app.session import store
 from app.train.pictures import colour_of
 from app.train.schema import changed
 from laplace_core import InputError
 from laplace_core.agents.settings import algorithm_title
+from laplace_core.figures.theme import NEUTRAL
 from laplace_core.training.curves import Curves, metrics_csv
 from laplace_core.training.defaults import command_of
 from laplace_core.training.progress import Progress, read_progress

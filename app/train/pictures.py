@@ -10,12 +10,20 @@ from app.catalogue import checkpoints, training_runs
 from app.catalogue.names import world_title
 from app.catalogue.training_runs import settings_of
 from app.components.chart import chart
-from app.figures.theme import ACTION_COLOURS, action_colour, to_json
-from app.figures.training import TALL, Band, Line, discount_errors, learning_curves, shipped_curves, values_by_discount
 from app.session import store
 from app.train.schema import MOST_AT_ONCE, NOTHING, names_in
 from app.view import explain
 from laplace_core.agents.settings import SETTINGS, algorithm_title
+from laplace_core.figures.theme import ACTION_COLOURS, action_colour, to_json
+from laplace_core.figures.training import (
+    TALL,
+    Band,
+    Line,
+    discount_errors,
+    learning_curves,
+    shipped_curves,
+    values_by_discount,
+)
 from laplace_core.training.queue import Run
 
 _MOST_OFFERED = 24

@@ -10,7 +10,6 @@ import streamlit as st
 
 from app.components.chart import chart
 from app.components.lens import state_of
-from app.figures.theme import HEIGHT
 from app.session import store
 from app.session.link import pack
 from app.session.url import query_of
@@ -21,6 +20,7 @@ from app.worlds import learning, sources
 from app.worlds.actions import world_name
 from app.worlds.schema import unpinned
 from laplace_core import InputError
+from laplace_core.figures.theme import HEIGHT
 
 _UNSAID = ("pin", "edit", "compare", "look", "run", "own", "timeline")
 

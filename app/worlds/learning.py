@@ -10,13 +10,13 @@ from app import session
 from app.catalogue import tabular
 from app.components.chart import chart
 from app.components.widgets import number
-from app.figures.theme import HEIGHT
 from app.session import store
 from app.view import compute, subjects
 from app.view.subjects import View
 from app.worlds import learners, sources
 from app.worlds.sources import LEARN
 from laplace_core import InputError, World, load_world
+from laplace_core.figures.theme import HEIGHT
 from laplace_core.tabular import LEARN_SCHEMA, Learned, LearnSettings, learned_bytes, resolve_learning
 from laplace_core.tabular.settings import DECIDED_NAMES, ResolvedLearning
 

@@ -1,4 +1,4 @@
-// The pictures of an agent without a gamma-space follow the cursor: what app/figures/returns.py draws at rest.
+// The pictures of an agent without a gamma-space follow the cursor: what laplace_core/figures/returns.py draws at rest.
 /** @import { ChartBox, Range, Reel } from '../types.js' */
 import { short } from '../draw/drawing.js';
 

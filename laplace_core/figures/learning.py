@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from app.figures.theme import ACTION_COLOURS, NEUTRAL, Figure, axis, build, staircase, translucent
+from laplace_core.figures.theme import ACTION_COLOURS, NEUTRAL, Figure, axis, build, staircase, translucent
 from laplace_core.tabular import Bands, Learned, Returns
 
 _NAMES = {

@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
-from app.figures.theme import UNDER_RANGE, Figure, axis, build, probability_scale
+from laplace_core.figures.theme import UNDER_RANGE, Figure, Trace, axis, build, probability_scale
 from laplace_core.study.compare import Difference
 
 _DIVERGING = [[0.0, "#2166ac"], [0.25, "#92c5de"], [0.5, "rgba(140,140,140,0)"], [0.75, "#f4a582"], [1.0, "#b2182b"]]
@@ -27,7 +25,7 @@ def comparison(found: Difference) -> dict[str, Figure]:
     }
 
 
-def _map(name: str, found: Difference, values: np.ndarray, scale: dict[str, Any]) -> Figure:
+def _map(name: str, found: Difference, values: np.ndarray, scale: Trace) -> Figure:
     tau = found.what == "tau_space"
     unit, rows = ("probability", "future step tau") if tau else ("discounted steps", "discount gamma")
     bar = {"thickness": 8, "len": 1.0, "x": 1.01, "xpad": 0, "tickfont": {"size": 10}, "nticks": 5}
@@ -54,7 +52,7 @@ def _map(name: str, found: Difference, values: np.ndarray, scale: dict[str, Any]
     )
 
 
-def _columns(thetas: np.ndarray) -> tuple[np.ndarray, dict[str, Any]]:
+def _columns(thetas: np.ndarray) -> tuple[np.ndarray, Trace]:
     """Where columns are drawn, ``(M,)``, and how that axis is labelled: all are equally wide, as in the lens.
 
     Of unevenly spaced ones the labels are 0 and the powers of ten between the outermost.

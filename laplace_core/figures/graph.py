@@ -6,8 +6,8 @@ from collections import deque
 
 import numpy as np
 
-from app.figures.theme import NEUTRAL, Figure, action_colour, axis, build
 from laplace_core import World
+from laplace_core.figures.theme import NEUTRAL, Figure, Trace, action_colour, axis, build
 from laplace_core.worlds import END, Outcome
 
 MAX_DRAWN = 26
@@ -27,7 +27,7 @@ def world_graph(world: World, state: int, action: int, policy: np.ndarray) -> Fi
     drawn = list(range(world.n_states)) if gridded else _nearby(world, state)
     places = _layered_places(world, drawn) if positions is None else _grid_places(positions)
     edges = _grid_edges(world, places, drawn, policy) if gridded else []
-    arrows: list[dict] = []
+    arrows: list[Trace] = []
     for s in drawn:
         for a in range(world.n_actions):
             lit = s == state and a == action
@@ -58,7 +58,7 @@ def world_graph(world: World, state: int, action: int, policy: np.ndarray) -> Fi
     )
 
 
-def _ends_of(edges: list[dict]) -> list[tuple[float, float]]:
+def _ends_of(edges: list[Trace]) -> list[tuple[float, float]]:
     """The outermost points of curved edges: a long one bends beyond the states that it joins."""
     curves = [edge for edge in edges if isinstance(edge["x"], np.ndarray)]
     return [(float(pick(edge["x"])), float(pick(edge["y"]))) for edge in curves for pick in (np.min, np.max)]
@@ -124,7 +124,7 @@ def _winding(i: int) -> tuple[float, float]:
     return float(along if row % 2 == 0 else _SNAKE - 1 - along), -1.2 * row
 
 
-def _grid_edges(world: World, places: Places, drawn: list[int], policy: np.ndarray) -> list[dict]:
+def _grid_edges(world: World, places: Places, drawn: list[int], policy: np.ndarray) -> list[Trace]:
     """The policy as short strokes, all in one trace: a grid may have hundreds."""
     x: list[float | None] = []
     y: list[float | None] = []
@@ -152,7 +152,7 @@ def _grid_edges(world: World, places: Places, drawn: list[int], policy: np.ndarr
 
 
 def _add_edges(
-    edges: list[dict], arrows: list[dict], world: World, places: Places, *, s: int, a: int, colour: str, lit: bool,
+    edges: list[Trace], arrows: list[Trace], world: World, places: Places, *, s: int, a: int, colour: str, lit: bool,
     labelled: bool,
 ) -> None:  # fmt: skip
     """The outcomes of one state and action: a curve, an arrowhead, and what they pay and how often."""
@@ -207,7 +207,7 @@ def _curve(
     return first * x0 + second * middle_x + third * x1, first * y0 + second * middle_y + third * y1
 
 
-def _nodes(world: World, drawn: list[int], places: Places, state: int, *, action: int, gridded: bool) -> list[dict]:
+def _nodes(world: World, drawn: list[int], places: Places, state: int, *, action: int, gridded: bool) -> list[Trace]:
     names = [world.states[s] for s in drawn]
     columns = {x for x, _ in places.values()}
     crowded = gridded or len(drawn) > 10 or len(columns) > _NAMED_COLUMNS + 1

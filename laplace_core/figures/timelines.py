@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from app.figures.theme import NEUTRAL, Figure, action_colour, axis, build, translucent
 from laplace_core import Study
+from laplace_core.figures.theme import NEUTRAL, Figure, Trace, action_colour, axis, build, translucent
 from laplace_core.tabular import Band, Bands
 
 
@@ -16,9 +16,9 @@ def rewards_and_survival(study: Study, action: int, bands: Bands) -> Figure:
     """
     step, taus, decoded, truth = study.settings.time_step, study.taus, study.decoded, study.truth
     few = len(taus) <= 60
-    traces: list[dict] = []
+    traces: list[Trace] = []
 
-    def line(name: str, values: np.ndarray, mode: str = "lines", **style: object) -> dict:
+    def line(name: str, values: np.ndarray, mode: str = "lines", **style: object) -> Trace:
         hover = f"tau %{{x:g}}<br>{name} %{{y:.3g}}<extra></extra>"
         return {"type": "scatter", "x": taus, "y": values[action] / step, "name": name, "mode": mode,
                 "hovertemplate": hover, **style}  # fmt: skip
@@ -52,7 +52,7 @@ def rewards_and_survival(study: Study, action: int, bands: Bands) -> Figure:
     )
 
 
-def _band(taus: np.ndarray, band: Band, action: int, step: float, *, colour: str, yaxis: str) -> dict:
+def _band(taus: np.ndarray, band: Band, action: int, step: float, *, colour: str, yaxis: str) -> Trace:
     """The range over all learners, as an area."""
     edge = np.concatenate([band.high[action], band.low[action][::-1]]) / step
     return {"type": "scatter", "x": np.concatenate([taus, taus[::-1]]), "y": edge, "yaxis": yaxis, "fill": "toself",
@@ -64,7 +64,7 @@ def values_over_horizon(study: Study, row: int, bands: Bands) -> Figure:
     """V_T of every action over T, its range over the learners, the share of them that chooses it, and the best one."""
     horizons, names, decoded, truth = study.horizons, study.action_names, study.decoded, study.truth
     mode = "lines+markers" if len(horizons) <= 40 else "lines"
-    traces: list[dict] = []
+    traces: list[Trace] = []
     for a, name in enumerate(names):
         line = {"type": "scatter", "x": horizons, "name": name}
         colour = action_colour(a)
@@ -95,7 +95,7 @@ def values_over_horizon(study: Study, row: int, bands: Bands) -> Figure:
     )
 
 
-def _value_bands(horizons: np.ndarray, bands: Bands) -> list[dict]:
+def _value_bands(horizons: np.ndarray, bands: Bands) -> list[Trace]:
     """The range of every action's values over all learners."""
     return [
         _band(horizons, bands.horizon_values, a, 1.0, colour=action_colour(a), yaxis="y")
@@ -103,7 +103,7 @@ def _value_bands(horizons: np.ndarray, bands: Bands) -> list[dict]:
     ]
 
 
-def _shares(horizons: np.ndarray, names: tuple[str, ...], share: np.ndarray) -> list[dict]:
+def _shares(horizons: np.ndarray, names: tuple[str, ...], share: np.ndarray) -> list[Trace]:
     """Stacked bars: the share of learners that choose each action at each horizon."""
     return [
         {"type": "bar", "x": horizons, "y": share[a], "yaxis": "y3", "marker": {"color": action_colour(a)},
@@ -128,7 +128,7 @@ def _legend_rows(names: tuple[str, ...], width: int = 290) -> int:
     return int(np.ceil(sum(50 + 6.5 * len(name) for name in names) / width))
 
 
-def _strip(horizons: np.ndarray, names: tuple[str, ...], strips: dict[str, np.ndarray]) -> dict:
+def _strip(horizons: np.ndarray, names: tuple[str, ...], strips: dict[str, np.ndarray]) -> Trace:
     """One coloured cell a horizon and strip."""
     count = max(2, len(names))
     scale = [[edge, action_colour(i)] for i in range(count) for edge in (i / count, (i + 1) / count)]

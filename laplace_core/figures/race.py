@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from app.figures.theme import NEUTRAL, Figure, axis, build, translucent
+from laplace_core.figures.theme import NEUTRAL, Figure, Trace, axis, build, translucent
 
 if TYPE_CHECKING:  # it brings torch along, which no figure needs
     from laplace_core.acting.race import Races
@@ -31,7 +31,7 @@ def differences(
     size = float(np.clip(260.0 / reach, 4.0, 10.0))
     top = reach + 1.5
     hover = "start %{customdata[0]}: %{customdata[1]:.1f} v %{customdata[2]:.1f}<br>difference %{x:+.1f}"
-    traces: list[dict] = [
+    traces: list[Trace] = [
         {"type": "scatter", "x": [*interval, *interval[::-1]], "y": [0.0, 0.0, top, top], "fill": "toself",
          "mode": "lines", "line": {"width": 0}, "fillcolor": translucent(NEUTRAL), "hoverinfo": "skip",
          "name": "95% of the mean", "showlegend": True},

@@ -8,7 +8,17 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from app.figures.theme import ACTION_COLOURS, NEUTRAL, Figure, action_colour, axis, build, staircase, translucent
+from laplace_core.figures.theme import (
+    ACTION_COLOURS,
+    NEUTRAL,
+    Figure,
+    Trace,
+    action_colour,
+    axis,
+    build,
+    staircase,
+    translucent,
+)
 
 if TYPE_CHECKING:  # it brings torch along, which no figure needs
     from laplace_core.acting.return_laws import ReturnLaw, SimulatedReturns
@@ -81,7 +91,7 @@ def returns_side_by_side(rows: Sequence[ReturnRow]) -> Figure:
     )  # fmt: skip
 
 
-def _came(came: SimulatedReturns, low: float, high: float, place: dict, *, first: bool) -> list[dict]:
+def _came(came: SimulatedReturns, low: float, high: float, place: Trace, *, first: bool) -> list[Trace]:
     """The band, and the law of what came; the next trace may fill up to it."""
     x, y = staircase(*came.law, low, high)
     count = len(came.returns)
@@ -99,7 +109,7 @@ def _came(came: SimulatedReturns, low: float, high: float, place: dict, *, first
     return [*(band if count > 1 else []), line]
 
 
-def _mean_mark(mean: float, colour: str, words: str, place: dict) -> dict:
+def _mean_mark(mean: float, colour: str, words: str, place: Trace) -> Trace:
     """A small triangle on the zero line."""
     return {"type": "scatter", "x": [mean], "y": [0.0], "mode": "markers", "showlegend": False, "cliponaxis": False,
             "marker": {"symbol": "triangle-up", "size": 9, "color": colour}, **place,
@@ -221,6 +231,6 @@ def returns_over_episode(
     )
 
 
-def _cursor(at: float, colour: str = NEUTRAL) -> dict:
+def _cursor(at: float, colour: str = NEUTRAL) -> Trace:
     line = {"color": colour, "width": 1.8, "dash": "dash" if colour == NEUTRAL else "solid"}
     return {"type": "line", "x0": at, "x1": at, "y0": 0, "y1": 1, "xref": "x", "yref": "paper", "line": line}

@@ -10,6 +10,8 @@ import numpy as np
 
 Figure = dict[str, Any]
 """A plotly figure as a dictionary of data and layout."""
+Trace = dict[str, Any]
+"""One trace of a figure, or a part of its layout."""
 
 # Okabe and Ito's palette: told apart by all, on light and on dark.
 ACTION_COLOURS = ("#0072B2", "#E69F00", "#009E73", "#D55E00", "#CC79A7", "#56B4E9", "#8C6D31", "#7A7A7A")
@@ -58,7 +60,7 @@ def axis(title: str = "", **options: object) -> dict[str, Any]:
     return {**_AXIS, "title": {"text": title, "standoff": 4, "font": {"size": 12}}, **options}
 
 
-def build(title: str, traces: list[dict], margin: dict[str, int] | None = None, **layout: object) -> Figure:
+def build(title: str, traces: list[dict[str, Any]], margin: dict[str, int] | None = None, **layout: object) -> Figure:
     """A figure in the common style, as a plain dictionary.
 
     Plotly's own classes validate every property again on each draw, which costs more than all the mathematics

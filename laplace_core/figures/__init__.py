@@ -1,10 +1,10 @@
 """Arrays in, plotly figures out, as plain dictionaries; nothing here knows Streamlit."""
 
-from app.figures.comparison import comparison
-from app.figures.graph import world_graph
-from app.figures.learning import learning_curve, return_laws, reward_bands
-from app.figures.race import differences
-from app.figures.returns import (
+from laplace_core.figures.comparison import comparison
+from laplace_core.figures.graph import world_graph
+from laplace_core.figures.learning import learning_curve, return_laws, reward_bands
+from laplace_core.figures.race import differences
+from laplace_core.figures.returns import (
     ReturnRow,
     returns_of_actions,
     returns_over_episode,
@@ -12,9 +12,9 @@ from app.figures.returns import (
     values_of_actions,
     values_over_time_to_go,
 )
-from app.figures.simulated import calibration_plot, simulated_timeline
-from app.figures.theme import to_json
-from app.figures.timelines import rewards_and_survival, values_over_horizon
+from laplace_core.figures.simulated import calibration_plot, simulated_timeline
+from laplace_core.figures.theme import to_json
+from laplace_core.figures.timelines import rewards_and_survival, values_over_horizon
 
 __all__ = [
     "ReturnRow",

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any, Protocol
+from typing import Protocol
 
 import numpy as np
 
-from app.figures.theme import NEUTRAL, Figure, axis, build, translucent
+from laplace_core.figures.theme import NEUTRAL, Figure, Trace, axis, build, translucent
 from laplace_core.training.curves import Curves
 
 TALL, CARD = 330, 132
@@ -113,7 +113,7 @@ def shipped_curves(title: str, bands: Sequence[Band]) -> Figure:
     )
 
 
-def _banded(band: Band, shade: float = 0.14, dash: str = "dash") -> list[dict[str, Any]]:
+def _banded(band: Band, shade: float = 0.14, dash: str = "dash") -> list[Trace]:
     common = {"type": "scatter", "legendgroup": band.name, "name": band.name}
     around = np.concatenate([band.lowest, band.highest[::-1]])
     return [
@@ -226,7 +226,7 @@ def _coming(curves: Curves, first: int) -> str:
     return f"after the first evaluation, at step {first:,}"
 
 
-def _note(text: str) -> list[dict[str, Any]]:
+def _note(text: str) -> list[Trace]:
     where = {"xref": "paper", "yref": "paper", "x": 0.5, "y": 0.5}
     return [{"text": text, "showarrow": False, "font": {"size": 12, "color": NEUTRAL}, **where}]
 
@@ -239,7 +239,7 @@ def _shade(index: int, of: int) -> str:
     return "#" + "".join(f"{part:02x}" for part in mixed)
 
 
-def _colour_bar(gammas: np.ndarray) -> dict[str, Any]:
+def _colour_bar(gammas: np.ndarray) -> Trace:
     """No points, only the scale that tells which colour is which discount."""
     last = len(gammas) - 1
     ticks = sorted({round(last * share) for share in (0.0, 1 / 3, 2 / 3, 1.0)})

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from app.figures.theme import ACTION_COLOURS, NEUTRAL, Figure, axis, build, translucent
+from laplace_core.figures.theme import ACTION_COLOURS, NEUTRAL, Figure, axis, build, translucent
 
 if TYPE_CHECKING:  # it brings torch along, which no figure needs
     from laplace_core.acting.simulated_truth import Confronted
