@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from streamlit.testing.v1 import AppTest
 
-from app.agents import schema, truth, truth_jobs
+from app.agents import jobs, schema, truth
 from app.catalogue import checkpoints
 from app.catalogue.scenes import scene_of
 from app.components.lens.payload import unpacked
@@ -211,7 +211,7 @@ def test_a_step_beyond_the_end_is_the_last_one(shipped):
 def few(monkeypatch):
     """Simulations of a moment."""
     for bound, small in (("COUNT", 2), ("EPISODES", 2), ("EACH", 3), ("STEPS", 20)):
-        monkeypatch.setattr(truth_jobs, bound, small)
+        monkeypatch.setattr(jobs, bound, small)
         monkeypatch.setattr(truth, bound, small)
 
 

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from streamlit.testing.v1 import AppTest
 
-from app.agents import return_jobs
+from app.agents import jobs
 from app.catalogue import checkpoints
 from laplace_core import InputError
 from laplace_core.acting.return_laws import return_laws, simulate_returns
@@ -112,9 +112,7 @@ def test_without_a_rollout_a_state_is_edited(shipped):
 
 
 def test_what_comes_stands_beside_what_was_learned(shipped, monkeypatch):
-    monkeypatch.setattr(
-        return_jobs, "simulate_returns", lambda *given, told: simulate_returns(*given, count=7, told=told)
-    )
+    monkeypatch.setattr(jobs, "simulate_returns", lambda *given, told: simulate_returns(*given, count=7, told=told))
     page = rolled_out(checkpoint=f"c51_{WORLD}", **{"r.shown": "yes", "r.action": "long"})
     heights = charts(page)["codes"]["layout"]["height"]
     page = simulated(page)
@@ -212,7 +210,7 @@ def test_a_cancelled_simulation_is_asked_for_anew(shipped, monkeypatch):
             told(i, 10_000)
             time.sleep(0.01)
 
-    monkeypatch.setattr(return_jobs, "simulate_returns", slow)
+    monkeypatch.setattr(jobs, "simulate_returns", slow)
     page = rolled_out(checkpoint=f"c51_{WORLD}", **{"r.shown": "yes"})
     page.button(key="simulate returns").click().run()
     page.button(key="cancel returns").click().run()

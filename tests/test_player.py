@@ -11,7 +11,7 @@ import pytest
 import torch
 
 from app.agents import episode
-from app.agents.rollout_jobs import Control
+from app.agents.jobs import Control
 from app.components.player.payload import LEVELS, payload, rounded
 from laplace_core.acting.rollout import roll_out
 from laplace_core.agents import LaplaceSettings

@@ -6,8 +6,8 @@ import threading
 
 import pytest
 
-from app.agents import rollout_jobs
-from app.agents.rollout_jobs import MOST_KEPT, Control, rolling
+from app.agents import jobs
+from app.agents.jobs import MOST_KEPT, Control, rolling
 from laplace_core import InputError
 from laplace_core.agents import LaplaceSettings
 from laplace_core.training.checkpoint import Loaded, load_checkpoint, new_agent, save_checkpoint
@@ -23,9 +23,9 @@ def loaded(tmp_path) -> Loaded:
 
 @pytest.fixture(autouse=True)
 def empty():
-    rollout_jobs._kept.clear()
+    jobs._rollouts.clear()
     yield
-    rollout_jobs._kept.clear()
+    jobs._rollouts.clear()
 
 
 def finished(loaded, control):
@@ -36,31 +36,31 @@ def finished(loaded, control):
 
 def test_the_same_control_is_the_same_rollout(loaded):
     one = finished(loaded, Control(seed=1))
-    assert rolling(loaded, Control(seed=1)).rollout() is one.rollout()
-    assert one.done == len(one.rollout())
+    assert rolling(loaded, Control(seed=1)).result() is one.result()
+    assert one.done == len(one.result().rollout)
 
 
 def test_fifty_rollouts_leave_a_few(loaded):
     for seed in range(50):
         finished(loaded, Control(seed=seed))
-    assert len(rollout_jobs._kept.items()) == MOST_KEPT
-    assert [control.seed for (_, control), _ in rollout_jobs._kept.items()] == list(range(50 - MOST_KEPT, 50))
+    assert len(jobs._rollouts.items()) == MOST_KEPT
+    assert [control.seed for (_, control), _ in jobs._rollouts.items()] == list(range(50 - MOST_KEPT, 50))
 
 
 def test_large_ones_make_room_sooner(loaded, monkeypatch):
-    size = finished(loaded, Control(seed=0)).bytes
+    size = finished(loaded, Control(seed=0)).result().bytes
     assert size > 100
-    monkeypatch.setattr(rollout_jobs, "MOST_BYTES", int(2.5 * size))
+    monkeypatch.setattr(jobs, "MOST_BYTES", int(2.5 * size))
     for seed in range(1, 9):
         finished(loaded, Control(seed=seed, rule="random"))
     rolling(loaded, Control(seed=8, rule="random"))
-    assert 1 <= len(rollout_jobs._kept.items()) <= 3
-    assert sum(one.bytes for _, one in rollout_jobs._kept.items()) <= 2.5 * size
+    assert 1 <= len(jobs._rollouts.items()) <= 3
+    assert sum(one.result().bytes for _, one in jobs._rollouts.items()) <= 2.5 * size
 
 
 def test_one_that_is_refused_says_why(loaded):
     with pytest.raises(InputError, match="own"):
-        finished(loaded, Control(rule="own")).rollout()
+        finished(loaded, Control(rule="own")).result()
 
 
 def test_a_cancelled_one_ends_at_the_next_step_and_is_begun_anew(loaded, monkeypatch):
@@ -73,7 +73,7 @@ def test_a_cancelled_one_ends_at_the_next_step_and_is_begun_anew(loaded, monkeyp
             told(i + 1, 1000)
             steps.append(i)
 
-    monkeypatch.setattr(rollout_jobs, "roll_out", slow)
+    monkeypatch.setattr(jobs, "roll_out", slow)
     one = rolling(loaded, Control())
     assert begun.wait(30)
     one.cancel()

@@ -4,17 +4,17 @@ from __future__ import annotations
 
 import threading
 
-from app.session.background import Work
+from app.session.background import Progress
 from app.session.shelf import Shelf
 from tests.quick_runs import until
 
 
-def work(value: int = 0) -> Work[int]:
-    return Work(lambda told: value)
+def work(progress: Progress) -> int:
+    return 0
 
 
 def test_a_key_has_one_piece_of_work():
-    shelf: Shelf[Work[int]] = Shelf(3)
+    shelf: Shelf[int] = Shelf(3)
     one = shelf.take("a", work)
     assert shelf.take("a", work) is one
     assert shelf.get("a") is one
@@ -23,7 +23,7 @@ def test_a_key_has_one_piece_of_work():
 
 
 def test_what_was_asked_for_longest_ago_makes_room_and_is_cancelled():
-    shelf: Shelf[Work[int]] = Shelf(3)
+    shelf: Shelf[int] = Shelf(3)
     one, two, _ = (shelf.take(key, work) for key in "abc")
     shelf.take("a", work)
     shelf.take("d", work)
@@ -33,7 +33,7 @@ def test_what_was_asked_for_longest_ago_makes_room_and_is_cancelled():
 
 
 def test_work_that_was_cancelled_is_begun_anew_as_the_latest():
-    shelf: Shelf[Work[int]] = Shelf(2)
+    shelf: Shelf[int] = Shelf(2)
     one, _ = shelf.take("a", work), shelf.take("b", work)
     one.cancel()
     assert shelf.get("a") is None
@@ -43,7 +43,7 @@ def test_work_that_was_cancelled_is_begun_anew_as_the_latest():
 
 
 def test_a_shelf_that_is_full_keeps_what_was_asked_for_last():
-    shelf: Shelf[Work[int]] = Shelf(9, full=lambda kept: len(kept) > 0)
+    shelf: Shelf[int] = Shelf(9, full=lambda kept: len(kept) > 0)
     shelf.take("a", work)
     two = shelf.take("b", work)
     assert shelf.items() == [("b", two)]
@@ -51,7 +51,7 @@ def test_a_shelf_that_is_full_keeps_what_was_asked_for_last():
 
 
 def test_clearing_cancels_everything():
-    shelf: Shelf[Work[int]] = Shelf(3)
+    shelf: Shelf[int] = Shelf(3)
     pieces = [shelf.take(key, work) for key in "abc"]
     shelf.clear()
     assert shelf.items() == []
@@ -61,15 +61,15 @@ def test_clearing_cancels_everything():
 def test_many_threads_that_ask_at_once_get_one_piece():
     shelf, made, found = Shelf(3), [], []
 
-    def make() -> Work[int]:
+    def make(progress: Progress) -> int:
         made.append(1)
-        return work()
+        return 0
 
     threads = [threading.Thread(target=lambda: found.append(shelf.take("a", make))) for _ in range(20)]
     for thread in threads:
         thread.start()
     for thread in threads:
         thread.join()
-    assert len(made) == 1
     assert len(set(map(id, found))) == 1
     until(lambda: found[0].worked)
+    assert len(made) == 1

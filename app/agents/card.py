@@ -9,7 +9,6 @@ import streamlit as st
 from app.catalogue import checkpoints
 from app.catalogue.scenes import Scene
 from app.components.chart import chart
-from laplace_core import figures
 from laplace_core.figures.training import CARD, score_curve
 from laplace_core.training.checkpoint import Loaded
 
@@ -25,7 +24,7 @@ def card(name: str, loaded: Loaded, scene: Scene) -> None:
     curves = checkpoints.curves(name)
     if curves:
         alt = f"Score over the steps of training: {len(curves)} seeds, the one shown heavier."
-        chart(figures.to_json(score_curve(curves, loaded.step)), "card", alt, CARD, revision=name)
+        chart(score_curve(curves, loaded.step), "card", alt, CARD, revision=name)
     with st.expander("Settings"):
         rows = "".join(
             f"<tr><td>{escape(key)}</td><td>{escape(_written(value))}</td></tr>"

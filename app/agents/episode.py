@@ -7,8 +7,9 @@ from typing import Any
 
 import numpy as np
 
-from app.agents.rollout_jobs import Control
+from app.agents.jobs import Control
 from app.catalogue.rules import for_deadline, rules_of
+from app.session.url import by_name
 from laplace_core.acting.rollout import MOST_SEED, MOST_STEPS, RANDOM, Rollout
 from laplace_core.acting.rules import RULES
 from laplace_core.agents.agent import Agent
@@ -18,7 +19,7 @@ from laplace_core.parameters import Parameter
 SHOWN, SEED, RULE, HORIZON, GAMMA, AT = "r.shown", "r.seed", "r.rule", "r.horizon", "r.gamma", "r.at"
 ACTION, TAKEN = "r.action", "taken"  # the action taken is an option of its own, which follows the cursor
 AFTER = "r.after"
-VIEW = (
+PARAMETERS = by_name(
     Parameter(SHOWN, "no", help="Whether a rollout is shown.", choices=("no", "yes")),
     Parameter(SEED, 0, 0, MOST_SEED, "Seed of the start, and of random actions."),
     Parameter(RULE, "greedy", help="Control rule.", choices=(*RULES, RANDOM)),
@@ -27,7 +28,6 @@ VIEW = (
     Parameter(AT, 0, 0, MOST_STEPS, "Step under the cursor."),
     Parameter(AFTER, "values", help="Control of what is simulated from there.", choices=("values", "rule")),
 )
-PARAMETERS = {parameter.name: parameter for parameter in VIEW}
 
 
 def parameters(agent: Agent) -> dict[str, Parameter]:
@@ -44,14 +44,12 @@ def shown(values: Mapping[str, Any]) -> bool:
 
 
 def control_of(values: Mapping[str, Any], limit: int, usual: str = "greedy") -> Control:
-    """The control that a page's values describe: ``limit`` is T where an adapted rule is told none, ``usual`` the rule
+    """The control that a page's values describe: ``limit`` is T where an adapted rule has none, ``usual`` the rule
     where there is none."""
-    rule = str(values.get(RULE, usual))
-    horizon = values.get(HORIZON)
+    seed, rule = int(values.get(SEED, 0)), str(values.get(RULE, usual))
     if for_deadline(rule):
-        return Control(int(values.get(SEED, 0)), rule, min(limit, int(horizon or limit)))
-    gamma = values.get(GAMMA) if rule == "greedy" else None
-    return Control(int(values.get(SEED, 0)), rule, None, gamma)
+        return Control(seed, rule, min(limit, int(values.get(HORIZON) or limit)))
+    return Control(seed, rule, None, values.get(GAMMA) if rule == "greedy" else None)
 
 
 def step_of(values: Mapping[str, Any], rollout: Rollout) -> int:

@@ -6,52 +6,43 @@ import numpy as np
 import streamlit as st
 
 from app.agents import episode, returns, rollout_form
-from app.agents.rollout_jobs import Rolling
+from app.agents.jobs import RolledOut
 from app.agents.schema import action_of, observation_of
 from app.catalogue.scenes import Scene
 from app.components.chart import chart
 from app.session import store
-from laplace_core import InputError, figures
+from laplace_core import figures
 from laplace_core.acting.return_laws import return_laws, return_quantiles
 from laplace_core.acting.rollout import Rollout, acting_gamma
 from laplace_core.agents.capabilities import HasTimeToGo
-from laplace_core.figures.theme import HEIGHT, Figure
+from laplace_core.figures.theme import Figure
 from laplace_core.training.checkpoint import Loaded
 
 
-def view(loaded: Loaded, scene: Scene, asked: Rolling | None) -> None:
+def view(loaded: Loaded, scene: Scene, rolled: RolledOut | None) -> None:
     """Everything under the navigation: the player, the pictures of the state, the codes side by side."""
-    rollout, said, at, above = None, {}, 0, st.container()  # what is below keeps its place without the player, too
-    try:
-        if asked is not None:
-            rollout, said = asked.rollout(), asked.said()
-            with above:
-                rollout_form.show(asked, scene)
-            at = episode.step_of(store.chosen(), rollout)
-    except InputError as error:
-        st.error(str(error))
-        return
+    rollout, at = None, 0
+    with st.container():  # what is below keeps its place without the player, too
+        if rolled is not None:
+            rollout, at = rolled.rollout, episode.step_of(store.chosen(), rolled.rollout)
+            rollout_form.show(rolled, scene)
     seen = observation_of(scene, store.chosen()) if rollout is None else episode.observation_at(rollout, at)
     taken = None if rollout is None else int(rollout.actions[at])
     action = _action(scene, taken)
     picture, alt = _of_state(loaded, scene, seen, action, rollout=rollout, at=at)
     left, right = st.columns(2, gap="small")
     with left:
-        chart(figures.to_json(picture), "state", alt, HEIGHT, revision=loaded.algorithm)
+        chart(picture, "state", alt, revision=loaded.algorithm)
     with right:
-        if rollout is None:
+        if rolled is None or rollout is None:
             st.html('<div class="panel-title">along an episode</div>')
-            st.caption("Roll out to see what was expected of every step, and what came.")
+            st.caption("Roll out to see what was predicted at every step, and what was observed.")
         else:
+            quantiles, gamma = return_quantiles(rolled.along, rollout.actions), rollout.acting_gamma
             figure = figures.returns_over_episode(
-                rollout.received,
-                rollout.predicted,
-                return_quantiles(said, rollout.actions),
-                at,
-                gamma=rollout.acting_gamma,
-                cut=not rollout.terminated,
+                rollout.received, rollout.predicted, quantiles, at, gamma=gamma, cut=not rollout.terminated
             )
-            chart(figures.to_json(figure), "episode", "Expected and real return over the episode.", HEIGHT)
+            chart(figure, "episode", "Predicted and observed return over the episode.")
     returns.section(loaded, seen, action, scene.actions[action], alpha=None, rollout=rollout, step=at)
 
 

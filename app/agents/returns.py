@@ -9,72 +9,81 @@ from html import escape
 import numpy as np
 import streamlit as st
 
-from app.agents import return_jobs
-from app.agents.return_jobs import Returned
+from app.agents import jobs
 from app.agents.schema import DEFAULTS
+from app.catalogue import checkpoints
 from app.components.chart import chart
-from laplace_core import InputError, figures
+from app.components.waiting import progress, result
+from app.components.widgets import download
+from laplace_core import figures
 from laplace_core.acting.return_laws import (
     COUNT,
     INDEPENDENT,
     LEARNED,
     ReturnLaw,
     SimulatedReturns,
+    has_return_law,
     laws_npz,
     return_laws,
+    says_more_than_a_mean,
 )
 from laplace_core.acting.rollout import Rollout
 from laplace_core.environments import vector
 from laplace_core.figures.returns import ReturnRow, rows_height
 from laplace_core.training.checkpoint import Loaded
 
-LOOK_EVERY = 0.5  # seconds between two looks at a simulation in the making
-
 
 def section(
     loaded: Loaded, observation: tuple[float, ...], action: int, name: str, *, alpha: float | None = None,
     rollout: Rollout | None = None, step: int = 0,
 ) -> None:  # fmt: skip
-    """Learned laws at once; those of what comes after a button, which needs a rollout to go on from.
+    """Learned laws at once; observed returns after a button, which needs a rollout to go on from.
 
     Args:
         action, name: the first action, and what it is called.
         alpha: regularisation of the opened agent's inverse.
     """
-    agents = return_jobs.beside(loaded)
+    agents = _beside(loaded)
     if not agents:
         return
     st.html('<div class="panel-title">the same return in different codes: P(return ≤ x)</div>')
     alphas = [alpha if each is loaded and alpha else DEFAULTS["alpha"] for each in agents]
     laws = [law_of(each, observation, action, one) for each, one in zip(agents, alphas, strict=True)]
-    found = None if rollout is None else return_jobs.found(agents, rollout, step, action)
-    came = _offered(agents, rollout, step, action, name=name, found=found)
+    observed = _offered(agents, rollout, step, action, name=name)
+    twice = len(agents) > len({each.algorithm for each in agents})
     rows = [
-        ReturnRow(
-            _title(each, law, told_apart=each is loaded and len(agents) > len({a.algorithm for a in agents})),
-            law,
-            came[i] if came else None,
-        )
+        ReturnRow(_title(each, law, opened=twice and each is loaded), law, observed[i] if observed else None)
         for i, (each, law) in enumerate(zip(agents, laws, strict=True))
     ]
     left, right = st.columns([2, 1], gap="medium")
     with left:
-        alt = "Cumulated distribution of the return, a panel an agent: learned, and what came."
-        chart(figures.to_json(figures.returns_side_by_side(rows)), "codes", alt, rows_height(len(rows)))
+        alt = "Cumulated distribution of the return, a panel an agent: learned, and observed."
+        chart(figures.returns_side_by_side(rows), "codes", alt, rows_height(len(rows)))
     with right:
         st.html(_table(rows))
         st.caption(_notes(agents, laws, observation, action=action, alphas=alphas))
-        st.download_button(
-            "Save returns (NPZ)", lambda: laws_npz([each.algorithm for each in agents], laws, came), on_click="ignore",
-            file_name=f"returns_{loaded.environment.replace(':', '-')}_step_{step}.npz",
-            mime="application/octet-stream", help="Locations and masses of every law, and the returns that came.",
-        )  # fmt: skip
+        algorithms = [each.algorithm for each in agents]
+        file = f"returns_{loaded.environment.replace(':', '-')}_step_{step}.npz"
+        contents = "Locations and masses of every law, and the observed returns."
+        download("Save returns (NPZ)", lambda: laws_npz(algorithms, laws, observed), file, help=contents)
+
+
+def _beside(loaded: Loaded) -> list[Loaded]:
+    """The opened agent, and then those that ship for its environment and say more than a mean."""
+    others = [other for other in checkpoints.same_environment(loaded) if says_more_than_a_mean(other.agent)]
+    own = [loaded] if has_return_law(loaded.agent) else []
+    return own + [other for other in others if not _same(other, loaded)]
+
+
+def _same(one: Loaded, other: Loaded) -> bool:
+    """Whether a run or a file is what ships."""
+    return one is other or (one.settings == other.settings and one.step == other.step)
 
 
 def _offered(
-    agents: Sequence[Loaded], rollout: Rollout | None, step: int, action: int, *, name: str, found: Returned | None
-) -> tuple | None:
-    """One line over the pictures: how to get what comes, how far it is, or what it is. Returns what came, if it did."""
+    agents: Sequence[Loaded], rollout: Rollout | None, step: int, action: int, *, name: str
+) -> tuple[SimulatedReturns, ...] | None:
+    """One row over the pictures: how to observe returns, how far that is, or what was observed, which is returned."""
     with st.container(key="codes_line"):
         words, button = st.columns([5, 1], vertical_alignment="center")
         if rollout is None:
@@ -82,21 +91,20 @@ def _offered(
                 f"As learned, {name} first. Roll out to hold it against what comes from a state of an episode."
             )
             return None
-        if found is None:
+        job = jobs.returns(agents, rollout, step, action)
+        work = job.work
+        if work is None:
             words.caption(_offer(agents[0], step, name))
-            button.button("Simulate returns", key="simulate returns", width="stretch",
-                          on_click=return_jobs.begin, args=(agents, rollout, step, action))  # fmt: skip
+            button.button("Simulate returns", key="simulate returns", width="stretch", on_click=job.begin)
             return None
-        if found.going:
-            st.fragment(_progress, run_every=LOOK_EVERY)(found)
+        if work.going:
+            queued = "Simulating: waits for its turn"
+            progress(work, "Simulating: {share:.0%}", queued, work.cancel, key="cancel returns")
             return None
-        try:
-            came = found.result()
-        except InputError as error:
-            st.error(str(error))
-            return None
-        words.caption(_told(came, step, name))
-        return came
+        observed = result(work)
+        if observed is not None:
+            words.caption(_summary(observed, step, name))
+        return observed
 
 
 def _offer(loaded: Loaded, step: int, name: str) -> str:
@@ -104,20 +112,11 @@ def _offer(loaded: Loaded, step: int, name: str) -> str:
     return f"As learned. What comes: {name} at step {step}, then each agent's own greedy policy, {times}."
 
 
-def _told(came: Sequence[SimulatedReturns], step: int, name: str) -> str:
-    most, count = max(came, key=lambda one: one.missing), len(came[0].returns)
+def _summary(observed: Sequence[SimulatedReturns], step: int, name: str) -> str:
+    most, count = max(observed, key=lambda one: one.missing), len(observed[0].returns)
     times = f"{count} times" if count > 1 else "once, because nothing here is by chance"
     cut = f"the cut at {most.steps} steps leaves out at most {most.missing:.2g}" if most.missing else "all ended"
     return f"{name.capitalize()} at step {step}, then each agent's own greedy policy, {times}; {cut}. Shaded: W1."
-
-
-def _progress(found: Returned) -> None:
-    if not found.going:
-        st.rerun()
-    left, right = st.columns([5, 1], vertical_alignment="center")
-    share = found.done / found.of if found.of else 0.0
-    left.progress(share, f"Simulating: {share:.0%}" if found.of else "Simulating: waits for its turn")
-    right.button("Cancel", key="cancel returns", width="stretch", on_click=found.cancel)
 
 
 @lru_cache(maxsize=128)
@@ -126,9 +125,9 @@ def law_of(loaded: Loaded, observation: tuple[float, ...], action: int, alpha: f
     return return_laws(loaded.agent, np.array(observation), [action], alpha)[0]
 
 
-def _title(loaded: Loaded, law: ReturnLaw, *, told_apart: bool) -> str:
+def _title(loaded: Loaded, law: ReturnLaw, *, opened: bool) -> str:
     """The algorithm, and where what is drawn is not what was learned, what it is."""
-    name = loaded.settings.TITLE + (" (opened)" if told_apart else "")
+    name = loaded.settings.TITLE + (" (opened)" if opened else "")
     note = loaded.settings.RETURN_LAW or ("" if law.kind == LEARNED else law.kind)
     return f"{name}, {note}" if note else name
 

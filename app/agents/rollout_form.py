@@ -4,65 +4,53 @@ from __future__ import annotations
 
 from typing import Any
 
+import numpy as np
 import streamlit as st
 
-from app.agents import episode, rollout_jobs
-from app.agents.artefact_jobs import flagging, for_player
+from app.agents import episode, jobs
 from app.agents.episode import AT, GAMMA, HORIZON, PARAMETERS, RULE, SEED, SHOWN
-from app.agents.rollout_jobs import Rolling
+from app.agents.jobs import Control, RolledOut, Rolling
 from app.agents.schema import OBSERVED
 from app.catalogue import rules
 from app.catalogue.scenes import Scene
 from app.components.player import player
+from app.components.waiting import progress
+from app.components.widgets import discount, download, field, select
 from app.session import store
 from app.session.message import name_of
 from app.view.subjects import View
-from laplace_core import InputError
+from laplace_core.acting.flags import Flags
 from laplace_core.acting.frames import animation
-from laplace_core.acting.rollout import MOST_SEED, Rollout
+from laplace_core.acting.rollout import Rollout, longest
 from laplace_core.acting.rollout_file import rollout_npz
 from laplace_core.agents.capabilities import HasDiscounts
 from laplace_core.environments import environment_of, vector
 from laplace_core.training.checkpoint import Loaded
 
-LOOK_EVERY = 0.4  # seconds between two looks at a rollout in the making
 _SLOWEST = 0.05  # seconds for a step on the screen, where life is faster
 
 
 def limit_of(loaded: Loaded) -> int:
     """Steps after which an episode ends at the latest."""
-    most = rollout_jobs.most_steps(loaded)
+    most = longest(loaded.agent)
     return min(most, vector.spec(loaded.environment).time_limit or most)
 
 
 def form(loaded: Loaded) -> None:
     """What is rolled out; a change counts at once while a rollout is shown."""
-    values, limit = store.chosen(), limit_of(loaded)
-    shown = episode.shown(values)
-    titles = rules.rules_of(loaded.agent)
-    key = store.show(RULE, next(iter(titles)))
-    st.selectbox(
-        "Control rule",
-        list(titles),
-        key=key,
-        format_func=lambda name: titles.get(name, name),
-        on_change=_keep,
-        args=(key,),
-    )
+    control, titles = _control(loaded), rules.rules_of(loaded.agent)
+    select("Control rule", list(titles), store.put(RULE, control.rule), titles, keep=_keep)
     left, right = st.columns(2, gap="small")
-    key = store.show(SEED, PARAMETERS[SEED].default)
-    left.number_input("Start seed", 0, MOST_SEED, step=1, key=key, on_change=_keep, args=(key,))
-    rule = values.get(RULE, next(iter(titles)))
+    with left:
+        field(PARAMETERS[SEED], control.seed, "Start seed", keep=_keep, help=None)
     with right:
-        if rules.for_deadline(rule):
-            key = store.put(HORIZON, min(limit, int(values.get(HORIZON) or limit)))
-            st.number_input("T (steps)", 1, limit, step=1, key=key, on_change=_keep, args=(key,))
-        elif rule == "greedy" and isinstance(loaded.agent, HasDiscounts):
-            gammas = [float(gamma) for gamma in loaded.agent.gammas]
-            at = values.get(GAMMA) or gammas[loaded.agent.acting_head]
-            key = store.put(GAMMA, min(gammas, key=lambda gamma: abs(gamma - at)))
-            st.selectbox("Discount", gammas, key=key, format_func="{:.4g}".format, on_change=_keep, args=(key,))
-    if not shown:
+        if control.horizon is not None:
+            key = store.put(HORIZON, control.horizon)
+            st.number_input("T (steps)", 1, limit_of(loaded), step=1, key=key, on_change=_keep, args=(key,))
+        elif control.rule == "greedy" and isinstance(loaded.agent, HasDiscounts):
+            gammas = loaded.agent.gammas
+            discount("Discount", gammas, GAMMA, control.gamma or gammas[loaded.agent.acting_head], keep=_keep)
+    if not episode.shown(store.chosen()):
         st.button("Roll out", type="primary", width="stretch", on_click=_begin)
 
 
@@ -85,98 +73,81 @@ def _close() -> None:
 
 def asked(loaded: Loaded) -> Rolling | None:
     """The rollout that the page shows, under way or done."""
-    values = store.chosen()
-    if not episode.shown(values):
-        return None
-    return rollout_jobs.rolling(
-        loaded, episode.control_of(values, limit_of(loaded), next(iter(rules.rules_of(loaded.agent))))
-    )
+    return jobs.rolling(loaded, _control(loaded)) if episode.shown(store.chosen()) else None
+
+
+def _control(loaded: Loaded) -> Control:
+    return episode.control_of(store.chosen(), limit_of(loaded), next(iter(rules.rules_of(loaded.agent))))
 
 
 def beside(rolling: Rolling, scene: Scene) -> None:
     """In the sidebar, while a rollout is shown: its files, and two ways on."""
-    if not rolling.going:
-        try:
-            rollout = rolling.rollout()
-        except InputError:
-            rollout = None
-        if rollout is not None:
-            _files(rollout)
-            if not scene.states:
-                st.button(
-                    "Edit the state under the cursor", width="stretch", on_click=_edit, args=(rollout, scene),
-                    help="Its numbers go to sliders, and the spaces follow them.",
-                )  # fmt: skip
+    if rolling.worked:
+        rollout = rolling.result().rollout
+        _files(rollout)
+        if not scene.states:
+            st.button(
+                "Edit the state under the cursor", width="stretch", on_click=_edit, args=(rollout, scene),
+                help="Its numbers go to sliders, and the spaces follow them.",
+            )  # fmt: skip
     st.button("Close the rollout", width="stretch", on_click=_close)
 
 
 def _files(rollout: Rollout) -> None:
     name = f"{rollout.environment}_seed_{rollout.seed}_{rollout.rule}"
+    seconds = environment_of(rollout.environment).seconds
     left, right = st.columns(2, gap="small")
-    left.download_button(
-        "NPZ", lambda: rollout_npz(rollout), file_name=f"{name}.npz", mime="application/octet-stream", width="stretch",
-        on_click="ignore", help="Every step's observation, action, reward, values and, if there is one, gamma-space.",
-    )  # fmt: skip
+    with left:
+        contents = "Every step's observation, action, reward, values and, if there is one, gamma-space."
+        download("NPZ", lambda: rollout_npz(rollout), f"{name}.npz", width="stretch", help=contents)
     if rollout.frames:
-        right.download_button(
-            "GIF", lambda: animation(rollout.frames, environment_of(rollout.environment).seconds),
-            file_name=f"{name}.gif", mime="image/gif", width="stretch", on_click="ignore", help="The episode, moving.",
-        )  # fmt: skip
+        with right:
+            picture = "The episode, moving."
+            download("GIF", lambda: animation(rollout.frames, seconds), f"{name}.gif", width="stretch", help=picture)
 
 
 def _edit(rollout: Rollout, scene: Scene) -> None:
     """Callback: the sliders take over what is under the cursor, within their range."""
-    found = episode.observation_at(rollout, episode.step_of(store.chosen(), rollout))
-    for i, (value, part) in enumerate(zip(found, scene.components, strict=True)):
+    observation = episode.observation_at(rollout, episode.step_of(store.chosen(), rollout))
+    for i, (value, part) in enumerate(zip(observation, scene.components, strict=True)):
         store.choose(f"{OBSERVED}{i}", min(part.high, max(part.low, value)))
     _close()
 
 
-def progress(rolling: Rolling) -> None:
-    """How far it is, and a way out; the page is drawn anew when it is done."""
-    if not rolling.going:
-        st.rerun()
-    share = rolling.done / rolling.of if rolling.of else 0.0
-    words = f"step {rolling.done:,} of at most {rolling.of:,}" if rolling.of else "waits for the rollout before it"
-    left, right = st.columns([6, 1], vertical_alignment="center")
-    left.progress(min(1.0, share), f"Rolling out: {words}")
-    right.button("Cancel", width="stretch", on_click=_cancel, args=(rolling,))
+def under_way(rolling: Rolling) -> None:
+    """How far it is, and a way out."""
+
+    def cancel() -> None:
+        rolling.cancel()
+        _close()
+
+    words, queued = "Rolling out: step {done:,} of at most {of:,}", "Rolling out: waits for the rollout before it"
+    progress(rolling, words, queued, cancel, key="cancel rollout")
 
 
-def _cancel(rolling: Rolling) -> None:
-    rolling.cancel()
-    _close()
-
-
-def show(rolling: Rolling, scene: Scene, view: View | None = None) -> None:
+def show(rolled: RolledOut, scene: Scene, view: View | None = None) -> None:
     """The player, with the artefacts of every step under the settings of a view as soon as they are known.
 
     Without a view there is nothing decoded that artefacts could be in.
     """
-    rollout = rolling.rollout()
-    at = episode.step_of(store.chosen(), rollout)
+    rollout, at = rolled.rollout, episode.step_of(store.chosen(), rolled.rollout)
     flags: dict[str, Any] | None = {"alpha": 0.0, "names": [], "marks": []}
     if view is not None:
-        search = flagging(rolling, view)
-        flags = None if search.going else for_player(search.result(), view.settings.alpha)
-
-    def heard(step: int) -> None:
-        store.choose(AT, min(step, len(rollout) - 1))
-
-    names = [(part.name, part.unit) for part in scene.components]
-    seconds = max(_SLOWEST, environment_of(rollout.environment).seconds)
+        search = jobs.artefacts(rolled, view)
+        flags = None if search.going else _marks(search.result(), view.settings.alpha)
     player(
-        rolling.packed(),
-        at,
-        store.page_name(),
-        names,
-        action_names=scene.actions,
-        on_step=heard,
-        seconds=seconds,
-        flags=flags,
-    )
+        rolled.packed, at, store.page_name(), [(part.name, part.unit) for part in scene.components],
+        action_names=scene.actions, on_step=lambda step: store.choose(AT, min(step, len(rollout) - 1)),
+        seconds=max(_SLOWEST, environment_of(rollout.environment).seconds), flags=flags,
+    )  # fmt: skip
 
 
-def lead(rolling: Rolling, step: int) -> dict[str, Any]:
-    """The episode and the step that the lens is told of."""
-    return {"id": name_of(rolling.packed()), "step": step}
+def _marks(flags: Flags, alpha: float) -> dict[str, Any]:
+    """What the player draws: names, and at every step which of them are there, a bit each."""
+    marks = flags.marks @ (1 << np.arange(len(flags.names)))
+    return {"alpha": alpha, "names": list(flags.names), "marks": marks.astype(int).tolist()}
+
+
+def lead(rolled: RolledOut, step: int) -> dict[str, Any]:
+    """The episode and the step that the lens follows."""
+    return {"id": name_of(rolled.packed), "step": step}

@@ -11,10 +11,12 @@ import hashlib
 import os
 import shutil
 import tempfile
+from collections.abc import Callable
 from functools import cache
 from pathlib import Path
 
 import plotly
+import streamlit as st
 
 from laplace_core.files.atomic import atomic_write
 
@@ -50,12 +52,18 @@ def module(name: str) -> str:
     return f"app/static/js/{_tree().name}/{name}"
 
 
-def stub(name: str) -> str:
-    """The script of a component: Streamlit sends it with every answer, so it does nothing but load a module.
+@cache
+def component(name: str, entry: str = "") -> Callable:
+    """The component of the folder ``name``, with the style that lies there; its script is ``app/js/NAME/NAME.js``,
+    or another ``entry`` of that folder.
 
-    Every message is handed on to the default export of the module, in order.
+    Streamlit sends the script with every answer, so it does nothing but load the module. Every message is handed on to
+    the default export of the module, in order. Nothing is isolated: plotly.js puts its style into the document.
     """
-    return _STUB.replace("__ADDRESS__", module(name))
+    style = _HERE / "components" / name / "style.css"
+    script = _STUB.replace("__ADDRESS__", module(f"{name}/{entry or name}.js"))
+    css = style.read_text(encoding="utf-8") if style.exists() else None
+    return st.components.v2.component(f"laplace_{name}", js=script, css=css, isolate_styles=False)
 
 
 @cache

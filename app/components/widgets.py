@@ -1,29 +1,100 @@
-"""A widget for a parameter: it shows the value that holds and keeps what a person sets."""
+"""Widgets: one for a parameter, which shows the value that holds and keeps what a person sets; files in and out."""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
+import numpy as np
 import streamlit as st
 
+from app import session
 from app.session import store
+from laplace_core import InputError
 from laplace_core.parameters import Parameter
 
+_MIME = {"csv": "text/csv", "json": "application/json", "gif": "image/gif"}
 
-def number(key: str, parameter: Parameter, value: object, label: str) -> None:
-    store.show(key, value)
-    kept: dict[str, Any] = {"key": key, "on_change": store.keep, "args": (key,), "help": parameter.help}
+
+def field(
+    parameter: Parameter, value: object, label: str, *, key: str = "", titles: Callable[[Any], str] = str,
+    keep: Callable[[str], None] = store.keep, **more: Any,
+) -> None:  # fmt: skip
+    """The widget for a parameter of a page or of its view.
+
+    Args:
+        value: shown where nothing is set by hand.
+        key: of the widget and of the value in the link, where it is not the parameter's name.
+        titles, keep: see :func:`select`.
+        more: other arguments of :func:`select` or of Streamlit's widget for a number.
+    """
+    key = store.show(key or parameter.name, value)
+    more = {"help": parameter.help, **more}
+    if parameter.choices:
+        select(label, parameter.choices, key, titles, keep=keep, **more)
+        return
+    kept = {"key": key, "on_change": keep, "args": (key,), **more}
     if parameter.type is bool:
         st.checkbox(label, **kept)
-    elif parameter.choices:
-        st.selectbox(label, parameter.choices, **kept)
     elif parameter.type is int:
         low, high = parameter.bounds
-        st.number_input(label, int(low), int(high), step=1, **kept)
+        st.number_input(label, int(low), int(high), **{"step": 1, **kept})
     else:
         low, high = parameter.bounds
         step = 0.01 if high <= 1 else 0.5
         if parameter.default:  # a small number moves by its last digit
             step = min(step, 10.0 ** math.floor(math.log10(abs(float(parameter.default)))))
         st.number_input(label, float(low), float(high), step=step, format="%g", **kept)
+
+
+def select(
+    label: str, options: Sequence, key: str, titles: Callable[[Any], str] | Mapping[Any, str] = str,
+    *, keep: Callable[[str], None] = store.keep, **more: Any,
+) -> None:  # fmt: skip
+    """A box with options, after :func:`app.session.store.show` or :func:`~app.session.store.put` for its key.
+
+    Args:
+        titles: what options are called; an option without a title goes by its own name.
+        keep: callback for the key, once a person has chosen.
+    """
+    named = titles if callable(titles) else lambda option: titles.get(option, str(option))
+    st.selectbox(label, options, format_func=named, key=key, on_change=keep, args=(key,), **more)
+
+
+def discount(
+    label: str, gammas: np.ndarray, key: str, gamma: float, *, keep: Callable[[str], None], help: str | None = None
+) -> None:
+    """A box with the discounts that an agent has learned, at the one nearest to ``gamma``."""
+    options = [float(each) for each in gammas]
+    key = store.put(key, min(options, key=lambda each: abs(each - gamma)))
+    select(label, options, key, "{:.4g}".format, keep=keep, help=help)
+
+
+def download(label: str, data: str | Callable[[], str | bytes], file_name: str, **more: Any) -> None:
+    """A button that saves a file, which is made when it is clicked; the ending of its name says of what kind it is."""
+    mime = _MIME.get(file_name.rpartition(".")[2], "application/octet-stream")
+    st.download_button(label, data, file_name=file_name, mime=mime, on_click="ignore", **more)
+
+
+def upload(label: str, endings: Sequence[str], key: str, take: Callable[[str, bytes], None], **more: Any) -> None:
+    """A place for a file, and under it why the last one was refused, if it was.
+
+    Args:
+        take: callback for its name and its content; may raise InputError.
+    """
+    st.file_uploader(label, type=list(endings), key=key, on_change=_uploaded, args=(key, take), **more)
+    if key in session.current().refusals:
+        st.error(session.current().refusals[key])
+
+
+def _uploaded(key: str, take: Callable[[str, bytes], None]) -> None:
+    """Callback: an uploaded file replaces the view, or says in one sentence why it cannot."""
+    session.current().refusals.pop(key, None)
+    file = st.session_state[key]
+    if file is None:
+        return
+    try:
+        take(file.name, file.getvalue())
+    except InputError as error:
+        session.current().refusals[key] = str(error)

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from app.components.track.payload import payload
-from app.session.background import Told, Work
+from app.session.background import Progress, Work
 from app.session.shelf import Shelf
 from laplace_core.acting.race import Entrant, Race, Races, race, races
 from laplace_core.environments import GYMNASIUM_ENVIRONMENTS
@@ -37,41 +37,26 @@ class Control:
         return left, Entrant(self.right.agent, self.right_rule)
 
 
-class Racing(Work[tuple[Race, bytes]]):
-    """One race, and the same packed for the track."""
-
-    def __init__(self, control: Control, start: int):
-        pictures = control.environment in GYMNASIUM_ENVIRONMENTS
-
-        def make(told: Told) -> tuple[Race, bytes]:
-            found = race(
-                control.environment, *control.entrants, start, horizon=control.horizon, pictures=pictures, told=told
-            )
-            return found, payload(found)
-
-        super().__init__(make)
+_racing: Shelf[tuple[Race, bytes]] = Shelf(MOST_KEPT)
+_fields: Shelf[tuple[Races, dict[str, Any]]] = Shelf(MOST_KEPT)
 
 
-class Field(Work[tuple[Races, dict[str, Any]]]):
-    """Races from many starts, and what they come to."""
+def racing(control: Control, start: int) -> Work[tuple[Race, bytes]]:
+    """The race of a control from a start, and the same packed for the track; the oldest makes room."""
 
-    def __init__(self, control: Control, count: int):
-        def make(told: Told) -> tuple[Races, dict[str, Any]]:
-            found = races(control.environment, *control.entrants, control.horizon, count=count, told=told)
-            return found, found.summary()
+    def make(progress: Progress) -> tuple[Race, bytes]:
+        horizon, pictures = control.horizon, control.environment in GYMNASIUM_ENVIRONMENTS
+        run = race(control.environment, *control.entrants, start, horizon=horizon, pictures=pictures, told=progress)
+        return run, payload(run)
 
-        super().__init__(make)
-
-
-_racing: Shelf[Racing] = Shelf(MOST_KEPT)
-_fields: Shelf[Field] = Shelf(MOST_KEPT)
+    return _racing.take((control, start), make)
 
 
-def racing(control: Control, start: int) -> Racing:
-    """The race of a control from a start: the one there is, or a new one; the oldest makes room."""
-    return _racing.take((control, start), lambda: Racing(control, start))
+def field(control: Control, count: int) -> Work[tuple[Races, dict[str, Any]]]:
+    """The races of a control from the first so many starts, and their summary."""
 
+    def make(progress: Progress) -> tuple[Races, dict[str, Any]]:
+        runs = races(control.environment, *control.entrants, control.horizon, count=count, told=progress)
+        return runs, runs.summary()
 
-def field(control: Control, count: int) -> Field:
-    """The races of a control from the first so many starts."""
-    return _fields.take((control, count), lambda: Field(control, count))
+    return _fields.take((control, count), make)

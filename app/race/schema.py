@@ -28,6 +28,10 @@ HORIZON, START, LEFT, GAMMA, RIGHT, AT, MANY, COUNT = (
 FIRST_AGENT = "laplace_LunarLander-v3"
 """What a visitor without a link sees: an environment in which a deadline matters."""
 USUAL_HORIZON, USUAL_COUNT = 50, 100
+_STOPPED = "Both episodes are stopped after so many steps."
+_HELD_OUT = "No agent was trained or chosen on any of these starts."
+_RIGHT_HELP = "The rule by which the agent acts for the time to go."
+RIVAL = Parameter(AGAINST, None, help="Another agent of this environment.", kind=str)
 _STOPS = (1, 2, 3, 4, 5, 6, 8, 10, 15, 20, 25, 30, 40, 50, 60, 80, 100, 125, 150, 200, 250, 300, 400, 500, 700, 1000)
 
 
@@ -51,8 +55,8 @@ def _environment(name: str) -> str | None:
 
 def rules_of(agent: Agent) -> tuple[str, ...]:
     """Rules that an agent can act by; one that takes the time to go has no reason for another."""
-    found = rules.rules_of(agent)
-    return found[:1] if found[0] == "own" else found
+    names = rules.rules_of(agent)
+    return names[:1] if names[0] == "own" else names
 
 
 def longest_horizon(loaded: Loaded) -> int:
@@ -81,17 +85,17 @@ def horizons(loaded: Loaded, shown: int) -> list[int]:
 
 def parameters(loaded: Loaded, other: Loaded | None = None) -> dict[str, Parameter]:
     """What a link may hold besides the agents."""
-    found = (
-        Parameter(HORIZON, usual_horizon(loaded), 1, longest_horizon(loaded), "Deadline T, in steps."),
-        Parameter(START, 0, 0, MOST_START, "Start of the race."),
-        Parameter(LEFT, None, help="How the left side acts.", kind=str, choices=rules_of((other or loaded).agent)),
-        Parameter(GAMMA, None, 1e-6, 0.999999, "Discount for the left side to be greedy at.", float),
-        Parameter(RIGHT, None, help="How the right side acts.", kind=str, choices=rules_of(loaded.agent)),
+    left = rules_of((other or loaded).agent)
+    return by_name(
+        Parameter(HORIZON, usual_horizon(loaded), 1, longest_horizon(loaded), _STOPPED),
+        Parameter(START, 0, 0, MOST_START, f"Both sides begin from it. {_HELD_OUT}"),
+        Parameter(LEFT, None, help="What the right side is held against.", kind=str, choices=left),
+        Parameter(GAMMA, None, 1e-6, 0.999999, "It takes the best action at this discount.", float),
+        Parameter(RIGHT, None, help=_RIGHT_HELP, kind=str, choices=rules_of(loaded.agent)),
         Parameter(AT, None, 0, 10_000, "Steps that are over under the cursor.", int),
         Parameter(MANY, "no", help="Whether many starts are raced over.", choices=("no", "yes")),
-        Parameter(COUNT, USUAL_COUNT, 2, MOST_RACES, "How many starts."),
+        Parameter(COUNT, USUAL_COUNT, 2, MOST_RACES, "From start 0 on; more starts make the interval narrower."),
     )
-    return {parameter.name: parameter for parameter in found}
 
 
 def _is_rival(values: Values) -> None:
@@ -115,7 +119,7 @@ LINK = Schema(
     opening=opening,
     steps=(
         *checkpoints.NAMED,
-        Entries(by_name(Parameter(AGAINST, None, help="Another agent, for the left side.", kind=str))),
+        Entries(by_name(RIVAL)),
         Check(_is_rival, drops=(AGAINST,)),
         Entries(_of_race),
     ),

@@ -21,9 +21,7 @@ def sides(control: Control) -> tuple[str, str]:
         return left, right
     if control.left.algorithm == control.right.algorithm:
         return f"{left}, other agent", right
-    codes = (side.settings.TITLE for side in (control.left, control.right))
-    left_code, right_code = codes
-    return f"{left_code}: {left}", f"{right_code}: {right}"
+    return f"{control.left.settings.TITLE}: {left}", f"{control.right.settings.TITLE}: {right}"
 
 
 def alike(control: Control) -> bool:
@@ -46,8 +44,8 @@ def verdict(race: Race, control: Control) -> tuple[str, str]:
         return "level", f"{where}: {left} {totals[0]:.1f}, {right} {totals[1]:.1f}: level{apart}."
     leader = right if race.difference > 0 else left
     tone, lead = "ahead" if race.difference > 0 else "behind", abs(race.difference)
-    found = f"{where}: {left} {totals[0]:.1f}, {right} {totals[1]:.1f}"
-    return tone, f"{found}. {_capital(leader)} is ahead by {lead:.1f}."
+    returns = f"{where}: {left} {totals[0]:.1f}, {right} {totals[1]:.1f}"
+    return tone, f"{returns}. {_capital(leader)} is ahead by {lead:.1f}."
 
 
 def field_verdict(summary: Mapping[str, Any], control: Control) -> tuple[str, str]:

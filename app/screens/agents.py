@@ -2,22 +2,20 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import streamlit as st
 
-from app import session
 from app.agents import episode, peer, returns, rollout_form, truth
 from app.agents.card import card
-from app.agents.rollout_jobs import Rolling
+from app.agents.jobs import Rolling
 from app.agents.schema import LINK, OBSERVED, observation_of, view_of
 from app.catalogue import checkpoints
 from app.catalogue.scenes import Scene, scene_of
 from app.components.lens import LIVE
+from app.components.waiting import result
+from app.components.widgets import select, upload
 from app.session import store
 from app.view import compute, export, panels
 from laplace_core import InputError
-from laplace_core.acting.rollout import Rollout
 from laplace_core.agents.capabilities import HasGammaSpace
 from laplace_core.training.checkpoint import Loaded
 
@@ -40,14 +38,14 @@ def page() -> None:
         card(str(name), loaded, scene)
         asked = rollout_form.asked(loaded)
         rollout_form.form(loaded)
-        if asked is not None:
-            rollout_form.beside(asked, scene)
         if asked is None:
             _observation(scene)
+        else:
+            rollout_form.beside(asked, scene)
     above = st.container()  # whether or not there is something in it, the lens keeps its place
     if asked is not None and asked.going:
         with above:
-            st.fragment(rollout_form.progress, run_every=rollout_form.LOOK_EVERY)(asked)
+            rollout_form.under_way(asked)
         asked = None  # until it is done, the pictures stay as they are
     _view(loaded, scene, asked)
 
@@ -55,32 +53,21 @@ def page() -> None:
 def _choose() -> None:
     names = checkpoints.names()
     if names:
-        key = store.show("checkpoint", names[0])
-        st.selectbox("Agent", names, key=key, on_change=_chosen, format_func=checkpoints.title)
-    st.file_uploader("Open a checkpoint (.safetensors)", type=["safetensors"], key="agent_file", on_change=_uploaded)
-    if "agent_file" in session.current().refusals:
-        st.error(session.current().refusals["agent_file"])
+        select("Agent", names, store.show("checkpoint", names[0]), checkpoints.title, keep=_chosen)
+    upload("Open a checkpoint (.safetensors)", ["safetensors"], "agent_file", _opened)
 
 
-def _chosen() -> None:
-    store.replace_all({"checkpoint": st.session_state["checkpoint"]})
+def _chosen(key: str) -> None:
+    store.replace_all({key: st.session_state[key]})
 
 
-def _uploaded() -> None:
-    session.current().refusals.pop("agent_file", None)
-    file = st.session_state["agent_file"]
-    if file is None:
-        return
-    try:
-        store.replace_all({"checkpoint": checkpoints.open_checkpoint(file.name, file.getvalue())})
-    except InputError as error:
-        session.current().refusals["agent_file"] = str(error)
+def _opened(name: str, data: bytes) -> None:
+    store.replace_all({"checkpoint": checkpoints.open_checkpoint(name, data)})
 
 
 def _observation(scene: Scene) -> None:
     if scene.states:
-        key = store.show("state", scene.states[0])
-        st.selectbox("State", scene.states, key=key, on_change=store.keep, args=(key,))
+        select("State", scene.states, store.show("state", scene.states[0]))
         return
     for i, component in enumerate(scene.components):
         key = store.show(f"{OBSERVED}{i}", component.start)
@@ -93,35 +80,35 @@ def _observation(scene: Scene) -> None:
 @st.fragment
 def _view(loaded: Loaded, scene: Scene, asked: Rolling | None) -> None:
     store.write_url()
-    if not isinstance(loaded.agent, HasGammaSpace):
-        peer.view(loaded, scene, asked)
+    rolled = None if asked is None else result(asked)
+    if asked is not None and rolled is None:
         return
-    observation, simulated, at, above = None, None, 0, st.container()
-    rollout: Rollout | None = None
-    lead: dict[str, Any] | None = None
-    followed: dict[str, Any] | None = None
+    if not isinstance(loaded.agent, HasGammaSpace):
+        peer.view(loaded, scene, rolled)
+        return
+    rollout, observation, simulated, at = None, observation_of(scene, store.chosen()), None, 0
+    if rolled is not None:
+        rollout, at = rolled.rollout, episode.step_of(store.chosen(), rolled.rollout)
+        observation = episode.observation_at(rollout, at)
+    above = st.container()
     try:
-        if asked is not None:
-            rollout = asked.rollout()
-            at = episode.step_of(store.chosen(), rollout)
-            observation = episode.observation_at(rollout, at)
-            lead, followed = rollout_form.lead(asked, at), episode.followed(rollout, at)
         view = view_of(loaded, scene, store.chosen(), observation)
         base = view_of(loaded, scene, store.without(*LIVE), observation)
         compute.study_for(view)
     except InputError as error:
         st.error(str(error))
         return
-    if asked is not None and rollout is not None:
+    lead = followed = None
+    if rolled is not None and rollout is not None:
+        lead, followed = rollout_form.lead(rolled, at), episode.followed(rollout, at)
         with above:
-            rollout_form.show(asked, scene, view)
+            rollout_form.show(rolled, scene, view)
             simulated = truth.ask(view, loaded, rollout, at)
     panels.pictures(view, base, lead=lead, followed=followed, simulated=simulated)
     if rollout is not None:
         truth.section(view, loaded, rollout, at)
-    seen = observation or observation_of(scene, store.chosen())
-    name = view.subject.action_names[view.action]
-    returns.section(loaded, seen, view.action, name, alpha=view.settings.alpha, rollout=rollout, step=at)
+    name, alpha = view.subject.action_names[view.action], view.settings.alpha
+    returns.section(loaded, observation, view.action, name, alpha=alpha, rollout=rollout, step=at)
     panels.artefacts(view)
     export.agent_footer(view)
 

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import streamlit as st
 
+from app.components.waiting import progress, result
 from app.race import field, form, schema
-from app.race.jobs import Control, Racing
+from app.race.jobs import Control
 from app.session import store
 from laplace_core import InputError
+from laplace_core.acting.race import Race
 
 
 def page() -> None:
@@ -25,22 +27,22 @@ def page() -> None:
             return
         form.form(control)
     store.write_url()
-    one = form.begun(control)
-    if one.going:
-        st.fragment(form.progress, run_every=form.LOOK_EVERY)(one, "Racing")
+    work = form.begun(control)
+    if work.going:
+        progress(work, *form.RACING)
         st.html('<div class="race-room"></div>')  # where the race will be
         return
-    if form.refused(one):
-        return
-    _view(control, one)
-    field.section(control)
+    one = result(work)
+    if one is not None:
+        _view(control, *one)
+        field.section(control)
 
 
 @st.fragment
-def _view(control: Control, one: Racing) -> None:
+def _view(control: Control, one: Race, packed: bytes) -> None:
     """While the cursor moves nothing else is drawn anew."""
     store.write_url()
-    form.show(control, one)
+    form.show(control, one, packed)
 
 
 page()

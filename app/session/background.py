@@ -12,8 +12,8 @@ from typing import Generic, TypeVar
 from laplace_core import InputError
 
 Result = TypeVar("Result")
-Told = Callable[[int, int], None]
-"""Hears how much is done, of how much."""
+Progress = Callable[[int, int], None]
+"""Called with how much is done, and of how much."""
 
 
 class _Cancelled(Exception):
@@ -23,12 +23,12 @@ class _Cancelled(Exception):
 class Work(Generic[Result]):
     """One piece of work: waiting, under way, done, refused or cancelled."""
 
-    def __init__(self, make: Callable[[Told], Result]):
+    def __init__(self, make: Callable[[Progress], Result]):
         self.done, self.of = 0, 0
         self._cancelled = threading.Event()
-        self._future: Future[Result] = _worker().submit(make, self._hear)
+        self._future: Future[Result] = _worker().submit(make, self._note)
 
-    def _hear(self, done: int, of: int) -> None:
+    def _note(self, done: int, of: int) -> None:
         if self._cancelled.is_set():
             raise _Cancelled
         self.done, self.of = done, of
@@ -58,7 +58,7 @@ class Work(Generic[Result]):
         return self._future.done() and not self._future.cancelled() and self._future.exception() is None
 
     def result(self) -> Result:
-        """What came of it, once it is no longer going.
+        """The result, once it is no longer going.
 
         Raises:
             InputError: it was refused, or cancelled by somebody else.

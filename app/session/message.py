@@ -14,7 +14,7 @@ What is seen has two owners, the server and the hand in the browser, and this is
 4. **Mounting anew.** Streamlit may take a component off a page and put it back with its last message. The lens
    therefore remembers in the browser the last released state with its payload and revision (``released`` in
    ``lens/entry.js``), so that its message need not change with a release (:meth:`Channel.show`). The message
-   of a cursor always holds the step that Python knows (:meth:`Channel.place`); a step that it has not heard of yet is
+   of a cursor always holds the step that Python knows (:meth:`Channel.place`); a step that it does not know yet is
    remembered under the same payload and revision (``latest`` in ``cursor/cursor.js``).
 """
 
@@ -23,7 +23,7 @@ from __future__ import annotations
 import hashlib
 import json
 import struct
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -33,11 +33,25 @@ def name_of(data: bytes) -> str:
     return hashlib.sha256(data).hexdigest()[:16]
 
 
-def pack(told: Mapping[str, Any], data: bytes) -> bytes:
+def pack(header: Mapping[str, Any], data: bytes) -> bytes:
     """A length, JSON and the payload, which begins on a multiple of 8 bytes."""
-    text = json.dumps(told).encode()
+    text = json.dumps(header).encode()
     text += b" " * (-(len(text) + 4) % 8)
     return struct.pack("<I", len(text)) + text + data
+
+
+def packed_blocks(blocks: Iterable[tuple[str, str, bytes, Any]]) -> tuple[dict[str, list], bytes]:
+    """Blocks given by name, kind, content and size, each put on a multiple of 8 bytes.
+
+    Returns:
+        Kind, place and size of each block by its name, and all contents as one.
+    """
+    table, contents, at = {}, [], 0
+    for name, kind, content, size in blocks:
+        table[name] = [kind, at, size]
+        contents.append(content + b"\0" * (-len(content) % 8))
+        at += len(contents[-1])
+    return table, b"".join(contents)
 
 
 @dataclass

@@ -14,6 +14,7 @@ from app import session
 from app.catalogue import training_runs
 from app.catalogue.names import world_title
 from app.components.copy import copy_button
+from app.components.widgets import download
 from app.session import store
 from app.train.pictures import colour_of
 from app.train.schema import changed
@@ -96,13 +97,13 @@ def _head(run: Run, title: str, colour: str, *, looked: bool) -> None:
 def _progress(run: Run, progress: Progress | None, curves: Curves) -> tuple[float, str]:
     """Share of the steps that are done, and words for it."""
     of = training_runs.settings_of(run).steps
-    told = [int(steps[-1]) for steps in (curves.episode_steps, curves.steps) if len(steps)]
-    step = min(of, max(progress.step if progress else 0, *told, 0))  # the last round of environments may go beyond
+    reported = [int(steps[-1]) for steps in (curves.episode_steps, curves.steps) if len(steps)]
+    step = min(of, max(progress.step if progress else 0, *reported, 0))  # the last round of environments may go beyond
     step = of if run.state == FINISHED else step
     words = [f"{step:,} of {of:,} steps"]
     if run.state == WAITING:
         words.append(f"waits for one of the {MOST_TRAINING} places")
-    elif run.state == TRAINING and not told:
+    elif run.state == TRAINING and not reported:
         words.append("starting" if not step else "first episodes")
     if run.state == TRAINING and progress and progress.steps_per_second:
         words.append(f"{progress.steps_per_second:,.0f} steps/s")
@@ -207,7 +208,4 @@ def _remove(name: str) -> None:
 
 def _file(label: str, path: Path, name: str, read: Callable[[Path], bytes] = Path.read_bytes) -> None:
     if path.is_file() and not path.is_symlink() and path.stat().st_size <= _MOST_DOWNLOAD:
-        st.download_button(
-            label, lambda: read(path), file_name=name, mime="application/octet-stream", width="stretch",
-            on_click="ignore", key=f"file {name}",
-        )  # fmt: skip
+        download(label, lambda: read(path), name, width="stretch", key=f"file {name}")

@@ -9,8 +9,9 @@ import streamlit as st
 from app import session
 from app.catalogue import training_runs
 from app.catalogue.names import world_title
-from app.components.widgets import number
+from app.components.widgets import field, select
 from app.session import store
+from app.session.url import by_name
 from app.train.schema import FORM, OPENING, TRAIN, fields, suited, wanted
 from laplace_core import InputError
 from laplace_core.agents.settings import ENVIRONMENTS, LOOP_SCHEMA, SETTINGS, LoopSettings, algorithm_title
@@ -20,15 +21,16 @@ _FORM = "training"  # what refusals of this form go by
 _NAMES = {"gammas": "Discounts", "thetas": "Sensitivities", "spacing": "Spacing"}
 _SHORT = 13  # letters of a title that has room beside another
 _GREEK = ("gamma", "theta")
+_SEED, _COUNT = by_name(*LOOP_SCHEMA)["seed"], by_name(*FORM)["count"]
 
 
 def form() -> None:
     """All of it; a change is kept by hand and shows in the link, the button starts what is set."""
     values = store.chosen()
     key = store.show("algorithm", OPENING["algorithm"])
-    st.selectbox("Algorithm", tuple(SETTINGS), key=key, on_change=_change_algorithm, format_func=algorithm_title)
+    select("Algorithm", tuple(SETTINGS), key, algorithm_title, keep=_change_algorithm)
     key = store.show("environment", OPENING["environment"])
-    st.selectbox("Environment", ENVIRONMENTS, key=key, on_change=_change_environment, format_func=world_title)
+    select("Environment", ENVIRONMENTS, key, world_title, keep=_change_environment)
     usual, refused = suited(values), None
     try:
         shown = wanted(values)
@@ -36,9 +38,9 @@ def form() -> None:
         shown, refused = usual, str(error)
     columns = st.columns(2)
     with columns[0]:
-        number(f"{TRAIN}seed", _seed(), shown.seed, "Seed")
+        field(_SEED, shown.seed, "Seed", key=f"{TRAIN}seed")
     with columns[1]:
-        number("count", next(p for p in FORM if p.name == "count"), 1, "Runs")
+        field(_COUNT, 1, "Runs")
     first, others = fields(usual.ALGORITHM)
     _in_columns(first, shown)
     box = st.expander("All other settings", key="train_all", on_change="rerun")
@@ -54,15 +56,12 @@ def form() -> None:
         st.button("Back to the settings that suit it", on_click=_suit, width="stretch")
 
 
-def _seed() -> Parameter:
-    return next(parameter for parameter in LOOP_SCHEMA if parameter.name == "seed")
-
-
 def _in_columns(parameters: list[Parameter], shown: LoopSettings) -> None:
     for row in _rows(parameters):
         for column, parameter in zip(st.columns(len(row)), row, strict=True):
             with column:
-                number(TRAIN + parameter.name, parameter, getattr(shown, parameter.name), _title(parameter.name))
+                name = parameter.name
+                field(parameter, getattr(shown, name), _title(name), key=TRAIN + name)
 
 
 def _rows(parameters: list[Parameter]) -> list[list[Parameter]]:
@@ -84,17 +83,17 @@ def _title(name: str) -> str:
     return words if name.startswith(_GREEK) else words.capitalize()
 
 
-def _change_algorithm() -> None:
+def _change_algorithm(key: str) -> None:
     """Callback: settings that the new algorithm has as well stay."""
-    name = st.session_state["algorithm"]
+    name = st.session_state[key]
     known = {TRAIN + parameter.name for parameter in SETTINGS[name].SCHEMA}
-    _replace({key: v for key, v in store.chosen().items() if not key.startswith(TRAIN) or key in known}, algorithm=name)
+    _replace({k: v for k, v in store.chosen().items() if not k.startswith(TRAIN) or k in known}, algorithm=name)
 
 
-def _change_environment() -> None:
+def _change_environment(key: str) -> None:
     """Callback: what suited the old one goes, the seed stays."""
     kept = {k: v for k, v in store.chosen().items() if not k.startswith(TRAIN) or k == f"{TRAIN}seed"}
-    _replace(kept, environment=st.session_state["environment"])
+    _replace(kept, environment=st.session_state[key])
 
 
 def _suit() -> None:

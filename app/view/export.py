@@ -3,20 +3,19 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
 
 import streamlit as st
 from streamlit.delta_generator import DeltaGenerator
 
+from app.components.widgets import download
 from app.view import compute, explain, subjects
 from app.view.subjects import View
 from laplace_core.study.npz import npz_bytes
 from laplace_core.study.settings import Resolved
 from laplace_core.study.tables import gamma_space_csv, rewards_csv, tau_space_csv, values_csv
 
-_BYTES = "application/octet-stream"
 _TABLES = {
     "tau-space": tau_space_csv,
     "gamma-space": gamma_space_csv,
@@ -53,14 +52,11 @@ def downloads(place: DeltaGenerator, view: View) -> None:
     if not box.open:
         return
     settings = settings_on_disk(view)
-    found = replace(compute.study_for(view), settings=settings)
+    study = replace(compute.study_for(view), settings=settings)
     name = re.sub(r"[^A-Za-z0-9_.-]+", "_", re.sub(r"\.(json|npz|safetensors)$", "", settings.world))
     with box:
-        _file("NPZ: every array and the settings", lambda: npz_bytes(found), f"{name}.npz", _BYTES)
+        download("NPZ: every array and the settings", lambda: npz_bytes(study), f"{name}.npz", width="stretch")
         for title, csv in _TABLES.items():
-            _file(f"CSV: {title}", partial(csv, found), f"{name}_{title.replace(' ', '_')}.csv", "text/csv")
+            file = f"{name}_{title.replace(' ', '_')}.csv"
+            download(f"CSV: {title}", partial(csv, study), file, width="stretch")
         st.caption("PNG, SVG, CSV and HTML of the lens: the buttons under it.")
-
-
-def _file(label: str, data: Callable[[], str | bytes], file_name: str, mime: str) -> None:
-    st.download_button(label, data, file_name=file_name, mime=mime, width="stretch", on_click="ignore")

@@ -26,9 +26,9 @@ def go_to(**values: object) -> None:
     store.refresh_sidebar()
 
 
-def choose_world() -> None:
+def choose_world(key: str = "world") -> None:
     """Callback of the world widget: what belonged to the old world is dropped."""
-    name = st.session_state["world"]
+    name = st.session_state[key]
     if name == sources.OWN:
         # A gamma-space from a file has no world to begin with.
         edit_world(sources.world_of(store.chosen()) or load_world(sources.FIRST_WORLD))

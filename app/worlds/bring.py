@@ -9,6 +9,7 @@ from streamlit.delta_generator import DeltaGenerator
 
 from app import session
 from app.catalogue import tabular
+from app.components.widgets import download, upload
 from app.session import store
 from app.session.link import pack
 from app.view.subjects import View
@@ -26,7 +27,10 @@ from laplace_core.worlds import (
 )
 
 MOST_ROWS = 2_000
-_KINDS = ("json", "npz", "safetensors")
+_CONTENTS = (
+    "A world file as in the README; arrays gamma_space (actions, discounts, thetas), gammas and thetas; or what "
+    "Download agent saved."
+)
 
 
 def open_group(world: World | None) -> None:
@@ -35,21 +39,11 @@ def open_group(world: World | None) -> None:
     if not box.open:
         return
     with box:
-        st.file_uploader(
-            "World (.json), gamma-space (.npz) or learned agent (.safetensors)", type=list(_KINDS), key="upload",
-            on_change=_uploaded,
-            help="A world file as in the README; arrays gamma_space (actions, discounts, thetas), gammas and thetas; "
-            "or what Download agent saved.",
-        )  # fmt: skip
-        if "upload" in session.current().refusals:
-            st.error(session.current().refusals["upload"])
+        kinds = "World (.json), gamma-space (.npz) or learned agent (.safetensors)"
+        upload(kinds, ("json", "npz", "safetensors"), "upload", _open, help=_CONTENTS)
         for name in tabular.shipped_agents():
-            st.button(
-                f"Open the learned {name.removesuffix('_td').replace('_', ' ')}",
-                on_click=_open_agent,
-                args=(name,),
-                width="stretch",
-            )
+            title = name.removesuffix("_td").replace("_", " ")
+            st.button(f"Open the learned {title}", on_click=_open_agent, args=(name,), width="stretch")
         if world is not None and world_name() not in sources.BROUGHT:
             st.button("Edit this world as a table", on_click=edit_world, args=(world,), width="stretch")
         if world_name() != sources.TIMELINE:
@@ -64,24 +58,17 @@ def _draw() -> None:
     go_to(world=sources.TIMELINE, timeline=sources.FIRST_TIMELINE, edit="yes")
 
 
-def _uploaded() -> None:
-    """Callback: an uploaded file replaces the view, or says in one sentence why it cannot."""
-    session.current().refusals.pop("upload", None)
-    file = st.session_state["upload"]
-    if file is None:
-        return
-    ending = file.name.lower().rpartition(".")[2]
-    try:
-        if ending == "json":
-            text = world_text(file.getvalue(), file.name)
-            parse_world(text)
-            go_to(world=sources.OWN, own=pack(text))
-        elif ending == "safetensors":
-            _open_agent(tabular.open_agent(file.name, file.getvalue()))
-        else:
-            go_to(world=sources.DATA, data=sources.open_gamma_space(file.name, file.getvalue()), normalise="none")
-    except InputError as error:
-        session.current().refusals["upload"] = str(error)
+def _open(name: str, data: bytes) -> None:
+    """An uploaded file replaces the view."""
+    ending = name.lower().rpartition(".")[2]
+    if ending == "json":
+        text = world_text(data, name)
+        parse_world(text)
+        go_to(world=sources.OWN, own=pack(text))
+    elif ending == "safetensors":
+        _open_agent(tabular.open_agent(name, data))
+    else:
+        go_to(world=sources.DATA, data=sources.open_gamma_space(name, data), normalise="none")
 
 
 def editor(view: View) -> None:
@@ -155,15 +142,7 @@ def _world_table(world: World) -> None:
     with left:
         _download(world)
     try:
-        made = world_from_rows(
-            rows,
-            name=base.name,
-            states=base.states,
-            actions=base.actions,
-            start=base.start,
-            suggested=base.suggested,
-            positions=base.positions,
-        )
+        made = _made(rows, base)
     except InputError as error:
         st.warning(f"Not taken over yet: {error}")
         _offer_rescale(right, rows, base)
@@ -173,19 +152,16 @@ def _world_table(world: World) -> None:
         _edited(sources.OWN, new)
 
 
+def _made(rows: list[dict], base: World) -> World:
+    """The world of the rows of a table that was opened with another one."""
+    kept = ("name", "states", "actions", "start", "suggested", "positions")
+    return world_from_rows(rows, **{name: getattr(base, name) for name in kept})
+
+
 def _offer_rescale(place: DeltaGenerator, rows: list[dict], base: World) -> None:
     """One click for the commonest slip: probabilities that do not sum to 1."""
     try:
-        scaled = rescaled(rows)
-        made = world_from_rows(
-            scaled,
-            name=base.name,
-            states=base.states,
-            actions=base.actions,
-            start=base.start,
-            suggested=base.suggested,
-            positions=base.positions,
-        )
+        made = _made(rescaled(rows), base)
     except InputError:
         return
     place.button("Rescale probabilities to 1", on_click=_take_over, args=(pack(dump_world(made)),))
@@ -198,10 +174,7 @@ def _take_over(word: str) -> None:
 
 
 def _download(world: World) -> None:
-    st.download_button(
-        "Download world", dump_world(world), file_name=sources.file_name(world), mime="application/json",
-        on_click="ignore", width="stretch",
-    )  # fmt: skip
+    download("Download world", dump_world(world), sources.file_name(world), width="stretch")
 
 
 def _timeline_table(world: World) -> None:

@@ -9,14 +9,14 @@ import streamlit as st
 from app import session
 from app.catalogue import tabular
 from app.components.chart import chart
-from app.components.widgets import number
+from app.components.widgets import download, field, select
 from app.session import store
+from app.session.url import by_name
 from app.view import compute, subjects
 from app.view.subjects import View
 from app.worlds import learners, sources
 from app.worlds.sources import LEARN
 from laplace_core import InputError, World, load_world
-from laplace_core.figures.theme import HEIGHT
 from laplace_core.tabular import LEARN_SCHEMA, Learned, LearnSettings, learned_bytes, resolve_learning
 from laplace_core.tabular.settings import DECIDED_NAMES, ResolvedLearning
 
@@ -60,11 +60,11 @@ def source_group(world: World) -> None:
     box = st.expander("How it learns", key="how", on_change="rerun")
     if box.open:
         with box:
-            columns = st.columns(2)
+            columns, known = st.columns(2), by_name(*LEARN_SCHEMA)
             for i, (name, title) in enumerate(_SHOWN.items()):
-                parameter = next(p for p in LEARN_SCHEMA if p.name == name)
+                parameter = known[name]
                 with st.container() if parameter.type is bool else columns[i % 2]:
-                    number(LEARN + name, parameter, getattr(wanted, name), title)
+                    field(parameter, getattr(wanted, name), title, key=LEARN + name)
     going = None if refused else _runs().get(_key(world, wanted))
     busy = bool(refused) or (going is not None and going.running)
     st.button("Learn", on_click=_begin, args=(world,), type="primary", width="stretch", disabled=busy)
@@ -113,9 +113,9 @@ def current(world: World) -> tuple[Learned | None, learners.Watched | None]:
     if values.get("source") != "learned":
         return None, None
     if "agent" in values:
-        opened = tabular.agent(str(values["agent"]))
-        if sources.fits(opened, world):
-            return sources.about(opened, world), None
+        learned = _opened(values, world)
+        if learned is not None:
+            return learned, None
         store.choose("agent", None)
         st.toast("The agent learned another world, and was closed.")
     try:
@@ -126,12 +126,16 @@ def current(world: World) -> tuple[Learned | None, learners.Watched | None]:
     watched = _runs().get(key)
     if watched is None and values.get("run") == key:
         watched = _runs().begin(key, world, wanted)
-    if watched is None:
-        return None, None
-    found = watched.learned()
-    if found is not None and watched.running and found.basis.size > LARGE:
+    learned = None if watched is None else watched.learned()
+    if watched is not None and learned is not None and watched.running and learned.basis.size > LARGE:
         compute.forget()
-    return None if found is None else sources.about(found, world), watched
+    return None if learned is None else sources.about(learned, world), watched
+
+
+def _opened(values: subjects.Values, world: World) -> Learned | None:
+    """What the agent of a view has learned, if it learned this world."""
+    learned = tabular.agent(str(values["agent"]))
+    return sources.about(learned, world) if sources.fits(learned, world) else None
 
 
 def at_work() -> bool:
@@ -150,8 +154,7 @@ def learned_in(values: subjects.Values, world: World) -> tuple[Learned | None, b
     if values.get("source") != "learned":
         return None, False
     if "agent" in values:
-        opened = tabular.agent(str(values["agent"]))
-        return (sources.about(opened, world) if sources.fits(opened, world) else None), False
+        return _opened(values, world), False
     wanted = learning_of(world, values)
     key = _key(world, wanted, values)
     if values.get("run") != key:
@@ -161,10 +164,10 @@ def learned_in(values: subjects.Values, world: World) -> tuple[Learned | None, b
         if _runs().running:
             return None, True
         watched = _runs().begin(key, world, wanted)
-    found = watched.learned()
-    if found is None and not watched.running:
+    learned = watched.learned()
+    if learned is None and not watched.running:
         raise InputError("its learning ended before anything was learned.")
-    return (None, True) if found is None else (sources.about(found, world), False)
+    return (None, True) if learned is None else (sources.about(learned, world), False)
 
 
 def strip(view: View, watched: learners.Watched | None) -> None:
@@ -174,7 +177,7 @@ def strip(view: View, watched: learners.Watched | None) -> None:
     with st.container(key="learning_strip"):
         text, button, seed, save = st.columns([3, 1, 1.2, 1.2], vertical_alignment="center")
         with text:
-            _told(view, watched)
+            _progress(view, watched)
         learner = view.learner
         if watched is None and learner is None:
             button.button("Learn now", on_click=_begin, args=(view.world,), type="primary", width="stretch")
@@ -186,10 +189,9 @@ def strip(view: View, watched: learners.Watched | None) -> None:
             with seed:
                 _which(learner.learned)
         if watched is None or not watched.running:
-            save.download_button(
-                "Download agent", lambda: learned_bytes(learner.learned), mime="application/octet-stream",
-                file_name=f"{subjects.plain_name(learner.world)}_td.safetensors", width="stretch", on_click="ignore",
-            )  # fmt: skip
+            with save:
+                file = f"{subjects.plain_name(learner.world)}_td.safetensors"
+                download("Download agent", lambda: learned_bytes(learner.learned), file, width="stretch")
 
 
 def _cancel(watched: learners.Watched) -> None:
@@ -198,7 +200,7 @@ def _cancel(watched: learners.Watched) -> None:
     store.choose("run", None)
 
 
-def _told(view: View, watched: learners.Watched | None) -> None:
+def _progress(view: View, watched: learners.Watched | None) -> None:
     if watched is None:
         if view.learned is None:
             st.info("Nothing is learned with these settings yet: the pictures are exact.")
@@ -210,29 +212,25 @@ def _told(view: View, watched: learners.Watched | None) -> None:
     if watched.error:
         st.error(watched.error)
         return
-    told = watched.progress()
-    if told is None and not watched.running:
+    progress = watched.progress()
+    if progress is None and not watched.running:
         st.info("Cancelled before anything was learned: the pictures are exact.")
         return
-    if told is None:
+    if progress is None:
         st.progress(0.0, "Waiting for a free place: other learners are running." if watched.waiting else "Starting ...")
         return
-    share = told["episodes"] / told["of"]
-    if view.learned is None:
-        assert view.world is not None  # a run learns of a world
-        seeds = learning_of(view.world).seeds
-    else:
-        seeds = view.learned.settings.seeds
+    assert view.world is not None  # a run learns of a world
+    seeds = learning_of(view.world).seeds if view.learned is None else view.learned.settings.seeds
     each = f" by each of {seeds} learners" if seeds > 1 else ""
-    words = [f"{told['episodes'] // seeds:,} of {told['of'] // seeds:,} episodes{each}"]
-    words.append(f"{told['steps_per_second']:,} steps/s")
-    if told["error"] is not None:
-        words.append(f"error {_percent(told['error'])} of the range")
-    if watched.running and told["eta"] is not None:
-        words.append(f"{told['eta']:.0f} s left")
-    elif not told["finished"]:
+    words = [f"{progress['episodes'] // seeds:,} of {progress['of'] // seeds:,} episodes{each}"]
+    words.append(f"{progress['steps_per_second']:,} steps/s")
+    if progress["error"] is not None:
+        words.append(f"error {_percent(progress['error'])} of the range")
+    if watched.running and progress["eta"] is not None:
+        words.append(f"{progress['eta']:.0f} s left")
+    elif not progress["finished"]:
         words.insert(0, "cancelled at")
-    st.progress(min(1.0, share), " · ".join(words))
+    st.progress(min(1.0, progress["episodes"] / progress["of"]), " · ".join(words))
 
 
 def _percent(share: float) -> str:
@@ -242,12 +240,8 @@ def _percent(share: float) -> str:
 
 
 def _which(learned: Learned) -> None:
-    options = ["mean", *(str(i) for i in range(len(learned.basis)))]
-    key = store.show("learner", "mean")
-    st.selectbox(
-        "Learner shown", options, key=key, on_change=store.keep, args=(key,), label_visibility="collapsed",
-        format_func=lambda word: "mean of all" if word == "mean" else f"seed {learned.seeds[int(word)]}",
-    )  # fmt: skip
+    titles = {"mean": "mean of all", **{str(i): f"seed {seed}" for i, seed in enumerate(learned.seeds)}}
+    select("Learner shown", list(titles), store.show("learner", "mean"), titles, label_visibility="collapsed")
 
 
 def pictures(view: View) -> None:
@@ -258,12 +252,10 @@ def pictures(view: View) -> None:
     row = st.columns(3, gap="small")
     with row[0]:
         alt = "Error of the learned gamma-space and return over episodes, a line a seed."
-        chart(compute.learning_figure("curve", view), "curve", alt, HEIGHT, revision=view.settings.world)
+        _picture("curve", view, alt)
     with row[1]:
         alt = f"Probability of each reward after {name} over future steps: the range over all seeds, the truth dotted."
-        chart(
-            compute.learning_figure("probabilities", view), "probabilities", alt, HEIGHT, revision=view.settings.world
-        )
+        _picture("probabilities", view, alt)
     with row[2]:
         if view.learned.peers is None:
             st.html('<div class="panel-title">return: four codes and the truth</div>')
@@ -274,7 +266,7 @@ def pictures(view: View) -> None:
             st.button("Learn them too", on_click=_with_peers, args=(view.world,))
         else:
             alt = f"Cumulated distribution of the return after {name}: four codes and the true one."
-            chart(compute.learning_figure("returns", view), "returns", alt, HEIGHT, revision=view.settings.world)
+            _picture("returns", view, alt)
     if len(view.learned.basis) > 1:
         _over_seeds(view, name)
 
@@ -284,10 +276,14 @@ def _over_seeds(view: View, name: str) -> None:
     left, right = st.columns([1.4, 1], gap="small")
     with left:
         alt = "Value of each action over the horizon: the range over all seeds, and which share of them chooses each."
-        chart(compute.learning_figure("values", view), "values", alt, HEIGHT, revision=view.settings.world)
+        _picture("values", view, alt)
     with right:
         alt = f"Expected reward and survival of {name} over future steps: the range over all seeds."
-        chart(compute.learning_figure("rewards", view), "rewards", alt, HEIGHT, revision=view.settings.world)
+        _picture("rewards", view, alt)
+
+
+def _picture(name: str, view: View, alt: str) -> None:
+    chart(compute.learning_figure(name, view), name, alt, revision=view.settings.world)
 
 
 def _with_peers(world: World) -> None:

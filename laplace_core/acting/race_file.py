@@ -9,8 +9,10 @@ from typing import Any
 
 import numpy as np
 
+from laplace_core.acting.frames import animation, side_by_side
 from laplace_core.acting.race import FIRST_START, Race, Races
 from laplace_core.acting.rollout_file import rollout_arrays
+from laplace_core.errors import InputError
 
 
 def race_npz(found: Race) -> bytes:
@@ -21,6 +23,27 @@ def race_npz(found: Race) -> bytes:
         file, **{f"{side}_{name}": array for side, one in sides.items() for name, array in rollout_arrays(one).items()}
     )
     return file.getvalue()
+
+
+def race_gif(race: Race, names: tuple[str, str], seconds: float) -> bytes:
+    """Both episodes side by side, each under its name and its return so far, as an animation.
+
+    Args:
+        seconds: that a step is shown for.
+
+    Raises:
+        InputError: an episode without pictures.
+    """
+    sides = (race.left, race.right)
+    if not all(side.frames for side in sides):
+        raise InputError("this race has no pictures to animate.")
+    returns = [np.concatenate([[0.0], np.cumsum(side.rewards)]) for side in sides]
+    pictures = []
+    for step in range(max(map(len, returns))):
+        left, right = (min(step, len(side)) for side in sides)
+        words = (f"{names[0]}: {returns[0][left]:.1f}".replace("γ", "gamma"), f"{names[1]}: {returns[1][right]:.1f}")
+        pictures.append(side_by_side(race.left.frames[left], race.right.frames[right], words))
+    return animation(pictures, seconds)
 
 
 def races_csv(found: Races, left: str, right: str) -> str:

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from app.agents.truth_jobs import COUNT, STEPS
+from app.agents.jobs import COUNT, STEPS
 from laplace_core.acting.continuations import continue_from
 from laplace_core.acting.rollout import roll_out
 from laplace_core.acting.simulated_truth import empirical

@@ -7,49 +7,34 @@ component keeps its div and hands every new figure to ``Plotly.react``.
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import cache
 
 import streamlit as st
 
 from app.components import assets
+from laplace_core.figures.theme import HEIGHT, Figure, to_json
 
 
 def chart(
-    figure: str,
-    key: str,
-    alt: str,
-    height: int,
-    *,
-    revision: str = "",
+    figure: str | Figure, key: str, alt: str, height: int = HEIGHT, *, revision: str = "",
     on_click: Callable[[], None] | None = None,
-) -> object | None:
+) -> object | None:  # fmt: skip
     """Draw a figure and return the first custom datum of a point that was clicked just now, if any.
 
     Args:
-        figure: a plotly figure as JSON.
+        figure: a plotly figure, or one as JSON.
         alt: what the picture shows, for those who cannot see it.
         height: pixels, reserved before anything is drawn so that the page does not jump.
         revision: zoom and camera are kept as long as this stays the same.
         on_click: called before the rerun; without it clicks are ignored.
     """
-    data = {"figure": figure, "alt": alt, "height": height, "revision": revision, "name": key}
-    data["plotly"] = assets.plotly_js()
-    result = _component()(
-        key=f"chart {key}",
-        data={**data, "clickable": on_click is not None},
-        on_clicked_change=on_click or _ignore,
-        height="content",
-    )
-    return result.clicked
+    data = {"figure": figure if isinstance(figure, str) else to_json(figure), "alt": alt, "height": height, "name": key}
+    data |= {"revision": revision, "plotly": assets.plotly_js(), "clickable": on_click is not None}
+    draw = assets.component("chart")
+    return draw(key=f"chart {key}", data=data, on_clicked_change=on_click or _ignore, height="content").clicked
 
 
 def _ignore() -> None:
     """Streamlit wants a callback for every trigger that a component may report."""
-
-
-@cache
-def _component() -> Callable:
-    return st.components.v2.component("laplace_chart", js=assets.stub("chart/chart.js"), isolate_styles=False)
 
 
 def preload() -> None:

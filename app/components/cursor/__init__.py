@@ -1,6 +1,6 @@
 """What the player and the race track share: something sent to the browser once, under a cursor over its steps.
 
-To move the cursor needs no server. When it comes to rest Python hears the step, so that the link holds it.
+To move the cursor needs no server. When it comes to rest Python gets the step, so that the link holds it.
 """
 
 from __future__ import annotations
@@ -11,6 +11,7 @@ from typing import Any
 import streamlit as st
 
 from app import session
+from app.components import assets
 from app.session import message
 
 HELD = 4
@@ -18,23 +19,22 @@ HELD = 4
 
 
 def under_cursor(
-    component: Callable, kind: str, key: str, data: bytes, *, at: int, told: Mapping[str, Any],
-    on_step: Callable[[int], None] | None,
-) -> None:  # fmt: skip
+    kind: str, key: str, data: bytes, *, at: int, extra: Mapping[str, Any], on_step: Callable[[int], None] | None
+) -> None:
     """Draw a component whose script is built on js/cursor/cursor.js.
 
     Args:
         kind: of component; ``kind`` and ``key`` are its widget's name.
         data: the payload.
         at: the step under the cursor.
-        told: what else it needs, with every answer.
+        extra: what else it needs, with every answer.
         on_step: called with the step at which the cursor came to rest, before the rerun, as a widget's callback.
     """
     widget = f"{kind} {key}"
     channel, digest = session.channel(widget), message.name_of(data)
     channel.place(digest, at)
 
-    def heard() -> None:
+    def rested() -> None:
         answer = st.session_state[widget].rested
         if not isinstance(answer, Mapping) or not channel.answered(digest, answer, HELD):
             return
@@ -45,5 +45,5 @@ def under_cursor(
             if on_step is not None:
                 on_step(int(step))
 
-    packed = message.pack({"id": digest, "revision": channel.revision, "at": at, **told}, channel.due(digest, data))
-    component(key=widget, data=packed, on_rested_change=heard, height="content")
+    packed = message.pack({"id": digest, "revision": channel.revision, "at": at, **extra}, channel.due(digest, data))
+    assets.component(kind)(key=widget, data=packed, on_rested_change=rested, height="content")

@@ -10,8 +10,6 @@ import base64
 import json
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict, dataclass
-from functools import cache
-from pathlib import Path
 from typing import Any
 
 import streamlit as st
@@ -22,7 +20,6 @@ from app.components.lens.payload import Simulated, payload, structure
 from app.components.lens.state import LIVE, checked, state_of, values_of
 from app.session import message
 
-_HERE = Path(__file__).resolve().parent
 _HELD = 2
 """Payloads that a browser keeps (js/lens/models.js); what it holds is not sent again."""
 
@@ -144,7 +141,7 @@ def lens(
             on_release(released)
 
     packed = message.pack(told, channel.due(digest, data))
-    result = _component()(key=widget, data=packed, on_released_change=heard, height="content")
+    result = assets.component("lens", "entry")(key=widget, data=packed, on_released_change=heard, height="content")
     return None if result.released is None else _released(result.released, presets)
 
 
@@ -166,13 +163,6 @@ def _index(value: object) -> int | None:
     if isinstance(value, bool) or not isinstance(value, int | float):
         return None
     return int(value) if 0 <= value < 2**31 else None
-
-
-@cache
-def _component() -> Callable:
-    # Not isolated: plotly.js puts its style into the document.
-    css = (_HERE / "style.css").read_text(encoding="utf-8")
-    return st.components.v2.component("laplace_lens", js=assets.stub("lens/entry.js"), css=css, isolate_styles=False)
 
 
 def standalone(data: bytes, state: Mapping[str, Any], base: Mapping[str, Any] | None = None) -> str:

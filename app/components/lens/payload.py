@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from app.session.message import pack, packed_blocks
 from laplace_core import Study, World
 from laplace_core.code.encoding import PAPER_GAMMAS
 from laplace_core.inverse import transform_factors
@@ -106,7 +107,6 @@ def payload(
         "time_step": s.time_step,
         "acting_gamma": s.acting_gamma,
         "learned": study.learned is not None,
-        "arrays": {},
     }
     if simulated is not None:
         found, header["simulated"] = simulated.found, {"action": simulated.action, "count": simulated.found.count}
@@ -162,17 +162,12 @@ def _transform(prefix: str, gammas: np.ndarray, steps: int, time_step: float) ->
 
 def _packed(header: dict[str, Any], arrays: dict[str, np.ndarray]) -> bytes:
     """A length, the header as JSON, and the arrays, each on a multiple of 8 bytes after the header."""
-    blocks, at = [], 0
-    for name, array in arrays.items():
-        kind = {np.float32: "f4", np.uint16: "u2"}.get(array.dtype.type, "f8")
-        block = np.ascontiguousarray(array, dtype=f"<{kind}").tobytes()
-        header["arrays"][name] = [kind, at, list(array.shape)]
-        block += b"\0" * (-len(block) % 8)
-        blocks.append(block)
-        at += len(block)
-    text = json.dumps(header).encode()
-    text += b" " * (-(len(text) + 4) % 8)
-    return struct.pack("<I", len(text)) + text + b"".join(blocks)
+    kinds = {name: {np.float32: "f4", np.uint16: "u2"}.get(array.dtype.type, "f8") for name, array in arrays.items()}
+    header["arrays"], data = packed_blocks(
+        (name, kinds[name], np.ascontiguousarray(array, dtype=f"<{kinds[name]}").tobytes(), list(array.shape))
+        for name, array in arrays.items()
+    )
+    return pack(header, data)
 
 
 def unpacked(data: bytes) -> tuple[dict[str, Any], dict[str, np.ndarray]]:

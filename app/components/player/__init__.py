@@ -7,17 +7,10 @@ lens the gamma-space of each step; when it comes to rest Python gets the step, a
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from functools import cache
-from pathlib import Path
 from typing import Any
 
-import streamlit as st
-
-from app.components import assets
 from app.components.cursor import under_cursor
 from app.components.player.payload import payload
-
-_HERE = Path(__file__).resolve().parent
 
 
 def player(
@@ -32,19 +25,11 @@ def player(
         names: of the numbers of an observation, with their units; none for a tabular world.
         on_step: called with the step at which the cursor came to rest, before the rerun, as a widget's callback.
         seconds: that a step is shown for while it plays.
-        flags: from :func:`app.agents.artefact_jobs.for_player`; None while they are searched for; the
-            player asks again.
+        flags: ``alpha``, ``names`` of artefacts, and ``marks``, an integer a step with a bit a name; None while they
+            are searched for: the player asks again.
     """
-    told = {"names": list(names), "actions": list(action_names), "seconds": seconds, "flags": flags}
-    under_cursor(_component(), "player", key, data, at=at, told=told, on_step=on_step)
-
-
-@cache
-def _component() -> Callable:
-    css = (_HERE / "style.css").read_text(encoding="utf-8")
-    return st.components.v2.component(
-        "laplace_player", js=assets.stub("player/player.js"), css=css, isolate_styles=False
-    )
+    extra = {"names": list(names), "actions": list(action_names), "seconds": seconds, "flags": flags}
+    under_cursor("player", key, data, at=at, extra=extra, on_step=on_step)
 
 
 __all__ = ["payload", "player"]

@@ -8,13 +8,12 @@ one before, and all of it deflated. Everything else is exact.
 
 from __future__ import annotations
 
-import json
-import struct
 import zlib
 from collections.abc import Mapping
 
 import numpy as np
 
+from app.session.message import pack, packed_blocks
 from laplace_core.acting.rollout import Rollout
 from laplace_core.code.gamma_space import bin_differences
 
@@ -52,17 +51,9 @@ def payload(rollout: Rollout, said: Mapping[str, np.ndarray] | None = None) -> b
         "acting_gamma": rollout.acting_gamma,
         "rule": rollout.rule,
         "horizon": rollout.horizon,
-        "blocks": {},
     }
-    packed, at = [], 0
-    for name, (kind, block) in blocks.items():
-        header["blocks"][name] = [kind, at, len(block)]
-        block += b"\0" * (-len(block) % 8)
-        packed.append(block)
-        at += len(block)
-    text = json.dumps(header).encode()
-    text += b" " * (-(len(text) + 4) % 8)
-    return struct.pack("<I", len(text)) + text + b"".join(packed)
+    table, data = packed_blocks((name, kind, block, len(block)) for name, (kind, block) in blocks.items())
+    return pack({**header, "blocks": table}, data)
 
 
 def _spaces(spaces: np.ndarray | None, constants: np.ndarray | None) -> dict[str, tuple[str, bytes]]:

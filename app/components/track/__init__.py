@@ -7,16 +7,10 @@ rest Python gets the step, so that the link holds it.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from functools import cache
-from pathlib import Path
 
-import streamlit as st
-
-from app.components import assets
 from app.components.cursor import under_cursor
 from app.components.track.payload import payload
 
-_HERE = Path(__file__).resolve().parent
 COLOURS = ("#0072B2", "#D55E00")
 """Of the left and the right side, here and in the picture of many races; two of Okabe and Ito's."""
 
@@ -34,14 +28,8 @@ def track(
         on_step: called with the steps at which the cursor came to rest, before the rerun, as a widget's callback.
         seconds: that a step is shown for while it plays.
     """
-    told = {"names": list(names), "actions": list(action_names), "seconds": seconds, "colours": COLOURS}
-    under_cursor(_component(), "track", key, data, at=at, told=told, on_step=on_step)
-
-
-@cache
-def _component() -> Callable:
-    css = (_HERE / "style.css").read_text(encoding="utf-8")
-    return st.components.v2.component("laplace_track", js=assets.stub("track/track.js"), css=css, isolate_styles=False)
+    extra = {"names": list(names), "actions": list(action_names), "seconds": seconds, "colours": COLOURS}
+    under_cursor("track", key, data, at=at, extra=extra, on_step=on_step)
 
 
 __all__ = ["COLOURS", "payload", "track"]
