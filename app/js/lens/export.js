@@ -98,7 +98,7 @@ export async function savePng(lens) {
  * @param {Saved} lens
  * @returns {Promise<string>}
  */
-export async function svgOf(lens) {
+async function svgOf(lens) {
   const { colours } = lens.scene,
     measure = canvasPen(contextOf(document.createElement('canvas')), colours.font).width;
   const worlds = await worldOf(lens, 'svg'),
@@ -125,7 +125,7 @@ export async function svgOf(lens) {
  * @param {Saved} lens
  * @returns {Promise<void>}
  */
-export const saveSvg = async (lens) => save(await svgOf(lens), `${nameOf(lens)}.svg`, 'image/svg+xml');
+const saveSvg = async (lens) => save(await svgOf(lens), `${nameOf(lens)}.svg`, 'image/svg+xml');
 
 /**
  * A table, one row a future step: decoded and true reward and survival, the value of the horizon that ends there,
