@@ -125,7 +125,7 @@ async function svgOf(lens) {
  * @param {Saved} lens
  * @returns {Promise<void>}
  */
-const saveSvg = async (lens) => save(await svgOf(lens), `${nameOf(lens)}.svg`, 'image/svg+xml');
+export const saveSvg = async (lens) => save(await svgOf(lens), `${nameOf(lens)}.svg`, 'image/svg+xml');
 
 /**
  * A table, one row a future step: decoded and true reward and survival, the value of the horizon that ends there,
