@@ -11,16 +11,16 @@ import numpy as np
 import pytest
 import torch
 
-from laplace_core import __version__
+from laplace_core import __version__, training
 from laplace_core.agents import LaplaceSettings
 from laplace_core.errors import InputError
-from laplace_core.files import atomic, tensor_file
+from laplace_core.files import atomic
 from laplace_core.files.strict_json import parse_json
 from laplace_core.training.checkpoint import MAX_BYTES, load_checkpoint, new_agent, save_checkpoint
 from laplace_core.training.defaults import settings_of
 from tests.hostile import assert_one_sentence
 
-FILES = Path(tensor_file.__file__).parent / "settings"
+FILES = Path(training.__file__).parent / "settings"
 TINY = LaplaceSettings(hidden=4, features=2, gammas=2, thetas=3, seed=7)
 
 
