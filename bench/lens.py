@@ -15,7 +15,7 @@ from pathlib import Path
 import numpy as np
 import plotly
 
-from app.components.lens import payload, structure
+from app.components.lens.payload import payload, structure
 from bench.browser import FLAGS, find_chromium, served
 from laplace_core import PRESETS, Settings, load_world, study
 from tests.lens_agreement import FULL, compared_in, fixture, network, payloads, random_cases

@@ -14,13 +14,13 @@ from typing import Any
 
 import numpy as np
 
-from app.components.lens import Simulated, payload, state_of, structure
-from app.components.lens.payload import unpacked
+from app.components.lens.payload import Simulated, payload, structure
+from app.components.lens.state import state_of
 from laplace_core import Settings, load_world, study, study_of_gamma_space
 from laplace_core.code.interpolation import with_added
 from laplace_core.experiments.views import View, draw_view
 from laplace_core.study.verdict import judge
-from tests.lens_reference import seen
+from tests.lens_reference import seen, unpacked
 
 FULL = {"gammas": 100, "thetas": 250, "steps": 200}
 ROUNDING = 1e-13

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import json
+import struct
 from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
-from app.components.lens.payload import LEVELS, unpacked
+from app.components.lens.payload import LEVELS
 from laplace_core import GammaSpace, Study
 from laplace_core.code.encoding import reward_distance
 from laplace_core.code.gamma_space import encode, softened, with_noise
@@ -17,6 +19,16 @@ from laplace_core.study.horizon import regret
 from laplace_core.study.kernels import averaging_kernel_of, discount_kernel_of
 from laplace_core.study.pipeline import read_study, rows_decoded
 from laplace_core.study.settings import Resolved
+
+
+def unpacked(data: bytes) -> tuple[dict[str, Any], dict[str, np.ndarray]]:
+    """Header and arrays of :func:`app.components.lens.payload.payload`."""
+    (length,) = struct.unpack_from("<I", data)
+    header, arrays = json.loads(data[4 : 4 + length]), {}
+    for name, (kind, at, shape) in header["arrays"].items():
+        count = int(np.prod(shape))
+        arrays[name] = np.frombuffer(data, f"<{kind}", count, 4 + length + at).reshape(shape)
+    return header, arrays
 
 
 def seen(data: bytes, state: Mapping[str, Any], tau: int = 0, rounding: float = 0.0) -> dict[str, np.ndarray]:

@@ -13,8 +13,6 @@ from streamlit.testing.v1 import AppTest
 
 from app.agents import jobs, schema, truth
 from app.catalogue import checkpoints
-from app.catalogue.scenes import scene_of
-from app.components.lens.payload import unpacked
 from app.view import compute
 from laplace_core import InputError, Settings
 from laplace_core.acting.continuations import continue_from
@@ -23,9 +21,10 @@ from laplace_core.acting.rollout import roll_out
 from laplace_core.agents import ENVIRONMENTS, LaplaceSettings
 from laplace_core.code.encoding import softening
 from laplace_core.code.interpolation import with_added
-from laplace_core.environments import vector
+from laplace_core.environments import environment_of, vector
 from laplace_core.study.settings import resolve_for_gamma_space
 from laplace_core.training.checkpoint import load_checkpoint, new_agent, save_checkpoint
+from tests.lens_reference import unpacked
 from tests.pages import charts
 
 MAIN = str(Path(__file__).resolve().parent.parent / "app" / "main.py")
@@ -84,7 +83,7 @@ def test_a_slider_changes_what_is_seen_and_the_link(shipped):
 
 def test_what_is_shown_is_what_the_agent_holds(shipped):
     loaded = load_checkpoint(shipped / "laplace_CartPole-v1.safetensors")
-    scene = scene_of("CartPole-v1")
+    scene = environment_of("CartPole-v1")
     view = schema.view_of(loaded, scene, {"o.0": 0.5, "o.3": -1.0, "action": "push right"})
     found = compute.study_for(view)
     wanted = loaded.agent.gamma_space(np.array([0.5, 0.0, 0.0, -1.0]))
@@ -96,7 +95,7 @@ def test_what_is_shown_is_what_the_agent_holds(shipped):
 def test_a_tabular_agent_is_asked_about_a_state(shipped):
     page = opened(checkpoint="laplace_two_branch", state="long 1")
     assert next(box for box in page.selectbox if box.label == "State").value == "long 1"
-    scene = scene_of("two_branch")
+    scene = environment_of("two_branch")
     assert schema.observation_of(scene, {"state": "long 1"}) == tuple(np.eye(3)[scene.states.index("long 1")])
     # The timeline of a world that is over after three steps has no more rows, as on the page of worlds.
     loaded = load_checkpoint(shipped / "laplace_two_branch.safetensors")
@@ -136,7 +135,7 @@ def test_a_file_that_is_no_checkpoint_is_refused_in_one_sentence(data):
 
 @pytest.mark.parametrize("environment", ENVIRONMENTS)
 def test_every_environment_has_its_words(environment):
-    scene, spec = scene_of(environment), vector.spec(environment)
+    scene, spec = environment_of(environment), vector.spec(environment)
     assert len(scene.actions) == spec.actions
     assert len(scene.states or scene.components) == spec.observation
     for part in scene.components:
@@ -276,13 +275,13 @@ def test_the_link_adds_discounts_and_softens_the_slope(shipped):
     header, arrays = unpacked(payload_of(page))
     assert told(page, "laplace_lens")["state"]["slope_share"] == 0.5
     assert header["added"] == 2
-    at = np.array(schema.observation_of(scene_of("CartPole-v1"), {}))
+    at = np.array(schema.observation_of(environment_of("CartPole-v1"), {}))
     space = with_added(loaded.agent.gamma_space(at), 2)
     np.testing.assert_array_equal(arrays["gammas"], space.gammas)
     np.testing.assert_array_equal(arrays["differences"], space.differences)
     np.testing.assert_array_equal(arrays["places"], loaded.agent.sensitivities.places)
     # What stands under the lens is of the softer slope, too.
-    scene = scene_of("CartPole-v1")
+    scene = environment_of("CartPole-v1")
     view = schema.view_of(loaded, scene, {"added": 2, "slope_share": 0.5})
     found = compute.study_for(view)
     soft = space.differences @ softening(loaded.agent.sensitivities.places, 0.5, open_ends=True)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from app.components.lens import payload, structure
+from app.components.lens.payload import payload, structure
 from app.view import compute, panels
 from laplace_core import Settings, load_world, study
 from laplace_core.study.settings import resolve

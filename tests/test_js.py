@@ -15,9 +15,9 @@ import numpy as np
 import pytest
 
 from app.agents.episode import followed
-from app.components.lens import payload as lens_payload
-from app.components.lens import state_of, structure
-from app.components.lens.payload import unpacked
+from app.components.lens.payload import payload as lens_payload
+from app.components.lens.payload import structure
+from app.components.lens.state import state_of
 from app.components.player.payload import payload as player_payload
 from app.components.player.payload import rounded
 from laplace_core import GammaSpace, Settings, load_world, study, study_of_gamma_space
@@ -28,7 +28,7 @@ from laplace_core.code.interpolation import left_out
 from laplace_core.code.noise import normal_noise
 from laplace_core.figures import returns_of_actions
 from tests.lens_agreement import fixture, network, packed, payloads, random_cases, verdicts
-from tests.lens_reference import seen
+from tests.lens_reference import seen, unpacked
 
 ROOT = Path(__file__).resolve().parent.parent
 NODE = Path(sysconfig.get_path("scripts")) / "node"

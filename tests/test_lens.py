@@ -11,8 +11,9 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from app.components.lens import Simulated, checked, payload, standalone, state_of, structure, values_of
-from app.components.lens.payload import unpacked
+from app.components.lens import standalone
+from app.components.lens.payload import Simulated, payload, structure
+from app.components.lens.state import checked, state_of, values_of
 from app.worlds.presets import PRESETS, presets_for
 from app.worlds.schema import LINK
 from app.worlds.sources import view_of
@@ -20,7 +21,7 @@ from laplace_core import PRESETS as WORLDS
 from laplace_core import Settings, load_world, study, study_of_gamma_space
 from laplace_core.code.encoding import PAPER_GAMMAS, reward_distance, softening
 from laplace_core.inverse import decode_matrix, transform_matrix
-from tests.lens_reference import seen
+from tests.lens_reference import seen, unpacked
 
 FULL = {"gammas": 100, "thetas": 250, "steps": 200}
 
@@ -72,8 +73,8 @@ def test_what_is_simulated_goes_with_the_payload(simulated):
     plain, (data, _) = payload(simulated[0])[0], payload(*simulated)
     header, arrays = unpacked(data)
     assert header["simulated"] == {"action": 1, "count": 50}
-    np.testing.assert_allclose(arrays["simulated_tails"] / 65_535, simulated[1].found.tails, atol=0.5001 / 65_535)
-    np.testing.assert_allclose(arrays["simulated_lines"][4], simulated[1].found.chance, rtol=1e-6)
+    np.testing.assert_allclose(arrays["simulated_tails"] / 65_535, simulated[1].outcome.tails, atol=0.5001 / 65_535)
+    np.testing.assert_allclose(arrays["simulated_lines"][4], simulated[1].outcome.chance, rtol=1e-6)
     assert "simulated" not in unpacked(plain)[0]
 
 
@@ -84,7 +85,7 @@ def test_the_distance_is_that_of_the_rows_that_are_shown(simulated, values):
     shown = seen(data, state)
     rows = len(shown["tau_space"][1])
     assert rows == (7 if values.get("fold") else 20)
-    wanted = reward_distance(shown["tau_space"][1], simulated[1].found.tails[:rows], shown["thetas"])
+    wanted = reward_distance(shown["tau_space"][1], simulated[1].outcome.tails[:rows], shown["thetas"])
     np.testing.assert_allclose(shown["distance"][:rows], wanted, atol=1e-3)
     assert np.isnan(shown["distance"][rows:]).all()
     assert "distance" not in seen(data, {**state, "action": 0})

@@ -15,11 +15,11 @@ import pytest
 
 from app.agents import schema
 from app.catalogue import checkpoints
-from app.catalogue.scenes import scene_of
 from app.session.url import query_of
 from app.view import compute
 from app.worlds.schema import LINK
 from app.worlds.sources import view_of
+from laplace_core.environments import environment_of
 
 LINKS = json.loads((Path(__file__).parent / "data" / "links_of_0_2.json").read_text(encoding="utf-8"))
 
@@ -33,7 +33,7 @@ def opened(link: str):
         return values, notes, view_of(values)
     values, notes = schema.LINK.read(query)
     loaded = checkpoints.checkpoint(str(values["checkpoint"]))
-    return values, notes, schema.view_of(loaded, scene_of(loaded.environment), values)
+    return values, notes, schema.view_of(loaded, environment_of(loaded.environment), values)
 
 
 def test_there_are_twenty_of_them():

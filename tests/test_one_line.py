@@ -10,7 +10,8 @@ import shlex
 import numpy as np
 import pytest
 
-from app.components.lens import payload, state_of, structure
+from app.components.lens.payload import payload, structure
+from app.components.lens.state import state_of
 from laplace_core import GammaSpace, Settings, load_world, study, study_of_gamma_space
 from laplace_core.cli import main
 from laplace_core.study.npz import save_study

@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 import torch
 
-from app.components.lens import payload, state_of, structure
+from app.components.lens.payload import payload, structure
+from app.components.lens.state import state_of
 from laplace_core import Settings, study_of_gamma_space
 from laplace_core.acting.rollout import roll_out
 from laplace_core.acting.rollout_file import rollout_npz

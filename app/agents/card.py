@@ -7,13 +7,13 @@ from html import escape
 import streamlit as st
 
 from app.catalogue import checkpoints
-from app.catalogue.scenes import Scene
 from app.components.chart import chart
+from laplace_core.environments import Environment
 from laplace_core.figures.training import CARD, score_curve
 from laplace_core.training.checkpoint import Loaded
 
 
-def card(name: str, loaded: Loaded, scene: Scene) -> None:
+def card(name: str, loaded: Loaded, scene: Environment) -> None:
     """In the sidebar."""
     score = "not evaluated" if loaded.score is None else f"{loaded.score:.1f} over {loaded.episodes} episodes"
     st.caption(scene.title)

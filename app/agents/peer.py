@@ -8,18 +8,18 @@ import streamlit as st
 from app.agents import episode, returns, rollout_form
 from app.agents.jobs import RolledOut
 from app.agents.schema import action_of, observation_of
-from app.catalogue.scenes import Scene
 from app.components.chart import chart
 from app.session import store
 from laplace_core import figures
 from laplace_core.acting.return_laws import return_laws, return_quantiles
 from laplace_core.acting.rollout import Rollout, acting_gamma
 from laplace_core.agents.capabilities import HasTimeToGo
+from laplace_core.environments import Environment
 from laplace_core.figures.theme import Figure
 from laplace_core.training.checkpoint import Loaded
 
 
-def view(loaded: Loaded, scene: Scene, rolled: RolledOut | None) -> None:
+def view(loaded: Loaded, scene: Environment, rolled: RolledOut | None) -> None:
     """Everything under the navigation: the player, the pictures of the state, the codes side by side."""
     rollout, at = None, 0
     with st.container():  # what is below keeps its place without the player, too
@@ -46,7 +46,7 @@ def view(loaded: Loaded, scene: Scene, rolled: RolledOut | None) -> None:
     returns.section(loaded, seen, action, scene.actions[action], alpha=None, rollout=rollout, step=at)
 
 
-def _action(scene: Scene, taken: int | None) -> int:
+def _action(scene: Environment, taken: int | None) -> int:
     """The action that is shown: chosen here, or the one that was taken at the step."""
     if taken is None:
         key, options, now = "action", scene.actions, scene.actions[action_of(scene, store.chosen())]
@@ -62,7 +62,7 @@ def _action(scene: Scene, taken: int | None) -> int:
 
 
 def _of_state(
-    loaded: Loaded, scene: Scene, seen: tuple[float, ...], action: int, *, rollout: Rollout | None, at: int
+    loaded: Loaded, scene: Environment, seen: tuple[float, ...], action: int, *, rollout: Rollout | None, at: int
 ) -> tuple[Figure, str]:
     """What the agent knows of this state, and what the picture shows."""
     agent, gamma, observation = loaded.agent, acting_gamma(loaded.agent), np.array(seen)

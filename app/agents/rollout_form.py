@@ -12,7 +12,6 @@ from app.agents.episode import AT, GAMMA, HORIZON, PARAMETERS, RULE, SEED, SHOWN
 from app.agents.jobs import Control, RolledOut, Rolling
 from app.agents.schema import OBSERVED
 from app.catalogue import rules
-from app.catalogue.scenes import Scene
 from app.components.player import player
 from app.components.waiting import progress
 from app.components.widgets import discount, download, field, select
@@ -24,7 +23,7 @@ from laplace_core.acting.frames import animation
 from laplace_core.acting.rollout import Rollout, longest
 from laplace_core.acting.rollout_file import rollout_npz
 from laplace_core.agents.capabilities import HasDiscounts
-from laplace_core.environments import environment_of, vector
+from laplace_core.environments import Environment, environment_of, vector
 from laplace_core.training.checkpoint import Loaded
 
 _SLOWEST = 0.05  # seconds for a step on the screen, where life is faster
@@ -80,7 +79,7 @@ def _control(loaded: Loaded) -> Control:
     return episode.control_of(store.chosen(), limit_of(loaded), next(iter(rules.rules_of(loaded.agent))))
 
 
-def beside(rolling: Rolling, scene: Scene) -> None:
+def beside(rolling: Rolling, scene: Environment) -> None:
     """In the sidebar, while a rollout is shown: its files, and two ways on."""
     if rolling.worked:
         rollout = rolling.result().rollout
@@ -106,7 +105,7 @@ def _files(rollout: Rollout) -> None:
             download("GIF", lambda: animation(rollout.frames, seconds), f"{name}.gif", width="stretch", help=picture)
 
 
-def _edit(rollout: Rollout, scene: Scene) -> None:
+def _edit(rollout: Rollout, scene: Environment) -> None:
     """Callback: the sliders take over what is under the cursor, within their range."""
     observation = episode.observation_at(rollout, episode.step_of(store.chosen(), rollout))
     for i, (value, part) in enumerate(zip(observation, scene.components, strict=True)):
@@ -125,7 +124,7 @@ def under_way(rolling: Rolling) -> None:
     progress(rolling, words, queued, cancel, key="cancel rollout")
 
 
-def show(rolled: RolledOut, scene: Scene, view: View | None = None) -> None:
+def show(rolled: RolledOut, scene: Environment, view: View | None = None) -> None:
     """The player, with the artefacts of every step under the settings of a view as soon as they are known.
 
     Without a view there is nothing decoded that artefacts could be in.

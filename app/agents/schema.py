@@ -10,7 +10,6 @@ import numpy as np
 
 from app.agents import episode
 from app.catalogue import checkpoints
-from app.catalogue.scenes import Scene, scene_of
 from app.components.lens.state import ADDED
 from app.session.url import Entries, Old, Schema, Values
 from app.view.schema import ACTION, LOOK, OLD_SWITCHES
@@ -18,7 +17,7 @@ from app.view.subjects import Observed, View
 from laplace_core import InputError, Settings, load_world
 from laplace_core.agents.capabilities import HasGammaSpace
 from laplace_core.code.interpolation import with_added
-from laplace_core.environments import GYMNASIUM_ENVIRONMENTS
+from laplace_core.environments import GYMNASIUM_ENVIRONMENTS, Environment, environment_of
 from laplace_core.parameters import Parameter
 from laplace_core.study.settings import BY_NAME, ENCODING_NAMES, resolve, resolve_for_gamma_space
 from laplace_core.training.checkpoint import Loaded
@@ -40,7 +39,7 @@ def _of_agent(values: Values) -> dict[str, Parameter]:
     if "checkpoint" not in values:
         return {}
     loaded = checkpoints.checkpoint(str(values["checkpoint"]))
-    scene = scene_of(loaded.environment)
+    scene = environment_of(loaded.environment)
     states = Parameter("state", None, help="State that is observed.", kind=str, choices=scene.states)
     own = {"state": states} if scene.states else {}
     return {**_READING, **_LOOKING, **episode.parameters(loaded.agent), **own}
@@ -50,7 +49,7 @@ def _components(values: Values) -> dict[str, Parameter]:
     """The components of an observation, by their places."""
     if "checkpoint" not in values:
         return {}
-    scene = scene_of(checkpoints.checkpoint(str(values["checkpoint"])).environment)
+    scene = environment_of(checkpoints.checkpoint(str(values["checkpoint"])).environment)
     return {
         str(i): Parameter(component.name, component.start, component.low, component.high, "", float)
         for i, component in enumerate(scene.components)
@@ -65,12 +64,12 @@ LINK = Schema(
 )
 
 
-def action_of(scene: Scene, values: Mapping[str, Any]) -> int:
+def action_of(scene: Environment, values: Mapping[str, Any]) -> int:
     name = values.get("action")
     return scene.actions.index(name) if name in scene.actions else 0
 
 
-def observation_of(scene: Scene, values: Mapping[str, Any]) -> tuple[float, ...]:
+def observation_of(scene: Environment, values: Mapping[str, Any]) -> tuple[float, ...]:
     """The observation that the values describe; a tabular state is a one-hot vector."""
     if scene.states:
         at = scene.states.index(str(values.get("state", scene.states[0])))
@@ -98,7 +97,7 @@ def observe(
 
 
 def view_of(
-    loaded: Loaded, scene: Scene, values: Mapping[str, Any], observation: tuple[float, ...] | None = None
+    loaded: Loaded, scene: Environment, values: Mapping[str, Any], observation: tuple[float, ...] | None = None
 ) -> View:
     """What the page shows.
 

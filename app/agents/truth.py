@@ -11,7 +11,7 @@ from app.agents.episode import AFTER
 from app.agents.jobs import COUNT, EACH, EPISODES, STEPS
 from app.catalogue import rules
 from app.components.chart import chart
-from app.components.lens import Simulated
+from app.components.lens.payload import Simulated
 from app.components.waiting import progress, result
 from app.components.widgets import select
 from app.session import store

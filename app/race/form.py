@@ -11,7 +11,6 @@ import streamlit as st
 from app import session
 from app.catalogue import checkpoints
 from app.catalogue.rules import title_of
-from app.catalogue.scenes import scene_of
 from app.components.track import track
 from app.components.widgets import discount, download, field, select
 from app.race import jobs, schema, words
@@ -121,7 +120,7 @@ def show(control: Control, race: Race, packed: bytes) -> None:
     last = max(len(race.left), len(race.right))
     at = min(int(store.chosen().get(AT, last)), last)
     track(
-        packed, at, store.page_name(), words.sides(control), action_names=scene_of(control.environment).actions,
+        packed, at, store.page_name(), words.sides(control), action_names=environment_of(control.environment).actions,
         on_step=lambda step: store.choose(AT, None if step >= last else step), seconds=SECONDS,
     )  # fmt: skip
     _footer(control, race, at)

@@ -9,14 +9,14 @@ from app.agents.card import card
 from app.agents.jobs import Rolling
 from app.agents.schema import LINK, OBSERVED, observation_of, view_of
 from app.catalogue import checkpoints
-from app.catalogue.scenes import Scene, scene_of
-from app.components.lens import LIVE
+from app.components.lens.state import LIVE
 from app.components.waiting import result
 from app.components.widgets import select, upload
 from app.session import store
 from app.view import compute, export, panels
 from laplace_core import InputError
 from laplace_core.agents.capabilities import HasGammaSpace
+from laplace_core.environments import Environment, environment_of
 from laplace_core.training.checkpoint import Loaded
 
 
@@ -34,7 +34,7 @@ def page() -> None:
         except InputError as error:  # a run that was removed meanwhile
             st.error(str(error))
             return
-        scene = scene_of(loaded.environment)
+        scene = environment_of(loaded.environment)
         card(str(name), loaded, scene)
         asked = rollout_form.asked(loaded)
         rollout_form.form(loaded)
@@ -65,7 +65,7 @@ def _opened(name: str, data: bytes) -> None:
     store.replace_all({"checkpoint": checkpoints.open_checkpoint(name, data)})
 
 
-def _observation(scene: Scene) -> None:
+def _observation(scene: Environment) -> None:
     if scene.states:
         select("State", scene.states, store.show("state", scene.states[0]))
         return
@@ -78,7 +78,7 @@ def _observation(scene: Scene) -> None:
 
 
 @st.fragment
-def _view(loaded: Loaded, scene: Scene, asked: Rolling | None) -> None:
+def _view(loaded: Loaded, scene: Environment, asked: Rolling | None) -> None:
     store.write_url()
     rolled = None if asked is None else result(asked)
     if asked is not None and rolled is None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import streamlit as st
 
-from app.components.lens import LIVE
+from app.components.lens.state import LIVE
 from app.session import store
 from app.view import compute, panels
 from app.worlds import bring, compare, export, learning, sidebar, sources

@@ -10,7 +10,9 @@ from typing import Any
 import streamlit as st
 
 from app import session
-from app.components.lens import Graph, Preset, Released, Said, Simulated, checked, lens, state_of, values_of
+from app.components.lens import Graph, Preset, Released, Said, lens
+from app.components.lens.payload import Simulated
+from app.components.lens.state import checked, state_of, values_of
 from app.session import store
 from app.view import compute
 from app.view.subjects import PARAM, View

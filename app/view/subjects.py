@@ -56,31 +56,13 @@ class Subject(Hashable, Protocol):
         """
 
 
-class _Plain:
-    """What most subjects lack."""
-
-    @property
-    def learner(self) -> Learner | None:
-        return None
-
-    @property
-    def places(self) -> np.ndarray | None:
-        return None
-
-    @property
-    def added(self) -> int:
-        return 0
-
-
 @dataclass(frozen=True)
-class Exact(_Plain):
+class Exact:
     """A world, solved exactly; equal where the world is the same object."""
 
     world: World
-
-    @property
-    def gamma_space(self) -> None:
-        return None
+    learner = gamma_space = places = None
+    added = 0
 
     @property
     def action_names(self) -> tuple[str, ...]:
@@ -91,14 +73,12 @@ class Exact(_Plain):
 
 
 @dataclass(frozen=True, eq=False)
-class FromFile(_Plain):
+class FromFile:
     """A gamma-space from a file, which may follow another convention and is looked at for that."""
 
     gamma_space: GammaSpace
-
-    @property
-    def world(self) -> None:
-        return None
+    world = learner = places = None
+    added = 0
 
     @property
     def action_names(self) -> tuple[str, ...]:
@@ -115,22 +95,12 @@ class Learner:
     world: World
     learned: Learned
     index: int | None
+    gamma_space = places = None
+    added = 0
 
     @property
     def learner(self) -> Learner:
         return self
-
-    @property
-    def gamma_space(self) -> None:
-        return None
-
-    @property
-    def places(self) -> None:
-        return None
-
-    @property
-    def added(self) -> int:
-        return 0
 
     @property
     def action_names(self) -> tuple[str, ...]:
@@ -141,14 +111,15 @@ class Learner:
 
     def basis(self, state: int) -> np.ndarray:
         """The reward-indicator basis of a state, ``(A, G, V)``."""
-        tables = self.learned.basis[:, state].astype(float)
-        return tables.mean(axis=0) if self.index is None else tables[self.index]
+        return self._seen(self.learned.basis[:, state])
 
     @property
     def tables(self) -> np.ndarray:
         """The reward-indicator basis of every state, ``(S, A, G, V)``."""
-        tables = self.learned.basis.astype(float)
-        return tables.mean(axis=0) if self.index is None else tables[self.index]
+        return self._seen(self.learned.basis)
+
+    def _seen(self, tables: np.ndarray) -> np.ndarray:
+        return tables.astype(float).mean(axis=0) if self.index is None else tables[self.index].astype(float)
 
     @property
     def policy(self) -> np.ndarray:
@@ -168,20 +139,12 @@ class Observed:
     action_names: tuple[str, ...]
     places: np.ndarray
     added: int = 0
-
-    @property
-    def world(self) -> None:
-        return None
-
-    @property
-    def learner(self) -> None:
-        return None
+    world = learner = None
 
     def study(self, settings: Resolved) -> Study:
         """Its convention is ours, so nothing is looked for; actions have the environment's names."""
         space = replace(self.gamma_space, places=self.places)
-        found = study_of_gamma_space(space, settings, own_convention=False)
-        return replace(found, action_names=self.action_names)
+        return replace(study_of_gamma_space(space, settings, own_convention=False), action_names=self.action_names)
 
 
 def state_in(settings: Resolved) -> str:

@@ -9,7 +9,7 @@ from typing import Any
 import streamlit as st
 
 from app.components.chart import chart
-from app.components.lens import state_of
+from app.components.lens.state import state_of
 from app.session import store
 from app.session.link import pack
 from app.session.url import query_of

@@ -16,8 +16,6 @@ import streamlit as st
 
 from app import session
 from app.components import assets
-from app.components.lens.payload import Simulated, payload, structure
-from app.components.lens.state import LIVE, checked, state_of, values_of
 from app.session import message
 
 _HELD = 2
@@ -95,13 +93,14 @@ def lens(
     lead: Mapping[str, Any] | None = None,
     followed: Mapping[str, Any] | None = None,
 ) -> Released | None:
-    """Draw the lens and return what was released just now, if anything; pass its state through :func:`checked`.
+    """Draw the lens and return what was released just now, if anything; pass its state through
+    :func:`app.components.lens.state.checked`.
 
     What is sent, and what the browser makes of it, is a rule of its own: :mod:`app.session.message`.
 
     Args:
-        data: from :func:`payload`.
-        state: what the controls hold; :func:`state_of`.
+        data: from :func:`app.components.lens.payload.payload`.
+        state: what the controls hold; :func:`app.components.lens.state.state_of`.
         base: where Reset leads; default: ``state``.
         on_release: called before the rerun, as a widget's callback.
         said: the verdict on ``state``; without it the lens judges by itself.
@@ -114,7 +113,7 @@ def lens(
     widget, digest = f"lens {key}", message.name_of(data)
     channel = session.channel(widget)
     sent = channel.show(digest, state)
-    told = {
+    header = {
         "name": key,
         "id": digest,
         "revision": channel.revision,
@@ -131,25 +130,25 @@ def lens(
         "plotly": assets.plotly_js(),
     }
 
-    def heard() -> None:
+    def released() -> None:
         answer = st.session_state[widget].released
         if not channel.answered(digest, answer, _HELD):
             return
-        released = _released(answer, presets)
-        channel.release(released.state)
+        report = _released(answer, presets)
+        channel.release(report.state)
         if on_release is not None:
-            on_release(released)
+            on_release(report)
 
-    packed = message.pack(told, channel.due(digest, data))
-    result = assets.component("lens", "entry")(key=widget, data=packed, on_released_change=heard, height="content")
+    packed = message.pack(header, channel.due(digest, data))
+    result = assets.component("lens", "entry")(key=widget, data=packed, on_released_change=released, height="content")
     return None if result.released is None else _released(result.released, presets)
 
 
-def _released(found: object, presets: Sequence[Preset]) -> Released:
-    """What the browser says, which is not to be trusted: :func:`checked` looks at the state value by value."""
-    found = found if isinstance(found, Mapping) else {}
-    state, preset, pin = found.get("state"), found.get("preset"), found.get("pin")
-    remedy, picked = (_index(found.get(name)) for name in ("remedy", "picked"))
+def _released(answer: object, presets: Sequence[Preset]) -> Released:
+    """What the browser says, which is not to be trusted: ``checked`` looks at the state value by value."""
+    report = answer if isinstance(answer, Mapping) else {}
+    state, preset, pin = report.get("state"), report.get("preset"), report.get("pin")
+    remedy, picked = (_index(report.get(name)) for name in ("remedy", "picked"))
     return Released(
         dict(state) if isinstance(state, Mapping) else {},
         preset if preset in [each.name for each in presets] else None,
@@ -170,20 +169,3 @@ def standalone(data: bytes, state: Mapping[str, Any], base: Mapping[str, Any] | 
     held = {"state": dict(state), "base": dict(base or state), "payload": base64.b64encode(data).decode()}
     place = '<script id="held" type="application/json">'
     return assets.offline_page().replace(place, place + json.dumps(held).replace("<", "\\u003c"), 1)
-
-
-__all__ = [
-    "LIVE",
-    "Graph",
-    "Preset",
-    "Released",
-    "Said",
-    "Simulated",
-    "checked",
-    "lens",
-    "payload",
-    "standalone",
-    "state_of",
-    "structure",
-    "values_of",
-]

@@ -6,8 +6,6 @@ only looked at and is packed in single floats.
 
 from __future__ import annotations
 
-import json
-import struct
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
@@ -52,7 +50,7 @@ class Simulated:
     """What continuations from the observation came to that begin with an action: the truth where there is no world."""
 
     action: int
-    found: Empirical
+    outcome: Empirical
 
 
 def structure(settings: Resolved, world: World | None) -> Resolved:
@@ -109,9 +107,10 @@ def payload(
         "learned": study.learned is not None,
     }
     if simulated is not None:
-        found, header["simulated"] = simulated.found, {"action": simulated.action, "count": simulated.found.count}
-        lines = (found.reward, found.reward_error, found.survival, found.survival_error, found.chance)
-        tails = found.open_tails if space.open_ends else found.tails
+        outcome = simulated.outcome
+        header["simulated"] = {"action": simulated.action, "count": outcome.count}
+        lines = (outcome.reward, outcome.reward_error, outcome.survival, outcome.survival_error, outcome.chance)
+        tails = outcome.open_tails if space.open_ends else outcome.tails
         arrays["simulated_tails"] = np.rint(LEVELS * np.clip(tails, 0.0, 1.0)).astype(np.uint16)
         arrays["simulated_lines"] = np.array(lines, dtype=np.float32)
     return _packed(header, arrays), header
@@ -168,13 +167,3 @@ def _packed(header: dict[str, Any], arrays: dict[str, np.ndarray]) -> bytes:
         for name, array in arrays.items()
     )
     return pack(header, data)
-
-
-def unpacked(data: bytes) -> tuple[dict[str, Any], dict[str, np.ndarray]]:
-    """Header and arrays of :func:`payload`."""
-    (length,) = struct.unpack_from("<I", data)
-    header, arrays = json.loads(data[4 : 4 + length]), {}
-    for name, (kind, at, shape) in header["arrays"].items():
-        count = int(np.prod(shape))
-        arrays[name] = np.frombuffer(data, f"<{kind}", count, 4 + length + at).reshape(shape)
-    return header, arrays

@@ -26,28 +26,10 @@ def state_of(
     settings: Resolved, horizon: float, *, action: int = 0, look: str = "heatmap", added: int = 0
 ) -> dict[str, Any]:  # fmt: skip
     """The state that shows resolved settings as they are."""
-    s = settings
-    return {
-        "alpha": s.alpha,
-        "slope": s.slope or 1.0,
-        "horizon": horizon,
-        "softness": s.softness,
-        "value_gamma": s.value_gamma,
-        "noise": s.noise,
-        "noise_seed": s.noise_seed,
-        "normalise": s.normalise,
-        "fold": s.fold,
-        "mixed": s.policy == "per_gamma",
-        "paper_grid": bool(s.paper_grid),
-        "clip": bool(s.clip),
-        "constant": s.deadline == "constant",
-        "used": s.used,
-        "shift": s.shift,
-        "slope_share": s.slope_share,
-        "added": added,
-        "action": action,
-        "look": look,
-    }
+    state = {name: getattr(settings, name) for name in _SAME}
+    state |= {"slope": settings.slope or 1.0, "paper_grid": bool(settings.paper_grid), "clip": bool(settings.clip)}
+    state |= {"mixed": settings.policy == "per_gamma", "constant": settings.deadline == "constant"}
+    return state | {"horizon": horizon, "added": added, "action": action, "look": look}
 
 
 def values_of(state: Mapping[str, Any], before: Mapping[str, Any], actions: tuple[str, ...]) -> dict[str, Any]:
@@ -64,22 +46,22 @@ def values_of(state: Mapping[str, Any], before: Mapping[str, Any], actions: tupl
     return values
 
 
-def checked(heard: object, study: Study) -> dict[str, Any]:
+def checked(reported: object, study: Study) -> dict[str, Any]:
     """A state from the browser, every value of its kind and in its range; what is not is taken from the study."""
-    found = state_of(study.settings, float(study.horizons[-1]))
-    if not isinstance(heard, Mapping):
-        return found
+    state = state_of(study.settings, float(study.horizons[-1]))
+    if not isinstance(reported, Mapping):
+        return state
     last, actions = float(study.horizons[-1]), len(study.action_names)
     limits = {name: BY_NAME[name].bounds for name in _SAME if BY_NAME[name].type in (int, float)}
     limits |= {"horizon": (0, last), "used": (0, last), "added": (0, MOST_ADDED), "action": (0, actions - 1)}
     words = {"normalise": BY_NAME["normalise"].choices, "look": ("heatmap", "surface")}
-    for name, value in heard.items():
-        if name in found and isinstance(found[name], bool):
-            found[name] = value if isinstance(value, bool) else found[name]
+    for name, value in reported.items():
+        if name in state and isinstance(state[name], bool):
+            state[name] = value if isinstance(value, bool) else state[name]
         elif name in limits and isinstance(value, int | float) and not isinstance(value, bool):
             low, high = limits[name]
             if low <= value <= high:
-                found[name] = int(value) if name in ("noise_seed", "action", "added") else float(value)
+                state[name] = int(value) if name in ("noise_seed", "action", "added") else float(value)
         elif name in words and value in words[name]:
-            found[name] = value
-    return found
+            state[name] = value
+    return state
