@@ -14,6 +14,7 @@ st.set_page_config(page_title="Laplace code workbench", page_icon="∑", layout=
 st.html(Path(__file__).with_name("style.css"))
 chart.preload()
 training_runs.wake()
+st.sidebar.html('<div class="brand">Laplace code workbench</div>')
 PAGES = [
     st.Page("screens/worlds.py", title="Worlds", default=True),
     st.Page("screens/agents.py", title="Trained agents", url_path="agents"),

@@ -31,8 +31,7 @@ def view(loaded: Loaded, scene: Environment, rolled: RolledOut | None) -> None:
     action = _action(scene, taken)
     picture, alt = _of_state(loaded, scene, seen, action, rollout=rollout, at=at)
     left, right = st.columns(2, gap="small")
-    with left:
-        chart(picture, "state", alt, revision=loaded.algorithm)
+    chart(picture, "state", alt, revision=loaded.algorithm, place=left)
     with right:
         if rolled is None or rollout is None:
             st.html('<div class="panel-title">along an episode</div>')

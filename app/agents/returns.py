@@ -13,7 +13,7 @@ from app.agents import jobs
 from app.agents.schema import DEFAULTS
 from app.catalogue import checkpoints
 from app.components.chart import chart
-from app.components.waiting import progress, result
+from app.components.waiting import attempt, progress
 from app.components.widgets import download
 from laplace_core import figures
 from laplace_core.acting.return_laws import (
@@ -56,9 +56,8 @@ def section(
         for i, (each, law) in enumerate(zip(agents, laws, strict=True))
     ]
     left, right = st.columns([2, 1], gap="medium")
-    with left:
-        alt = "Cumulated distribution of the return, a panel an agent: learned, and observed."
-        chart(figures.returns_side_by_side(rows), "codes", alt, rows_height(len(rows)))
+    alt = "Cumulated distribution of the return, a panel an agent: learned, and observed."
+    chart(figures.returns_side_by_side(rows), "codes", alt, rows_height(len(rows)), place=left)
     with right:
         st.html(_table(rows))
         st.caption(_notes(agents, laws, observation, action=action, alphas=alphas))
@@ -101,7 +100,7 @@ def _offered(
             queued = "Simulating: waits for its turn"
             progress(work, "Simulating: {share:.0%}", queued, work.cancel, key="cancel returns")
             return None
-        observed = result(work)
+        observed = attempt(work.result)
         if observed is not None:
             words.caption(_summary(observed, step, name))
         return observed
@@ -151,8 +150,8 @@ def _notes(
 
 def _table(rows: Sequence[ReturnRow]) -> str:
     """The numbers of the pictures, a line an agent."""
-    heads = ("", "W1", "by chance", "mean learned", "mean that came")
-    hints = ("", "area between learned and came, in reward", "W1 that as many draws of the same law would have",
+    heads = ("", "W1", "by chance", "mean learned", "mean observed")
+    hints = ("", "area between learned and observed, in reward", "W1 that as many draws of the same law would have",
              "in reward, discounted", "in reward, discounted; +- one standard error")  # fmt: skip
     lines = ["".join(f'<th title="{hint}">{head}</th>' for head, hint in zip(heads, hints, strict=True))]
     for row in rows:

@@ -40,14 +40,13 @@ def form(loaded: Loaded) -> None:
     control, titles = _control(loaded), rules.rules_of(loaded.agent)
     select("Control rule", list(titles), store.put(RULE, control.rule), titles, keep=_keep)
     left, right = st.columns(2, gap="small")
-    with left:
-        field(PARAMETERS[SEED], control.seed, "Start seed", keep=_keep, help=None)
-    with right:
-        if control.horizon is not None:
-            key = store.put(HORIZON, control.horizon)
-            st.number_input("T (steps)", 1, limit_of(loaded), step=1, key=key, on_change=_keep, args=(key,))
-        elif control.rule == "greedy" and isinstance(loaded.agent, HasDiscounts):
-            gammas = loaded.agent.gammas
+    field(PARAMETERS[SEED], control.seed, "Start seed", keep=_keep, place=left, help=None)
+    if control.horizon is not None:
+        key = store.put(HORIZON, control.horizon)
+        right.number_input("T (steps)", 1, limit_of(loaded), step=1, key=key, on_change=_keep, args=(key,))
+    elif control.rule == "greedy" and isinstance(loaded.agent, HasDiscounts):
+        gammas = loaded.agent.gammas
+        with right:
             discount("Discount", gammas, GAMMA, control.gamma or gammas[loaded.agent.acting_head], keep=_keep)
     if not episode.shown(store.chosen()):
         st.button("Roll out", type="primary", width="stretch", on_click=_begin)
@@ -96,13 +95,11 @@ def _files(rollout: Rollout) -> None:
     name = f"{rollout.environment}_seed_{rollout.seed}_{rollout.rule}"
     seconds = environment_of(rollout.environment).seconds
     left, right = st.columns(2, gap="small")
-    with left:
-        contents = "Every step's observation, action, reward, values and, if there is one, gamma-space."
-        download("NPZ", lambda: rollout_npz(rollout), f"{name}.npz", width="stretch", help=contents)
+    npz, gif = (lambda: rollout_npz(rollout)), (lambda: animation(rollout.frames, seconds))
+    contents = "Every step's observation, action, reward, values and, if there is one, gamma-space."
+    download("NPZ", npz, f"{name}.npz", place=left, width="stretch", help=contents)
     if rollout.frames:
-        with right:
-            picture = "The episode, moving."
-            download("GIF", lambda: animation(rollout.frames, seconds), f"{name}.gif", width="stretch", help=picture)
+        download("GIF", gif, f"{name}.gif", place=right, width="stretch", help="The episode, moving.")
 
 
 def _edit(rollout: Rollout, scene: Environment) -> None:

@@ -12,7 +12,7 @@ from app.agents.jobs import COUNT, EACH, EPISODES, STEPS
 from app.catalogue import rules
 from app.components.chart import chart
 from app.components.lens.payload import Simulated
-from app.components.waiting import progress, result
+from app.components.waiting import attempt, progress
 from app.components.widgets import select
 from app.session import store
 from app.view.subjects import Subject, View
@@ -24,10 +24,7 @@ from laplace_core.agents.agent import Agent
 from laplace_core.environments import vector
 from laplace_core.training.checkpoint import Loaded
 
-_HELP = {
-    "picker": "Tau-space predicts one policy; under another one, what comes is another process.",
-    "button": "Does the decoded timeline come true? Hold it against what really comes.",
-}
+_HELP = "Does the decoded timeline come true? Hold it against what really comes."
 
 
 def ask(view: View, loaded: Loaded, rollout: Rollout, step: int) -> Simulated | None:
@@ -40,8 +37,8 @@ def ask(view: View, loaded: Loaded, rollout: Rollout, step: int) -> Simulated | 
         words, *picker, button = st.columns(shares, vertical_alignment="center", gap="small")
         if picker:
             titles, key, label = _titles(rollout), store.show(AFTER, "values"), "Control of what is simulated"
-            with picker[0]:
-                select(label, list(titles), key, titles, label_visibility="collapsed", help=_HELP["picker"])
+            place, help = picker[0], "Tau-space predicts one policy; under another one, what comes is another process."
+            select(label, list(titles), key, titles, place=place, label_visibility="collapsed", help=help)
         if work is not None and work.going:
             with words:
                 progress(work, "Simulating: {done} of {of}", "Simulating: preparing")
@@ -49,31 +46,29 @@ def ask(view: View, loaded: Loaded, rollout: Rollout, step: int) -> Simulated | 
             return None
         words.caption(_words(view, loaded, rollout, step))
         begun = work is not None
-        button.button("Simulate", width="stretch", disabled=begun, on_click=job.begin, help=_HELP["button"])
+        button.button("Simulate", width="stretch", disabled=begun, on_click=job.begin, help=_HELP)
     if work is None or not vector.chance(loaded.environment):
         return None
-    simulated = result(work)
+    simulated = attempt(work.result)
     return None if simulated is None else _for_lens(simulated, loaded.agent, view.action)
 
 
 def section(view: View, loaded: Loaded, rollout: Rollout, step: int) -> None:
     """Under the lens, once there is a simulation: its calibration, which follows alpha; of many states, their means."""
     work = jobs.truth(loaded, rollout, step, view.action, own=_own(rollout)).work
-    simulated = None if work is None or work.going else result(work)
+    simulated = None if work is None or work.going else attempt(work.result)
     if simulated is None:
         return
     confronted = _confronted(simulated, loaded, view.subject, view.action, alpha=view.settings.alpha)
     st.html('<div class="panel-title">does the decoded timeline come true?</div>')
     left, right = st.columns([1, 2], gap="small")
-    with left:
-        alt = "Predicted against observed probability that a reward exceeds a sensitivity."
-        chart(figures.calibration_plot(confronted), "calibration", alt)
-    with right:
-        if vector.chance(loaded.environment):
-            st.caption(_summary(confronted, view))
-            return
-        alt = "Expected reward, survival and W1 distance over future steps, decoded and simulated, means over states."
-        chart(figures.simulated_timeline(confronted), "simulated", alt)
+    alt = "Predicted against observed probability that a reward exceeds a sensitivity."
+    chart(figures.calibration_plot(confronted), "calibration", alt, place=left)
+    if vector.chance(loaded.environment):
+        right.caption(_summary(confronted, view))
+        return
+    alt = "Expected reward, survival and W1 distance over future steps, decoded and simulated, means over states."
+    chart(figures.simulated_timeline(confronted), "simulated", alt, place=right)
 
 
 def _own(rollout: Rollout) -> bool:

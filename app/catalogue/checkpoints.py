@@ -11,7 +11,7 @@ from pathlib import Path
 
 from app import session
 from app.catalogue import training_runs
-from app.session.url import Check, Entries, Values, by_name
+from app.session.url import Entries, by_name, check_of
 from laplace_core import InputError
 from laplace_core.agents.settings import ENVIRONMENTS, SETTINGS, algorithm_title
 from laplace_core.experiments.shipping import TrainingCurve, curves_of, manifest
@@ -26,8 +26,8 @@ RUN = "run:"  # prefix of the names of those that were trained here
 def shipped() -> tuple[str, ...]:
     """Names of the checkpoints that come with the workbench, ``ALGORITHM_ENVIRONMENT``: those with many discounts
     first, then by environment. Tabular ones open on the page of worlds."""
-    found = [path.stem for path in SHIPPED.glob("*.safetensors") if not path.stem.endswith("_td")]
-    return tuple(sorted(found, key=lambda name: (not name.startswith("laplace_"), *_place(name))))
+    stems = [path.stem for path in SHIPPED.glob("*.safetensors") if not path.stem.endswith("_td")]
+    return tuple(sorted(stems, key=lambda name: (not name.startswith("laplace_"), *_place(name))))
 
 
 def _place(name: str) -> tuple[int, int, str]:
@@ -69,8 +69,8 @@ def curves(name: str) -> tuple[TrainingCurve, ...]:
         return ()
     if name.startswith(RUN):
         c = training_runs.curves(training_runs.queue().get(name.removeprefix(RUN)))
-        told = (tuple(part.tolist()) for part in (c.steps, c.scores, c.errors))
-        return (TrainingCurve(checkpoint(name).seed, *told),) if len(c.steps) else ()
+        points = (tuple(part.tolist()) for part in (c.steps, c.scores, c.errors))
+        return (TrainingCurve(checkpoint(name).seed, *points),) if len(c.steps) else ()
     return _shipped_curves(name)
 
 
@@ -84,8 +84,8 @@ def _shipped_curves(name: str) -> tuple[TrainingCurve, ...]:
 
 def shipped_curves(environment: str) -> dict[str, tuple[TrainingCurve, ...]]:
     """Evaluations while training of the agents that ship for an environment, by algorithm, those of several seeds."""
-    found = {_parts(name)[0]: _shipped_curves(name) for name in _shipped_for(environment)}
-    return {algorithm: curves for algorithm, curves in found.items() if len(curves) > 1}
+    curves = {_parts(name)[0]: _shipped_curves(name) for name in _shipped_for(environment)}
+    return {algorithm: seeds for algorithm, seeds in curves.items() if len(seeds) > 1}
 
 
 def same_environment(loaded: Loaded) -> list[Loaded]:
@@ -159,10 +159,8 @@ def checkpoint(name: str) -> Loaded:
     return _shipped(name)
 
 
-def _is_here(values: Values) -> None:
-    if "checkpoint" in values:
-        checkpoint(str(values["checkpoint"]))
-
-
-NAMED = (Entries(by_name(Parameter("checkpoint", None, help="The agent.", kind=str))), Check(_is_here))
+NAMED = (
+    Entries(by_name(Parameter("checkpoint", None, help="The agent.", kind=str))),
+    check_of("checkpoint", lambda name: checkpoint(name)),
+)
 """How the link of a page that shows an agent begins: its name. Without such an agent nothing else has a meaning."""

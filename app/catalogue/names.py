@@ -13,3 +13,8 @@ def world_title(name: str) -> str:
     if name in TITLES:
         return TITLES[name]
     return PRESETS[name].title if name in PRESETS else name.replace("gym:", "gymnasium ")
+
+
+def capital(words: str) -> str:
+    """Words as the beginning of a sentence."""
+    return words[:1].upper() + words[1:]

@@ -37,9 +37,9 @@ def for_deadline(rule: str) -> bool:
 
 def rules_of(agent: Agent) -> dict[str, str]:
     """Rules that an agent can act by, the first one by default, and what they are called."""
-    found = {name: title_of(name) for name in (*rules.rules_of(agent), RANDOM)}
+    titles = {name: title_of(name) for name in (*rules.rules_of(agent), RANDOM)}
     if isinstance(agent, HasTimeToGo):
-        found["greedy"] = "greedy for the longest T"
+        titles["greedy"] = "greedy for the longest T"
     elif not isinstance(agent, HasDiscounts):
-        found["greedy"] = "greedy"
-    return found
+        titles["greedy"] = "greedy"
+    return titles

@@ -35,8 +35,8 @@ def _temporary() -> Path:
     wanted = Path(tempfile.gettempdir()) / f"laplace_runs_{user}"
     try:
         wanted.mkdir(mode=0o700, exist_ok=True)
-        found = wanted.lstat()
-        if stat.S_ISDIR(found.st_mode) and found.st_uid == user:
+        status = wanted.lstat()
+        if stat.S_ISDIR(status.st_mode) and status.st_uid == user:
             return wanted
     except OSError:
         pass

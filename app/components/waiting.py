@@ -1,14 +1,16 @@
-"""Work in the background on a page: how far it is, a way out, and what it came to."""
+"""Work in the background on a page: how far it is, a way out, and what it was refused for."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import TypeVar
 
 import streamlit as st
 
-from app.session.background import Result, Work
+from app.session.background import Work
 from laplace_core import InputError
 
+Result = TypeVar("Result")
 LOOK_EVERY = 0.4  # seconds between two looks at work that is not done
 
 
@@ -33,10 +35,10 @@ def _progress(work: Work, words: str, queued: str, cancel: Callable[[], None] | 
         button.button("Cancel", key=key, width="stretch", on_click=cancel)
 
 
-def result(work: Work[Result]) -> Result | None:
-    """What finished work came to; where it was refused, None, and the sentence that says why is on the page."""
+def attempt(make: Callable[[], Result]) -> Result | None:
+    """What a function returns; where it refuses, None, and the sentence that says why is on the page."""
     try:
-        return work.result()
+        return make()
     except InputError as error:
         st.error(str(error))
         return None

@@ -14,52 +14,54 @@ from app.session import store
 from laplace_core import InputError
 from laplace_core.parameters import Parameter
 
+Titles = Callable[[Any], str] | Mapping[Any, str]
+"""What the options of a box are called; an option that is missing goes by its own name."""
 _MIME = {"csv": "text/csv", "json": "application/json", "gif": "image/gif"}
 
 
 def field(
-    parameter: Parameter, value: object, label: str, *, key: str = "", titles: Callable[[Any], str] = str,
-    keep: Callable[[str], None] = store.keep, **more: Any,
+    parameter: Parameter, value: object, label: str, *, key: str = "", titles: Titles = str,
+    keep: Callable[[str], None] = store.keep, place: Any = st, **more: Any,
 ) -> None:  # fmt: skip
     """The widget for a parameter of a page or of its view.
 
     Args:
         value: shown where nothing is set by hand.
         key: of the widget and of the value in the link, where it is not the parameter's name.
-        titles, keep: see :func:`select`.
+        titles, keep, place: see :func:`select`.
         more: other arguments of :func:`select` or of Streamlit's widget for a number.
     """
     key = store.show(key or parameter.name, value)
     more = {"help": parameter.help, **more}
     if parameter.choices:
-        select(label, parameter.choices, key, titles, keep=keep, **more)
+        select(label, parameter.choices, key, titles, keep=keep, place=place, **more)
         return
     kept = {"key": key, "on_change": keep, "args": (key,), **more}
     if parameter.type is bool:
-        st.checkbox(label, **kept)
+        place.checkbox(label, **kept)
     elif parameter.type is int:
         low, high = parameter.bounds
-        st.number_input(label, int(low), int(high), **{"step": 1, **kept})
+        place.number_input(label, int(low), int(high), **{"step": 1, **kept})
     else:
         low, high = parameter.bounds
         step = 0.01 if high <= 1 else 0.5
         if parameter.default:  # a small number moves by its last digit
             step = min(step, 10.0 ** math.floor(math.log10(abs(float(parameter.default)))))
-        st.number_input(label, float(low), float(high), step=step, format="%g", **kept)
+        place.number_input(label, float(low), float(high), step=step, format="%g", **kept)
 
 
 def select(
-    label: str, options: Sequence, key: str, titles: Callable[[Any], str] | Mapping[Any, str] = str,
-    *, keep: Callable[[str], None] = store.keep, **more: Any,
+    label: str, options: Sequence, key: str, titles: Titles = str,
+    *, keep: Callable[[str], None] = store.keep, place: Any = st, **more: Any,
 ) -> None:  # fmt: skip
     """A box with options, after :func:`app.session.store.show` or :func:`~app.session.store.put` for its key.
 
     Args:
-        titles: what options are called; an option without a title goes by its own name.
         keep: callback for the key, once a person has chosen.
+        place: a container; by default here.
     """
     named = titles if callable(titles) else lambda option: titles.get(option, str(option))
-    st.selectbox(label, options, format_func=named, key=key, on_change=keep, args=(key,), **more)
+    place.selectbox(label, options, format_func=named, key=key, on_change=keep, args=(key,), **more)
 
 
 def discount(
@@ -71,10 +73,12 @@ def discount(
     select(label, options, key, "{:.4g}".format, keep=keep, help=help)
 
 
-def download(label: str, data: str | Callable[[], str | bytes], file_name: str, **more: Any) -> None:
+def download(
+    label: str, data: str | Callable[[], str | bytes], file_name: str, *, place: Any = st, **more: Any
+) -> None:
     """A button that saves a file, which is made when it is clicked; the ending of its name says of what kind it is."""
     mime = _MIME.get(file_name.rpartition(".")[2], "application/octet-stream")
-    st.download_button(label, data, file_name=file_name, mime=mime, on_click="ignore", **more)
+    place.download_button(label, data, file_name=file_name, mime=mime, on_click="ignore", **more)
 
 
 def upload(label: str, endings: Sequence[str], key: str, take: Callable[[str, bytes], None], **more: Any) -> None:

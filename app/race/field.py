@@ -10,7 +10,7 @@ import streamlit as st
 from app.components.chart import chart
 from app.components.copy import copy_button
 from app.components.track import COLOURS
-from app.components.waiting import progress, result
+from app.components.waiting import attempt, progress
 from app.components.widgets import download
 from app.race import form, jobs, schema, words
 from app.race.jobs import Control
@@ -31,7 +31,8 @@ def section(control: Control) -> None:
     if values.get(MANY) != "yes":
         caption, button = st.columns([4.2, 1.2], vertical_alignment="center")
         caption.caption(f"One start is an anecdote. The same race from the starts 0 to {count - 1}, without pictures.")
-        button.button(f"Race over {count} starts", type="primary", width="stretch", on_click=_begin)
+        label, args = f"Race over {count} starts", (MANY, "yes")
+        button.button(label, type="primary", width="stretch", on_click=store.choose, args=args)
         return
     work = jobs.field(control, count)
     form.only("field", work)
@@ -43,13 +44,9 @@ def section(control: Control) -> None:
     if work.going and not work.wait(0.3):
         progress(work, *form.RACING, cancel, key="cancel field")
         return
-    many = result(work)
+    many = attempt(work.result)
     if many is not None:
         _shown(control, *many)
-
-
-def _begin() -> None:
-    store.choose(MANY, "yes")
 
 
 def _shown(control: Control, races: Races, summary: dict[str, Any]) -> None:

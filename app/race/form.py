@@ -34,12 +34,7 @@ def choose() -> None:
     listed = checkpoints.names()
     if listed:
         key, words = store.show(AGENT, schema.opening()[AGENT]), "A checkpoint opened on the page of trained agents"
-        select("Agent", listed, key, checkpoints.title, keep=_another, help=f"{words} is listed here, too.")
-
-
-def _another(key: str) -> None:
-    """Callback: rules and the number of starts mean the same for another agent, all else does not."""
-    store.replace_all({key: st.session_state[key]})
+        select("Agent", listed, key, checkpoints.title, keep=store.begin_anew, help=f"{words} is listed here, too.")
 
 
 def form(control: Control) -> None:

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from app.catalogue import checkpoints
+from app.catalogue.names import capital
 from app.catalogue.rules import name_of
 from app.race.jobs import Control
 from app.race.schema import AGAINST, AGENT
@@ -45,7 +46,7 @@ def verdict(race: Race, control: Control) -> tuple[str, str]:
     leader = right if race.difference > 0 else left
     tone, lead = "ahead" if race.difference > 0 else "behind", abs(race.difference)
     returns = f"{where}: {left} {totals[0]:.1f}, {right} {totals[1]:.1f}"
-    return tone, f"{returns}. {_capital(leader)} is ahead by {lead:.1f}."
+    return tone, f"{returns}. {capital(leader)} is ahead by {lead:.1f}."
 
 
 def field_verdict(summary: Mapping[str, Any], control: Control) -> tuple[str, str]:
@@ -59,7 +60,7 @@ def field_verdict(summary: Mapping[str, Any], control: Control) -> tuple[str, st
     if low <= 0.0 <= high:
         return "level", f"{means}. The interval of the difference covers 0: these starts do not tell which is better."
     leader, tone = (right, "ahead") if mean > 0 else (left, "behind")
-    return tone, f"{means}. {_capital(leader)} is ahead by {abs(mean):.1f} ({_range(low, high)})."
+    return tone, f"{means}. {capital(leader)} is ahead by {abs(mean):.1f} ({_range(low, high)})."
 
 
 def _range(low: float, high: float) -> str:
@@ -69,10 +70,6 @@ def _range(low: float, high: float) -> str:
 
 def _steps(count: int) -> str:
     return f"{count} step" + ("" if count == 1 else "s")
-
-
-def _capital(words: str) -> str:
-    return words[:1].upper() + words[1:]
 
 
 def inside(control: Control, side: str, seed: int, step: int) -> dict[str, str]:

@@ -10,7 +10,7 @@ from app.agents.jobs import Rolling
 from app.agents.schema import LINK, OBSERVED, observation_of, view_of
 from app.catalogue import checkpoints
 from app.components.lens.state import LIVE
-from app.components.waiting import result
+from app.components.waiting import attempt
 from app.components.widgets import select, upload
 from app.session import store
 from app.view import compute, export, panels
@@ -23,16 +23,13 @@ from laplace_core.training.checkpoint import Loaded
 def page() -> None:
     store.open_page("agents", LINK)
     with st.sidebar:
-        st.html('<div class="brand">Laplace code workbench</div>')
         _choose()
         name = store.chosen().get("checkpoint")
         if name is None:
             st.info("No trained agent is here yet: open a checkpoint, or train one with `laplace train`.")
             return
-        try:
-            loaded = checkpoints.checkpoint(str(name))
-        except InputError as error:  # a run that was removed meanwhile
-            st.error(str(error))
+        loaded = attempt(lambda: checkpoints.checkpoint(str(name)))
+        if loaded is None:  # a run that was removed meanwhile
             return
         scene = environment_of(loaded.environment)
         card(str(name), loaded, scene)
@@ -53,12 +50,8 @@ def page() -> None:
 def _choose() -> None:
     names = checkpoints.names()
     if names:
-        select("Agent", names, store.show("checkpoint", names[0]), checkpoints.title, keep=_chosen)
+        select("Agent", names, store.show("checkpoint", names[0]), checkpoints.title, keep=store.begin_anew)
     upload("Open a checkpoint (.safetensors)", ["safetensors"], "agent_file", _opened)
-
-
-def _chosen(key: str) -> None:
-    store.replace_all({key: st.session_state[key]})
 
 
 def _opened(name: str, data: bytes) -> None:
@@ -80,7 +73,7 @@ def _observation(scene: Environment) -> None:
 @st.fragment
 def _view(loaded: Loaded, scene: Environment, asked: Rolling | None) -> None:
     store.write_url()
-    rolled = None if asked is None else result(asked)
+    rolled = None if asked is None else attempt(asked.result)
     if asked is not None and rolled is None:
         return
     if not isinstance(loaded.agent, HasGammaSpace):

@@ -5,10 +5,10 @@ from __future__ import annotations
 import streamlit as st
 
 from app.catalogue import training_runs
+from app.components.waiting import attempt
 from app.session import store
 from app.train import cards, form, pictures
 from app.train.schema import LINK, OPENING
-from laplace_core import InputError
 from laplace_core.training.queue import Run
 
 LOOK_EVERY = 1.0  # seconds between two looks at the runs, while one is going
@@ -17,14 +17,10 @@ LOOK_EVERY = 1.0  # seconds between two looks at the runs, while one is going
 def page() -> None:
     store.open_page("train", LINK)
     with st.sidebar:
-        st.html('<div class="brand">Laplace code workbench</div>')
         form.form()
-    try:
-        going = _going(training_runs.queue().runs())
-    except InputError as error:
-        st.error(str(error))
-        return
-    st.fragment(_view, run_every=LOOK_EVERY if going else None)(going=going)
+    going = attempt(lambda: _going(training_runs.queue().runs()))
+    if going is not None:
+        st.fragment(_view, run_every=LOOK_EVERY if going else None)(going=going)
 
 
 def _going(runs: list[Run]) -> bool:
@@ -36,7 +32,7 @@ def _view(*, going: bool) -> None:
     queue = training_runs.queue()
     runs = queue.runs()
     if any(run.going for run in runs):
-        queue.wake()  # another server, that has ended since, may have left them in line
+        queue.wake()  # another server, that has ended since, may have left them in its queue
     if not runs:
         st.info("No run is here yet. A run trains in a process of its own: this page may be closed meanwhile.")
         st.button("Train Laplace DQN on CartPole", type="primary", on_click=_first)

@@ -9,14 +9,17 @@ from app.session import store
 from app.view import compute, panels
 from app.worlds import bring, compare, export, learning, sidebar, sources
 from app.worlds.presets import presets_for
+from app.worlds.schema import LINK
 from laplace_core import InputError
 
 LOOK_EVERY = 0.7  # seconds between two looks at a learner
 
 
 def page() -> None:
-    if not sidebar.begin():
-        return
+    store.open_page("worlds", LINK)
+    with st.sidebar:
+        if not sidebar.groups():
+            return
     running = learning.at_work()
     st.fragment(_view, run_every=LOOK_EVERY if running else None)(running=running)
 
@@ -34,7 +37,7 @@ def _view(*, running: bool) -> None:
         compute.study_for(view)
     except InputError as error:
         st.error(str(error))
-        sidebar.undo_button()
+        st.button("Undo the last change", on_click=store.undo)
         return
     store.worked()
     learning.strip(view, watched)

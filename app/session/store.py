@@ -66,6 +66,11 @@ def replace_all(values: Mapping[str, Any]) -> None:
     _touch()
 
 
+def begin_anew(name: str) -> None:
+    """Callback of the widget with key ``name``: its value is all that is set by hand."""
+    replace_all({name: st.session_state[name]})
+
+
 def _touch() -> None:
     session.current().touched = True
 

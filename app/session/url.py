@@ -88,13 +88,14 @@ class Check:
         lead: what the sentence of a note begins with.
     """
 
-    test: Callable[[Values], None]
+    test: Callable[[Values], object]
     drops: tuple[str, ...] = ()
     lead: str = LEFT_OUT
 
-    def dropped(self, values: Values) -> list[str]:
-        """Names among the values that are left out where the test does not hold."""
-        return [name for name in values if any(fnmatchcase(name, pattern) for pattern in self.drops)]
+
+def check_of(name: str, test: Callable[[str], object], drops: tuple[str, ...] = (), lead: str = LEFT_OUT) -> Check:
+    """A check of one value, where there is one."""
+    return Check(lambda values: test(str(values[name])) if name in values else None, drops, lead)
 
 
 @dataclass(frozen=True)
@@ -134,8 +135,8 @@ class Schema:
                 notes.append(f"{step.lead}{error}")
                 if not step.drops:
                     return dict(self.opening()), notes
-                for name in step.dropped(values):
-                    del values[name]
+                for pattern in step.drops:
+                    values = {name: value for name, value in values.items() if not fnmatchcase(name, pattern)}
         order = {name: place for place, name in enumerate(query)}
         return {name: values[name] for name in sorted(values, key=lambda name: order.get(name, -1))}, notes
 

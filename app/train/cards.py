@@ -12,10 +12,11 @@ import streamlit as st
 
 from app import session
 from app.catalogue import training_runs
-from app.catalogue.names import world_title
+from app.catalogue.names import capital, world_title
 from app.components.copy import copy_button
 from app.components.widgets import download
 from app.session import store
+from app.train import form
 from app.train.pictures import colour_of
 from app.train.schema import changed
 from laplace_core import InputError
@@ -64,7 +65,7 @@ def _show_all() -> None:
 def _card(runs: Sequence[Run], run: Run, *, looked: bool) -> None:
     if run.settings is None:
         _head(run, run.name, NEUTRAL, looked=False)
-        st.html(f'<div class="run-error">{escape(_sentence(run.error))}</div>')
+        st.html(f'<div class="run-error">{escape(capital(run.error or "it failed."))}</div>')
         _more(run, None)
         return
     settings, curves, progress = run.settings, training_runs.curves(run), read_progress(run.folder)
@@ -74,13 +75,13 @@ def _card(runs: Sequence[Run], run: Run, *, looked: bool) -> None:
     st.progress(share, words)
     st.html(f'<div class="run-note">{escape(_numbers(curves))}<br>{escape(_different(run))}</div>')
     if run.error:
-        st.html(f'<div class="run-error">{escape(_sentence(run.error))}</div>')
+        st.html(f'<div class="run-error">{escape(capital(run.error or "it failed."))}</div>')
     with st.container(horizontal=True, gap="small"):
         if run.going:
             st.button("Cancel", key=f"cancel {run.name}", on_click=_do, args=("stop", run.name))
         elif run.state in (STOPPED, FAILED):
             st.button("Resume", key=f"resume {run.name}", on_click=_do, args=("resume", run.name))
-        st.button("Show", key=f"show {run.name}", on_click=_show, args=(run.name,), disabled=looked)
+        st.button("Show", key=f"show {run.name}", on_click=form.show, args=(run.name,), disabled=looked)
         _open(run)
         _more(run, curves)
 
@@ -136,11 +137,6 @@ def _different(run: Run) -> str:
     return f"set by hand: {listed}" if words else "settings that suit it"
 
 
-def _sentence(error: str | None) -> str:
-    words = error or "it failed."
-    return words[0].upper() + words[1:]
-
-
 def _do(what: str, name: str) -> None:
     """Callback: something that the queue does with a run."""
     try:
@@ -148,11 +144,6 @@ def _do(what: str, name: str) -> None:
         action(name)
     except InputError as error:
         st.toast(str(error))
-
-
-def _show(name: str) -> None:
-    store.choose("run", name)
-    store.choose("beside", None)
 
 
 def _open(run: Run) -> None:

@@ -8,7 +8,7 @@ import streamlit as st
 
 from app import session
 from app.catalogue import training_runs
-from app.catalogue.names import world_title
+from app.catalogue.names import capital, world_title
 from app.components.widgets import field, select
 from app.session import store
 from app.session.url import by_name
@@ -36,11 +36,9 @@ def form() -> None:
         shown = wanted(values)
     except InputError as error:
         shown, refused = usual, str(error)
-    columns = st.columns(2)
-    with columns[0]:
-        field(_SEED, shown.seed, "Seed", key=f"{TRAIN}seed")
-    with columns[1]:
-        field(_COUNT, 1, "Runs")
+    left, right = st.columns(2)
+    field(_SEED, shown.seed, "Seed", key=f"{TRAIN}seed", place=left)
+    field(_COUNT, 1, "Runs", place=right)
     first, others = fields(usual.ALGORITHM)
     _in_columns(first, shown)
     box = st.expander("All other settings", key="train_all", on_change="rerun")
@@ -59,9 +57,8 @@ def form() -> None:
 def _in_columns(parameters: list[Parameter], shown: LoopSettings) -> None:
     for row in _rows(parameters):
         for column, parameter in zip(st.columns(len(row)), row, strict=True):
-            with column:
-                name = parameter.name
-                field(parameter, getattr(shown, name), _title(name), key=TRAIN + name)
+            name = parameter.name
+            field(parameter, getattr(shown, name), _title(name), key=TRAIN + name, place=column)
 
 
 def _rows(parameters: list[Parameter]) -> list[list[Parameter]]:
@@ -116,7 +113,12 @@ def start() -> None:
             name = training_runs.queue().add(wanted(values | {f"{TRAIN}seed": seed}))
             started = started or name
     except InputError as error:
-        session.current().refusals[_FORM] = str(error)[0].upper() + str(error)[1:]
+        session.current().refusals[_FORM] = capital(str(error))
     if started is not None:
-        store.choose("run", started)
-        store.choose("beside", None)
+        show(started)
+
+
+def show(name: str) -> None:
+    """Callback: look at a run, beside the newest ones."""
+    store.choose("run", name)
+    store.choose("beside", None)

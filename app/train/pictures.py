@@ -14,16 +14,9 @@ from app.session import store
 from app.train.schema import MOST_AT_ONCE, NOTHING, names_in
 from app.view import explain
 from laplace_core.agents.settings import SETTINGS, algorithm_title
-from laplace_core.figures.theme import ACTION_COLOURS, action_colour, to_json
-from laplace_core.figures.training import (
-    TALL,
-    Band,
-    Line,
-    discount_errors,
-    learning_curves,
-    shipped_curves,
-    values_by_discount,
-)
+from laplace_core.figures import training as figures
+from laplace_core.figures.theme import ACTION_COLOURS, action_colour
+from laplace_core.figures.training import TALL, Band, Line
 from laplace_core.training.queue import Run
 
 _MOST_OFFERED = 24
@@ -70,22 +63,23 @@ def pictures(runs: Sequence[Run], run: Run) -> None:
     lines = [Line(label(one), colour_of(runs, one), training_runs.curves(one)) for one in drawn]
     with places[0]:
         steps = max(settings_of(one).steps for one in drawn)
-        figure = learning_curves(f"{world_title(settings.environment)}: return", lines, steps, bands)
+        figure = figures.learning_curves(f"{world_title(settings.environment)}: return", lines, steps, bands)
         alt = f"Return over steps of {len(drawn)} runs: while training, and in evaluation with standard errors."
-        chart(to_json(figure), "training", alt, TALL, revision=f"{settings.environment} {steps}")
+        chart(figure, "training", alt, TALL, revision=f"{settings.environment} {steps}")
     if not gammas.size:
         return
     mine = training_runs.curves(run)
     first = min(settings.evaluate_every, settings.steps)
     with places[1]:
-        alt = f"How far the values of {label(run)} at the start lie from what came, a line a discount."
-        chart(to_json(discount_errors(mine, gammas, settings.steps, first)), "discounts", alt, TALL, revision=run.name)
+        alt = f"How far the values of {label(run)} at the start lie from the observed returns, a line a discount."
+        figure = figures.discount_errors(mine, gammas, settings.steps, first)
+        chart(figure, "discounts", alt, TALL, revision=run.name)
     if len(gammas) == 1:
         return
     with places[2]:
-        alt = f"Expected and real discounted return of {label(run)} from the start, over the discounts."
-        figure = values_by_discount(mine, gammas, colour_of(runs, run), first)
-        chart(to_json(figure), "value at the start", alt, TALL, revision=run.name)
+        alt = f"Predicted and observed discounted return of {label(run)} from the start, over the discounts."
+        figure = figures.values_by_discount(mine, gammas, colour_of(runs, run), first)
+        chart(figure, "value at the start", alt, TALL, revision=run.name)
 
 
 def shipped(environment: str) -> None:
@@ -98,7 +92,7 @@ def shipped(environment: str) -> None:
         return
     title = world_title(environment)
     alt = f"Evaluations over the steps of training of the agents that ship for {title}: {len(bands)} algorithms."
-    chart(to_json(shipped_curves(f"{title}: agents that ship", bands)), "shipped", alt, TALL, revision=environment)
+    chart(figures.shipped_curves(f"{title}: agents that ship", bands), "shipped", alt, TALL, revision=environment)
     st.caption("The median of the seeds, shaded from the lowest to the highest. Your own runs are drawn over it.")
 
 

@@ -32,19 +32,20 @@ def study_for(view: View) -> Study:
     return _study(view.subject, view.settings)
 
 
-def row_of(view: View) -> int:
-    """The row of the horizon that is asked for; the last one by default."""
-    return study_for(view).row
+def horizon_of(view: View) -> float:
+    """The horizon that is asked for; the longest one by default."""
+    study = study_for(view)
+    return float(study.horizons[study.row])
 
 
 @lru_cache(maxsize=128)
 def _graded(view: View) -> Verdict:
-    return judge(study_for(view), row_of(view), view.action, explain=False)
+    return judge(study_for(view), study_for(view).row, view.action, explain=False)
 
 
 @lru_cache(maxsize=128)
 def _explained_verdict(view: View) -> Verdict:
-    return judge(study_for(view), row_of(view), view.action, trials=_trials(view))
+    return judge(study_for(view), study_for(view).row, view.action, trials=_trials(view))
 
 
 def verdict_for(view: View) -> Verdict:
@@ -60,8 +61,8 @@ def verdict_for(view: View) -> Verdict:
 @lru_cache(maxsize=8)
 def _trials(view: View) -> Trials | None:
     """What single changes make of a view, for its verdict and its list of artefacts alike."""
-    found = study_for(view)
-    return Trials(found, row_of(view), view.action) if isinstance(found, WorldStudy) else None
+    study = study_for(view)
+    return Trials(study, study.row, view.action) if isinstance(study, WorldStudy) else None
 
 
 _explained: dict[View, None] = {}
@@ -88,8 +89,8 @@ def verdict_at_once(view: View) -> tuple[Verdict, bool]:
 
 @lru_cache(maxsize=128)
 def _artefacts(view: View, action: int, *, searching: bool) -> tuple[Artefact, ...]:
-    found, trials = study_for(view), _trials(view) if searching and action == view.action else None
-    listed = find_artefacts(found, action, float(found.horizons[row_of(view)]), searching=searching, trials=trials)
+    trials = _trials(view) if searching and action == view.action else None
+    listed = find_artefacts(study_for(view), action, horizon_of(view), searching=searching, trials=trials)
     return tuple(listed if searching else (replace(each, remedies=()) for each in listed))
 
 
@@ -115,12 +116,12 @@ def artefacts_elsewhere(view: View) -> str:
 
 @lru_cache(maxsize=32)
 def _episode_regrets(subject: Subject, settings: Resolved) -> np.ndarray | None:
-    found = _study(subject, settings)
-    if not isinstance(found, WorldStudy):
+    study = _study(subject, settings)
+    if not isinstance(study, WorldStudy):
         return None
     learned = None if subject.learner is None else subject.learner.tables
     try:
-        return episode_regret_of(found.world, found.settings, learned=learned)[:, found.state]
+        return episode_regret_of(study.world, study.settings, learned=learned)[:, study.state]
     except InputError:
         return None
 
@@ -165,7 +166,7 @@ def learning_figure(name: str, view: View) -> str:
     settings = replace(view.settings, deadline="constant", softness=softness)
     learner = view.subject.learner
     assert learner is not None  # nobody asks for these pictures where nothing was learned
-    return _learning_figure(name, learner, settings, view.action, row=row_of(view) if name == "values" else 0)
+    return _learning_figure(name, learner, settings, view.action, row=study_for(view).row if name == "values" else 0)
 
 
 @lru_cache(maxsize=32)
@@ -192,12 +193,12 @@ def comparison(a: View, b: View, what: Space) -> tuple[str, dict[str, str]]:
     first, second = study_for(a), study_for(b)
     values = value_difference(first, second, a.action, b.action)
     try:
-        found = difference(first, second, a.action, b.action, what=what)
+        apart = difference(first, second, a.action, b.action, what=what)
     except InputError as error:
         return f"{error} {summary(None, values)}", {}
-    drawn = figures.comparison(found)
-    note = f" {found.note}" if found.note else ""
-    return summary(found, values) + note, {name: figures.to_json(figure) for name, figure in drawn.items()}
+    drawn = figures.comparison(apart)
+    note = f" {apart.note}" if apart.note else ""
+    return summary(apart, values) + note, {name: figures.to_json(figure) for name, figure in drawn.items()}
 
 
 def lens_payload(view: View, simulated: Simulated | None = None) -> bytes:
@@ -212,19 +213,8 @@ def _lens_payload(subject: Subject, settings: Resolved, simulated: Simulated | N
 
 def forget() -> None:
     """Let go of everything that is cached for views; a large learner leaves a new table behind every moment."""
-    for cached in (
-        _study,
-        _graded,
-        _explained_verdict,
-        _trials,
-        _artefacts,
-        _episode_regrets,
-        _world_figure,
-        _bands,
-        _learning_figure,
-        comparison,
-        _lens_payload,
-    ):
-        cached.cache_clear()
+    for cached in list(globals().values()):
+        if getattr(cached, "__module__", None) == __name__ and hasattr(cached, "cache_clear"):
+            cached.cache_clear()
     with _lock:
         _explained.clear()

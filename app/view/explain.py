@@ -44,8 +44,8 @@ that are never trained on, with the standard error of their mean. The checkpoint
 Grey, where agents of this algorithm and environment ship: their evaluations, the median of the seeds dashed, from the
 lowest to the highest shaded.
 
-**Values too high or too low.** At each evaluation the agent says at the start what it expects at every discount
-$\gamma$, and then acts. Drawn is the difference to what came, per step of its time constant:
+**Values too high or too low.** At each evaluation the agent predicts at the start its return at every discount
+$\gamma$, and then acts. Drawn is the difference to what is observed, per step of its time constant:
 
 $$
 (1-\gamma)\Big(V_\gamma(s_0) - \sum_\tau \gamma^\tau r_\tau\Big)
@@ -55,7 +55,7 @@ It goes to 0 as a discount is learned; small discounts come first. Episodes that
 have come after it, so large discounts may stay above 0 there. Where each discount follows a policy of its own, their
 values are of those policies, and the returns of the acting one.
 
-**Value at the start** is the last of these evaluations, not scaled, with the standard error of what came: where
+**Value at the start** is the last of these evaluations, not scaled, with the standard error of what is observed: where
 rewards are random, a few episodes say little. A gap at large $1/(1-\gamma)$ alone says that the far future is not
 learned yet.
 """

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from html import escape
 from typing import Any
@@ -10,7 +10,7 @@ from typing import Any
 import streamlit as st
 
 from app import session
-from app.components.lens import Graph, Preset, Released, Said, lens
+from app.components.lens import Graph, Pin, Preset, Released, Said, lens
 from app.components.lens.payload import Simulated
 from app.components.lens.state import checked, state_of, values_of
 from app.session import store
@@ -32,28 +32,6 @@ class _Search:
     done_for: dict[str, Any] | None = None
 
 
-@dataclass(frozen=True)
-class Pin:
-    """The view that is pinned as A, on a page that can pin one.
-
-    Attributes:
-        pinned: whether there is one.
-        state: that of the lens at A, where it can be drawn from the payload of the present view.
-        keep: pins the present view (True) or lets A go (False).
-    """
-
-    pinned: bool
-    state: Mapping[str, Any] | None
-    keep: Callable[[bool], None]
-
-
-def shown_state(view: View) -> dict[str, Any]:
-    """The state of the lens that a view stands for."""
-    horizon = float(compute.study_for(view).horizons[compute.row_of(view)])
-    look = str(store.chosen().get("look", "heatmap"))
-    return state_of(view.settings, horizon, action=view.action, look=look, added=view.subject.added)
-
-
 def pictures(
     view: View, base: View, *, presets: Sequence[Preset] = (), pin: Pin | None = None,
     lead: Mapping[str, Any] | None = None, followed: Mapping[str, Any] | None = None,
@@ -64,19 +42,21 @@ def pictures(
     Args:
         base: the view that Reset leads to.
         presets, pin: views that are one click away, and the one that is pinned.
-        lead, followed: the episode that the lens follows, and what came in it; see :func:`app.components.lens.lens`.
+        lead, followed: the episode that the lens follows, and what was observed; see :func:`app.components.lens.lens`.
         simulated: what continuations from there came to.
     """
-    found, shown = compute.study_for(view), shown_state(view)
+    study, look = compute.study_for(view), str(store.chosen().get("look", "heatmap"))
+    horizon, added = compute.horizon_of(view), view.subject.added
+    shown = state_of(view.settings, horizon, action=view.action, look=look, added=added)
     judged, explained = compute.verdict_at_once(view)
 
-    def heard(released: Released) -> None:
+    def release(released: Released) -> None:
         if released.preset is not None:
             look = {"look": store.chosen()["look"]} if "look" in store.chosen() else {}
             store.replace_all({**next(each.values for each in presets if each.name == released.preset), **look})
             store.refresh_sidebar()
             return
-        changes = values_of(checked(released.state, found), shown, found.action_names)
+        changes = values_of(checked(released.state, study), shown, study.action_names)
         for name, value in changes.items():
             store.choose(name, value)
         if "policy" in changes:  # which the sidebar shows, too
@@ -88,23 +68,17 @@ def pictures(
         if released.pin is not None and pin is not None:
             pin.keep(released.pin)
 
-    last = float(compute.study_for(base).horizons[-1])
+    last, remedies = float(compute.study_for(base).horizons[-1]), tuple(each.label for each in judged.remedies)
     lens(
         compute.lens_payload(view, simulated),
         shown,
         store.page_name(),
         base=state_of(base.settings, last, action=view.action),
         presets=presets,
-        on_release=heard,
-        said=Said(
-            _tone(judged),
-            _sentence(judged, view, explained=explained),
-            tuple(remedy.label for remedy in judged.remedies),
-        ),
+        on_release=release,
+        said=Said(_tone(judged), _sentence(judged, view, explained=explained), remedies),
         world=_graph(view),
-        pinnable=pin is not None and view.world is not None,
-        pinned=pin is not None and pin.pinned,
-        pin=None if pin is None else pin.state,
+        pin=None if view.world is None else pin,
         lead=lead,
         followed=followed,
     )
@@ -120,7 +94,7 @@ def _tone(judged: Verdict) -> str:
 def _sentence(judged: Verdict, view: View, *, explained: bool) -> str:
     """The verdict; where its cause is still to be found, :func:`explain` finds it at the end of this run.
 
-    One search a view: what is learned meanwhile is another object at every run of the page, and would never be found.
+    One search a view: what is learned meanwhile is another object at every run of the page, and never explained.
     """
     search = session.part(_Search)
     search.due = due = not explained and search.done_for != dict(store.chosen())
@@ -163,16 +137,16 @@ def artefacts(view: View) -> None:
     if view.subject.added:
         st.caption("Interpolated discounts share the errors of their neighbours: noise is louder than it looks.")
     name = compute.study_for(view).action_names[view.action]
-    found, others = compute.artefacts_for(view), compute.artefacts_elsewhere(view)
+    listed, others = compute.artefacts_for(view), compute.artefacts_elsewhere(view)
     st.html(f'<div class="panel-title">artefacts in the tau-space of {escape(name)}</div>')
     with st.container(key="artefacts"):
-        if not found:
+        if not listed:
             st.html(f'<div class="artefact">None found for this action. {escape(others)}</div>')
-        for first in range(0, len(found), _ACROSS):
-            for column, artefact in zip(st.columns(_ACROSS), found[first : first + _ACROSS], strict=False):
+        for first in range(0, len(listed), _ACROSS):
+            for column, artefact in zip(st.columns(_ACROSS), listed[first : first + _ACROSS], strict=False):
                 with column:
                     _artefact(artefact)
-        if found and others:
+        if listed and others:
             st.html(f'<div class="artefact">{escape(others)}</div>')
 
 

@@ -47,15 +47,12 @@ def open_group(world: World | None) -> None:
         if world is not None and world_name() not in sources.BROUGHT:
             st.button("Edit this world as a table", on_click=edit_world, args=(world,), width="stretch")
         if world_name() != sources.TIMELINE:
-            st.button("Draw a timeline", on_click=_draw, width="stretch")
+            drawn = {"world": sources.TIMELINE, "timeline": sources.FIRST_TIMELINE, "edit": "yes"}
+            st.button("Draw a timeline", on_click=go_to, kwargs=drawn, width="stretch")
 
 
 def _open_agent(name: str) -> None:
     go_to(**sources.world_values(tabular.agent(name).world), source="learned", agent=name)
-
-
-def _draw() -> None:
-    go_to(world=sources.TIMELINE, timeline=sources.FIRST_TIMELINE, edit="yes")
 
 
 def _open(name: str, data: bytes) -> None:
@@ -114,11 +111,12 @@ def _version(word: str, kind: str) -> str:
     return f"{kind} table {table.version}"
 
 
-def _edited(kind: str, word: str) -> None:
-    """Note that the table itself made this change, and take it over."""
-    _table(kind).word = word
-    store.choose(kind, word)
-    st.rerun()
+def _edited(kind: str, word: str, new: str) -> None:
+    """Where the table itself has made a change, note that, and take it over."""
+    if new != word:
+        _table(kind).word = new
+        store.choose(kind, new)
+        st.rerun()
 
 
 def _world_table(world: World) -> None:
@@ -147,9 +145,7 @@ def _world_table(world: World) -> None:
         st.warning(f"Not taken over yet: {error}")
         _offer_rescale(right, rows, base)
         return
-    new = pack(dump_world(made))
-    if new != word:
-        _edited(sources.OWN, new)
+    _edited(sources.OWN, word, pack(dump_world(made)))
 
 
 def _made(rows: list[dict], base: World) -> World:
@@ -204,6 +200,4 @@ def _timeline_table(world: World) -> None:
     except InputError as error:
         beside.warning(f"Not taken over yet: {error}")
         return
-    new = sources.packed_timeline(rows, chosen_rest)
-    if new != word:
-        _edited(sources.TIMELINE, new)
+    _edited(sources.TIMELINE, word, sources.packed_timeline(rows, chosen_rest))

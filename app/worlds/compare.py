@@ -9,34 +9,25 @@ from typing import Any
 import streamlit as st
 
 from app.components.chart import chart
+from app.components.lens import Pin
 from app.components.lens.state import state_of
 from app.session import store
 from app.session.link import pack
 from app.session.url import query_of
 from app.view import compute
-from app.view.panels import Pin
 from app.view.subjects import View
 from app.worlds import learning, sources
 from app.worlds.actions import world_name
 from app.worlds.schema import unpinned
 from laplace_core import InputError
-from laplace_core.figures.theme import HEIGHT
 
 _UNSAID = ("pin", "edit", "compare", "look", "run", "own", "timeline")
 
 
-def is_pinned() -> bool:
-    return "pin" in store.chosen()
-
-
-def pin() -> None:
-    """Keep what is seen as A; whatever changes then is B, beside it."""
-    values = {name: value for name, value in store.chosen().items() if name not in ("pin", "edit")}
-    store.choose("pin", pack(json.dumps({"world": world_name(), **query_of(values)})))
-
-
-def unpin() -> None:
-    store.choose("pin", None)
+def pin(*, keep: bool = True) -> None:
+    """Keep what is seen as A; whatever changes then is B, beside it. Or let A go."""
+    query = {"world": world_name(), **query_of(store.without("pin", "edit"))}
+    store.choose("pin", pack(json.dumps(query)) if keep else None)
 
 
 def _pinned() -> tuple[dict[str, Any], View | None]:
@@ -51,42 +42,40 @@ def _pinned() -> tuple[dict[str, Any], View | None]:
     return values, None if coming else sources.view_of(values, learned)
 
 
-def pinned_state(view: View) -> dict[str, Any] | None:
+def _state(view: View) -> dict[str, Any] | None:
     """The state of the lens at A, where it shows the same payload as the present view."""
-    if not is_pinned():
-        return None
     try:
         values, pinned = _pinned()
         if pinned is None or compute.lens_payload(pinned) != compute.lens_payload(view):
             return None
     except InputError:
         return None
-    horizon = float(compute.study_for(pinned).horizons[compute.row_of(pinned)])
-    return state_of(pinned.settings, horizon, action=pinned.action, look=str(values.get("look", "heatmap")))
+    look = str(values.get("look", "heatmap"))
+    return state_of(pinned.settings, compute.horizon_of(pinned), action=pinned.action, look=look)
 
 
 def pinning(view: View) -> Pin:
     """What the lens has to know of A."""
-    return Pin(is_pinned(), pinned_state(view), lambda wanted: pin() if wanted else unpin())
+    pinned = "pin" in store.chosen()
+    return Pin(pinned, _state(view) if pinned else None, lambda keep: pin(keep=keep))
 
 
 def _differs(pinned: dict[str, Any]) -> str:
     """In words, what was set otherwise in A and in B."""
     a, b = ({**query_of(values), "world": str(values.get("world"))} for values in (pinned, store.chosen()))
-    names = [name for name in (*a, *b) if a.get(name) != b.get(name) and name not in _UNSAID]
-    names = list(dict.fromkeys(names))
+    names = list(dict.fromkeys(name for name in (*a, *b) if a.get(name) != b.get(name) and name not in _UNSAID))
     if not names:
         return '<div class="artefact">Nothing is set otherwise yet.</div>'
-    told = [
+    settings = [
         f"{which}: " + ", ".join(f"{name} {values.get(name, 'by default')[:24]}" for name in names[:5])
         for which, values in (("A", a), ("B", b))
     ]
-    return f'<div class="artefact">{escape(" · ".join(told))}</div>'
+    return f'<div class="artefact">{escape(" · ".join(settings))}</div>'
 
 
 def comparison(view: View) -> None:
     """Three pictures: A, B, and B minus A; and a sentence."""
-    if not is_pinned():
+    if "pin" not in store.chosen():
         return
     try:
         values, pinned = _pinned()
@@ -104,10 +93,9 @@ def comparison(view: View) -> None:
         st.segmented_control("Space", ("tau-space", "gamma-space"), key=key, on_change=store.keep, args=(key,),
                              label_visibility="collapsed", required=True)  # fmt: skip
     with away:
-        st.button("Unpin", on_click=unpin, width="stretch")
+        st.button("Unpin", on_click=pin, kwargs={"keep": False}, width="stretch")
     what = store.chosen().get("compare", "tau-space").replace("-", "_")
     sentence, figures = compute.comparison(pinned, view, what)
     for column, (name, figure) in zip(st.columns(3, gap="small"), figures.items(), strict=False):
-        with column:
-            chart(figure, f"compare {name}", f"{what.replace('_', '-')}: {name}", HEIGHT, revision=what)
+        chart(figure, f"compare {name}", f"{what.replace('_', '-')}: {name}", revision=what, place=column)
     st.caption(sentence)

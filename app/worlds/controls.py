@@ -45,8 +45,8 @@ def world_group() -> None:
     long_names = any(len(parameter.name) > 11 for parameter in parameters)
     columns = st.columns(1 if long_names else 2) if parameters else []
     for i, parameter in enumerate(parameters):
-        with columns[i % len(columns)]:
-            field(parameter, parameter.default, parameter.name, key=f"{PARAM}{parameter.name}")
+        place, key = columns[i % len(columns)], f"{PARAM}{parameter.name}"
+        field(parameter, parameter.default, parameter.name, key=key, place=place)
 
 
 def state_group(world: World, settings: Resolved) -> None:
@@ -103,5 +103,4 @@ def grid_group(settings: Resolved, *, decided: bool = False) -> None:
 def _fields(settings: Resolved, *names: str) -> None:
     """One setting, or two side by side."""
     for place, name in zip(st.columns(len(names)), names, strict=True):
-        with place:
-            field(BY_NAME[name], getattr(settings, name), _TITLES[name], titles=lambda word: WORDS.get(word, word))
+        field(BY_NAME[name], getattr(settings, name), _TITLES[name], titles=WORDS, place=place)

@@ -30,8 +30,7 @@ def _loss(view: View) -> str:
     lost = compute.episode_regrets(view)
     if lost is None or not len(lost):
         return ""
-    found = compute.study_for(view)
-    whole = int(np.clip(round(float(found.horizons[compute.row_of(view)])), 1, len(lost)))
+    whole = int(np.clip(round(compute.horizon_of(view)), 1, len(lost)))
     loss = lost[whole - 1] if lost[whole - 1] > 1e-6 else 0.0  # below that it is a near tie
     length = f"{whole} step" + ("s" if whole > 1 else "")
     free = " (without the noise)" if view.settings.noise else ""
@@ -60,10 +59,10 @@ def python_of(view: View) -> str:
         brought = world_name() in sources.BROUGHT and view.world is not None
         return view.settings.to_python(f'read_world("{view.settings.world}")' if brought else None)
     settings = view.settings.to_python().partition("settings = Settings(")[2]
-    imports, found = "Settings", f"found = study_of(learned, settings, {view.learner.index})"
+    imports, last = "Settings", f"found = study_of(learned, settings, {view.learner.index})"
     if view.learner.index is None:
         imports = "Settings, study"
-        found = (
+        last = (
             "tables = learned.basis[:, learned.world.state_index(settings.state)]  # a table a seed\n"
             "found = study(learned.world, settings, learned=tables.astype(float).mean(axis=0))"
         )
@@ -73,6 +72,6 @@ def python_of(view: View) -> str:
             f"from laplace_core.tabular import read_learned{'' if view.learner.index is None else ', study_of'}",
             "",
             f'learned = read_learned("{settings_on_disk(view).world}")',
-            "settings = Settings(" + settings.replace("found = study(world, settings)", found),
+            "settings = Settings(" + settings.replace("found = study(world, settings)", last),
         ]
     )

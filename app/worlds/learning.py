@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 
 import streamlit as st
+from streamlit.delta_generator import DeltaGenerator
 
 from app import session
 from app.catalogue import tabular
@@ -62,9 +63,8 @@ def source_group(world: World) -> None:
         with box:
             columns, known = st.columns(2), by_name(*LEARN_SCHEMA)
             for i, (name, title) in enumerate(_SHOWN.items()):
-                parameter = known[name]
-                with st.container() if parameter.type is bool else columns[i % 2]:
-                    field(parameter, getattr(wanted, name), title, key=LEARN + name)
+                place = st if known[name].type is bool else columns[i % 2]
+                field(known[name], getattr(wanted, name), title, key=LEARN + name, place=place)
     going = None if refused else _runs().get(_key(world, wanted))
     busy = bool(refused) or (going is not None and going.running)
     st.button("Learn", on_click=_begin, args=(world,), type="primary", width="stretch", disabled=busy)
@@ -186,12 +186,10 @@ def strip(view: View, watched: learners.Watched | None) -> None:
         if learner is None:
             return
         if len(learner.learned.basis) > 1:
-            with seed:
-                _which(learner.learned)
+            _which(learner.learned, seed)
         if watched is None or not watched.running:
-            with save:
-                file = f"{subjects.plain_name(learner.world)}_td.safetensors"
-                download("Download agent", lambda: learned_bytes(learner.learned), file, width="stretch")
+            file = f"{subjects.plain_name(learner.world)}_td.safetensors"
+            download("Download agent", lambda: learned_bytes(learner.learned), file, place=save, width="stretch")
 
 
 def _cancel(watched: learners.Watched) -> None:
@@ -239,9 +237,10 @@ def _percent(share: float) -> str:
     return f"{100 * share:.0f}%" if share >= 0.0995 else f"{100 * share:.2g}%"
 
 
-def _which(learned: Learned) -> None:
+def _which(learned: Learned, place: DeltaGenerator) -> None:
     titles = {"mean": "mean of all", **{str(i): f"seed {seed}" for i, seed in enumerate(learned.seeds)}}
-    select("Learner shown", list(titles), store.show("learner", "mean"), titles, label_visibility="collapsed")
+    key = store.show("learner", "mean")
+    select("Learner shown", list(titles), key, titles, place=place, label_visibility="collapsed")
 
 
 def pictures(view: View) -> None:
@@ -249,14 +248,11 @@ def pictures(view: View) -> None:
     if view.learned is None:
         return
     name = view.subject.action_names[view.action]
-    row = st.columns(3, gap="small")
-    with row[0]:
-        alt = "Error of the learned gamma-space and return over episodes, a line a seed."
-        _picture("curve", view, alt)
-    with row[1]:
-        alt = f"Probability of each reward after {name} over future steps: the range over all seeds, the truth dotted."
-        _picture("probabilities", view, alt)
-    with row[2]:
+    left, middle, right = st.columns(3, gap="small")
+    _picture("curve", view, "Error of the learned gamma-space and return over episodes, a line a seed.", left)
+    alt = f"Probability of each reward after {name} over future steps: the range over all seeds, the truth dotted."
+    _picture("probabilities", view, alt, middle)
+    with right:
         if view.learned.peers is None:
             st.html('<div class="panel-title">return: four codes and the truth</div>')
             st.caption(
@@ -266,7 +262,7 @@ def pictures(view: View) -> None:
             st.button("Learn them too", on_click=_with_peers, args=(view.world,))
         else:
             alt = f"Cumulated distribution of the return after {name}: four codes and the true one."
-            _picture("returns", view, alt)
+            _picture("returns", view, alt, right)
     if len(view.learned.basis) > 1:
         _over_seeds(view, name)
 
@@ -274,16 +270,14 @@ def pictures(view: View) -> None:
 def _over_seeds(view: View, name: str) -> None:
     """What the learners agree on beside the probabilities: values and choices, rewards and survival."""
     left, right = st.columns([1.4, 1], gap="small")
-    with left:
-        alt = "Value of each action over the horizon: the range over all seeds, and which share of them chooses each."
-        _picture("values", view, alt)
-    with right:
-        alt = f"Expected reward and survival of {name} over future steps: the range over all seeds."
-        _picture("rewards", view, alt)
+    alt = "Value of each action over the horizon: the range over all seeds, and which share of them chooses each."
+    _picture("values", view, alt, left)
+    alt = f"Expected reward and survival of {name} over future steps: the range over all seeds."
+    _picture("rewards", view, alt, right)
 
 
-def _picture(name: str, view: View, alt: str) -> None:
-    chart(compute.learning_figure(name, view), name, alt, revision=view.settings.world)
+def _picture(name: str, view: View, alt: str, place: DeltaGenerator) -> None:
+    chart(compute.learning_figure(name, view), name, alt, revision=view.settings.world, place=place)
 
 
 def _with_peers(world: World) -> None:

@@ -28,7 +28,7 @@ PRESETS: dict[str, dict[str, Any]] = {
 
 
 def presets_for(view: View) -> list[Preset]:
-    found = []
+    presets = []
     for name, values in PRESETS.items():
         other = view_of(values)
         last = other.settings.steps * other.settings.time_step
@@ -36,5 +36,5 @@ def presets_for(view: View) -> list[Preset]:
         exact = view.world is not None and view.learned is None
         same = exact and structure(view.settings, view.world) == structure(other.settings, other.world)
         state = state_of(other.settings, horizon, action=other.action, look=str(values.get("look", "heatmap")))
-        found.append(Preset(name, values, same, state))
-    return found
+        presets.append(Preset(name, values, same, state))
+    return presets

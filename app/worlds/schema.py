@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Callable
 from dataclasses import replace
 
 from app.catalogue import tabular
 from app.session.link import unpack
-from app.session.url import Check, Entries, Schema, Values, by_name
+from app.session.url import Check, Entries, Schema, Values, by_name, check_of
 from app.view.schema import ACTION, LOOK, OLD_SWITCHES
 from app.view.subjects import PARAM
 from app.worlds import sources
 from app.worlds.sources import LEARN
-from laplace_core import InputError, Settings
+from laplace_core import InputError, Settings, World
 from laplace_core.parameters import Parameter
 from laplace_core.study.pipeline import grids
 from laplace_core.study.settings import BY_NAME, resolve
@@ -58,35 +59,13 @@ def _was_brought_whole(values: Values) -> None:
         sources.world_of(values)
 
 
-def _can_be_made(values: Values) -> None:
-    sources.world_of(values)
+def _is_one_of(name: str, members: Callable[[World], tuple[str, ...]]) -> Check:
+    def test(values: Values) -> None:
+        world = sources.world_of(values)
+        if world is not None and name in values and values[name] not in members(world):
+            raise InputError(f"{name} {str(values[name])[:40]!r} is not in {values['world']}.")
 
-
-def _agent_is_here(values: Values) -> None:
-    if "agent" in values:
-        tabular.agent(str(values["agent"]))
-
-
-def _pin_holds(values: Values) -> None:
-    if "pin" in values:
-        unpinned(values["pin"])
-
-
-def _has_state(values: Values) -> None:
-    world = sources.world_of(values)
-    if world is not None:
-        _is_one_of("state", world.states, values)
-
-
-def _has_action(values: Values) -> None:
-    world = sources.world_of(values)
-    if world is not None:
-        _is_one_of("action", world.actions, values)
-
-
-def _is_one_of(name: str, members: tuple[str, ...], values: Values) -> None:
-    if name in values and values[name] not in members:
-        raise InputError(f"{name} {str(values[name])[:40]!r} is not in {values['world']}.")
+    return Check(test, drops=(name,))
 
 
 def _grids_fit(values: Values) -> None:
@@ -96,28 +75,24 @@ def _grids_fit(values: Values) -> None:
         grids(resolve(Settings(world=values["world"], **given), world))
 
 
-def _file_is_open(values: Values) -> None:
-    if "data" in values and values["data"] not in sources.gamma_space_files():
+def _file_is_open(digest: str) -> None:
+    if digest not in sources.gamma_space_files():
         raise InputError(sources.DATA_IS_GONE)
 
 
 _ENTRIES = (
     Entries(by_name(*WORLD)),
     Check(_is_listed, lead=""),
-    Entries(
-        lambda values: by_name(*parameters_of(values["world"])),
-        prefix=PARAM,
-        owner=lambda values: str(values["world"]),
-    ),
+    Entries(lambda values: by_name(*parameters_of(values["world"])), PARAM, owner=lambda values: str(values["world"])),
     Entries({**BY_NAME, **by_name(*VIEW)}),
     Entries(by_name(*LEARN_SCHEMA), prefix=LEARN),
 )
 _CHECKS = (
-    Check(_agent_is_here, drops=("agent",)),
+    check_of("agent", tabular.agent, drops=("agent",)),
     Check(_was_brought_whole),
-    Check(_can_be_made, drops=(f"{PARAM}*",)),
-    Check(_has_state, drops=("state",)),
-    Check(_has_action, drops=("action",)),
+    Check(sources.world_of, drops=(f"{PARAM}*",)),
+    _is_one_of("state", lambda world: world.states),
+    _is_one_of("action", lambda world: world.actions),
     Check(_grids_fit, drops=("gamma*", "theta*")),
 )
 PINNED = Schema(
@@ -134,8 +109,8 @@ LINK = replace(
         *_ENTRIES,
         Entries(by_name(PIN)),
         *_CHECKS,
-        Check(_pin_holds, drops=("pin",)),
-        Check(_file_is_open, lead=""),  # a link carries no file: it has to be open in this session
+        check_of("pin", lambda word: unpinned(word), drops=("pin",)),
+        check_of("data", _file_is_open, lead=""),  # a link carries no file: it has to be open in this session
     ),
 )
 

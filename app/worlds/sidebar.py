@@ -5,22 +5,13 @@ from __future__ import annotations
 import streamlit as st
 
 from app.session import store
-from app.view.subjects import View
 from app.worlds import actions, bring, controls, learning, sources
-from app.worlds.schema import LINK, OPENING
+from app.worlds.schema import OPENING
 from laplace_core import InputError
 
 
-def begin() -> bool:
-    """The top of a page that shows a world: its state, notes and sidebar; whether there is a view to draw."""
-    store.open_page("worlds", LINK)
-    with st.sidebar:
-        return _groups() is not None
-
-
-def _groups() -> View | None:
-    """All groups of controls; None if what is set by hand makes no view, which is said."""
-    st.html('<div class="brand">Laplace code workbench</div>')
+def groups() -> bool:
+    """All groups of controls; False if what is set by hand makes no view, which is said."""
     controls.world_group()
     try:
         world = sources.world_of(store.chosen())
@@ -30,9 +21,9 @@ def _groups() -> View | None:
         view = sources.view_of(store.chosen(), learned)
     except InputError as error:
         st.error(str(error))
-        undo_button()
+        st.button("Undo the last change", on_click=store.undo)
         st.button("Back to the opening view", on_click=actions.go_to, kwargs=OPENING)
-        return None
+        return False
     if world is None:
         file = sources.gamma_space_files()[str(store.chosen()["data"])]
         space = view.subject.gamma_space
@@ -48,8 +39,4 @@ def _groups() -> View | None:
         with grids:
             controls.grid_group(view.settings, decided="agent" in store.chosen())
     st.button("Reset world and settings", on_click=actions.reset, width="stretch")
-    return view
-
-
-def undo_button() -> None:
-    st.button("Undo the last change", on_click=store.undo)
+    return True

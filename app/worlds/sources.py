@@ -11,13 +11,7 @@ from typing import Any
 from app import session
 from app.session.link import pack, unpack
 from app.view.subjects import PARAM, Exact, FromFile, Learner, Subject, Values, View, plain_name
-from laplace_core import (
-    PRESETS,
-    InputError,
-    Settings,
-    World,
-    load_world,
-)
+from laplace_core import PRESETS, InputError, Settings, World, load_world
 from laplace_core.study.npz import read_gamma_space, states_of
 from laplace_core.study.settings import BY_NAME, ENCODING_NAMES, Resolved, resolve, resolve_for_gamma_space
 from laplace_core.tabular import Learned
@@ -51,9 +45,9 @@ def timeline_rows_of(word: str) -> tuple[list[dict], str]:
         InputError: not a packed timeline.
     """
     try:
-        told = json.loads(unpack(word))
-        rows = [dict(zip(TIMELINE_COLUMNS, row, strict=True)) for row in told["rows"]]
-        return rows, str(told["rest"])
+        timeline = json.loads(unpack(word))
+        rows = [dict(zip(TIMELINE_COLUMNS, row, strict=True)) for row in timeline["rows"]]
+        return rows, str(timeline["rest"])
     except (ValueError, TypeError, KeyError, RecursionError):
         raise InputError("the link holds no timeline; copy it again in full.") from None
 

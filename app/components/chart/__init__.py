@@ -7,8 +7,10 @@ component keeps its div and hands every new figure to ``Plotly.react``.
 from __future__ import annotations
 
 from collections.abc import Callable
+from contextlib import nullcontext
 
 import streamlit as st
+from streamlit.delta_generator import DeltaGenerator
 
 from app.components import assets
 from laplace_core.figures.theme import HEIGHT, Figure, to_json
@@ -16,9 +18,9 @@ from laplace_core.figures.theme import HEIGHT, Figure, to_json
 
 def chart(
     figure: str | Figure, key: str, alt: str, height: int = HEIGHT, *, revision: str = "",
-    on_click: Callable[[], None] | None = None,
-) -> object | None:  # fmt: skip
-    """Draw a figure and return the first custom datum of a point that was clicked just now, if any.
+    on_click: Callable[[], None] | None = None, place: DeltaGenerator | None = None,
+) -> None:  # fmt: skip
+    """Draw a figure; the first custom datum of a point that is clicked is ``clicked`` in the state of ``chart KEY``.
 
     Args:
         figure: a plotly figure, or one as JSON.
@@ -26,11 +28,13 @@ def chart(
         height: pixels, reserved before anything is drawn so that the page does not jump.
         revision: zoom and camera are kept as long as this stays the same.
         on_click: called before the rerun; without it clicks are ignored.
+        place: where to draw it; by default here.
     """
     data = {"figure": figure if isinstance(figure, str) else to_json(figure), "alt": alt, "height": height, "name": key}
     data |= {"revision": revision, "plotly": assets.plotly_js(), "clickable": on_click is not None}
     draw = assets.component("chart")
-    return draw(key=f"chart {key}", data=data, on_clicked_change=on_click or _ignore, height="content").clicked
+    with place or nullcontext():
+        draw(key=f"chart {key}", data=data, on_clicked_change=on_click or _ignore, height="content")
 
 
 def _ignore() -> None:

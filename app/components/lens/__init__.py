@@ -77,6 +77,21 @@ class Graph:
     revision: str
 
 
+@dataclass(frozen=True)
+class Pin:
+    """The view that is pinned as A, on a page that can pin one.
+
+    Attributes:
+        pinned: whether there is one.
+        state: that of the lens at A, where it can be drawn from the payload of the present view.
+        keep: pins the present view (True) or lets A go (False).
+    """
+
+    pinned: bool
+    state: Mapping[str, Any] | None
+    keep: Callable[[bool], None]
+
+
 def lens(
     data: bytes,
     state: Mapping[str, Any],
@@ -87,14 +102,11 @@ def lens(
     on_release: Callable[[Released], None] | None = None,
     said: Said | None = None,
     world: Graph | None = None,
-    pinnable: bool = False,
-    pinned: bool = False,
-    pin: Mapping[str, Any] | None = None,
+    pin: Pin | None = None,
     lead: Mapping[str, Any] | None = None,
     followed: Mapping[str, Any] | None = None,
-) -> Released | None:
-    """Draw the lens and return what was released just now, if anything; pass its state through
-    :func:`app.components.lens.state.checked`.
+) -> None:
+    """Draw the lens; the state that is released has to pass through :func:`app.components.lens.state.checked`.
 
     What is sent, and what the browser makes of it, is a rule of its own: :mod:`app.session.message`.
 
@@ -105,10 +117,9 @@ def lens(
         on_release: called before the rerun, as a widget's callback.
         said: the verdict on ``state``; without it the lens judges by itself.
         world: drawn in the first place; without it the fit over the discounts stands there.
-        pinnable, pinned: whether a view can be kept as A, and whether one is.
-        pin: the state of A, where it can be drawn from the same payload.
+        pin: how a view is kept as A, where it can be.
         lead: ``id`` and ``step`` of the episode whose player (:mod:`app.components.player`) the lens follows.
-        followed: what came, to be drawn on the timeline; see :func:`app.agents.episode.followed`.
+        followed: what was observed, to be drawn on the timeline; see :func:`app.agents.episode.followed`.
     """
     widget, digest = f"lens {key}", message.name_of(data)
     channel = session.channel(widget)
@@ -122,9 +133,9 @@ def lens(
         "presets": [{"name": each.name, "here": each.here, "state": dict(each.state)} for each in presets],
         "said": None if said is None else {**asdict(said), "state": dict(state)},
         "world": None if world is None else asdict(world),
-        "pinnable": pinnable,
-        "pinned": pinned,
-        "pin": None if pin is None else dict(pin),
+        "pinnable": pin is not None,
+        "pinned": pin is not None and pin.pinned,
+        "pin": None if pin is None or pin.state is None else dict(pin.state),
         "lead": None if lead is None else dict(lead),
         "followed": None if followed is None else dict(followed),
         "plotly": assets.plotly_js(),
@@ -140,8 +151,7 @@ def lens(
             on_release(report)
 
     packed = message.pack(header, channel.due(digest, data))
-    result = assets.component("lens", "entry")(key=widget, data=packed, on_released_change=released, height="content")
-    return None if result.released is None else _released(result.released, presets)
+    assets.component("lens", "entry")(key=widget, data=packed, on_released_change=released, height="content")
 
 
 def _released(answer: object, presets: Sequence[Preset]) -> Released:
