@@ -130,26 +130,25 @@ def test_what_was_found_is_reported_from_its_file(tmp_path, capsys):
     assert json.loads(capsys.readouterr().out) == [found]
 
 
-@pytest.mark.parametrize(
-    "text",
-    [
-        "{", "[]", "{}", '{"trials": 3}',
-        '{"command": "", "settings": {"steps": 1}, "one_at_a_time": true, "seeds": 1, "trials": []}',
-        '{"command": "", "settings": {"steps": 1}, "one_at_a_time": true, "seeds": 2, "trials": '
-        '[{"trial": {}, "scores": [1.0], "value_errors": [1.0], "median": 1.0, "seconds": 1.0}]}',
-        '{"command": "", "settings": {"steps": 1}, "one_at_a_time": true, "seeds": 1, "trials": '
-        '[{"trial": {"steps": "x"}, "scores": [1.0], "value_errors": [1.0], "median": 1.0, "seconds": 1.0}]}',
-        '{"command": "", "settings": {"steps": 1}, "one_at_a_time": true, "seeds": 1, "trials": '
-        '[{"trial": {}, "scores": [1' + "0" * 400 + '], "value_errors": [1.0], "median": 1.0, "seconds": 1.0}]}',
-        None,
-    ],
-)  # fmt: skip
-def test_a_file_that_is_no_search_is_refused(text, tmp_path, capsys):
-    path = tmp_path / "found.json"
-    if text is not None:
-        path.write_text(text)
-    assert main(["report", "searches", str(path)]) == 2
-    assert len(capsys.readouterr().err.splitlines()) == 1
+def test_a_file_that_is_no_search_is_refused(subtests, tmp_path, capsys):
+    for text in [
+            "{", "[]", "{}", '{"trials": 3}',
+            '{"command": "", "settings": {"steps": 1}, "one_at_a_time": true, "seeds": 1, "trials": []}',
+            '{"command": "", "settings": {"steps": 1}, "one_at_a_time": true, "seeds": 2, "trials": '
+            '[{"trial": {}, "scores": [1.0], "value_errors": [1.0], "median": 1.0, "seconds": 1.0}]}',
+            '{"command": "", "settings": {"steps": 1}, "one_at_a_time": true, "seeds": 1, "trials": '
+            '[{"trial": {"steps": "x"}, "scores": [1.0], "value_errors": [1.0], "median": 1.0, "seconds": 1.0}]}',
+            '{"command": "", "settings": {"steps": 1}, "one_at_a_time": true, "seeds": 1, "trials": '
+            '[{"trial": {}, "scores": [1' + "0" * 400 + '], "value_errors": [1.0], "median": 1.0, "seconds": 1.0}]}',
+            None,
+        ]:  # fmt: skip
+        with subtests.test(text=text):
+            path = tmp_path / "found.json"
+            path.unlink(missing_ok=True)
+            if text is not None:
+                path.write_text(text)
+            assert main(["report", "searches", str(path)]) == 2
+            assert len(capsys.readouterr().err.splitlines()) == 1
 
 
 @pytest.mark.parametrize("path", KEPT, ids=lambda path: path.stem)
