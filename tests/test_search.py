@@ -77,12 +77,21 @@ def test_a_kept_score_of_other_episodes_or_a_damaged_one_is_made_anew(damage, tm
 
 def test_several_at_once_find_the_same_and_train_nothing_twice(tmp_path, capsys):
     usual = settings_of("laplace", "two_branch", {}).learning_rate
-    vary = ("--one-at-a-time", "--vary", f"learning_rate={usual},0.01", "--set", "evaluate_episodes=2", "--json")
+    vary = (
+        "--one-at-a-time",
+        "--vary",
+        f"learning_rate={usual},0.01",
+        "--set",
+        "evaluate_episodes=2",
+        "--seeds",
+        "1",
+        "--json",
+    )
     found = []
-    for jobs in ("1", "3"):
+    for jobs in ("1", "2"):
         assert run(tmp_path / jobs, *vary, "--jobs", jobs) == 0
         found.append([(row["trial"], row["scores"]) for row in json.loads(capsys.readouterr().out)])
-        assert len(list((tmp_path / jobs).glob("laplace_*"))) == 4  # the unchanged settings and another rate, two seeds
+        assert len(list((tmp_path / jobs).glob("laplace_*"))) == 2  # the unchanged settings and another rate
     assert found[0] == found[1]
     assert len(found[0]) == 3
     assert found[0][0][1] == found[0][1][1]
