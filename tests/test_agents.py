@@ -215,14 +215,15 @@ def test_auxiliary_states_need_a_time_limit():
         LaplaceAgent(replace(SMALL, termination="auxiliary"), 3, 2, None)
 
 
-@pytest.mark.parametrize("name", ENVIRONMENTS)
-def test_the_sizes_written_down_are_those_of_the_environment(name):
-    if name == "LunarLander-v3":
-        pytest.importorskip("Box2D")
-    env, sizes = make(name), spec(name)
-    assert env.reset(seed=0)[0].shape == (sizes.observation,)
-    assert env.action_space.n == sizes.actions
-    assert _time_limit(env)._max_episode_steps == sizes.time_limit
+def test_the_sizes_written_down_are_those_of_the_environment(subtests):
+    for name in ENVIRONMENTS:
+        with subtests.test(name):
+            if name == "LunarLander-v3":
+                pytest.importorskip("Box2D")
+            env, sizes = make(name), spec(name)
+            assert env.reset(seed=0)[0].shape == (sizes.observation,)
+            assert env.action_space.n == sizes.actions
+            assert _time_limit(env)._max_episode_steps == sizes.time_limit
 
 
 @pytest.mark.parametrize("name", ["Ant-v5", "gym:Taxi-v99", "os:system", "world.json", "../CartPole-v1", ""])

@@ -121,18 +121,28 @@ def test_tails_of_a_target_worked_by_hand():
     np.testing.assert_allclose(agent.targets(batch)[0, 0], [0.5, 0.456467, 0.25], atol=1e-6)
 
 
-@pytest.mark.parametrize("columns", [1, 3])
-@pytest.mark.parametrize("n_step", [1, 3])
-@pytest.mark.parametrize("policy", ["shared", "per_gamma"])
-@pytest.mark.parametrize("termination", ["plain", "auxiliary", "absorbing"])
-@pytest.mark.parametrize("name", ["softmax", "accumulated"])
-def test_targets_equal_a_loop_over_transitions_and_discounts(columns, n_step, policy, termination, name):
-    double = n_step == 1
-    agent = small(
-        parametrisation=name, target_policy=policy, termination=termination, double=double, n_step=n_step, dueling=True
-    )
-    batch = batch_of(8, columns=columns, n_step=n_step)
-    np.testing.assert_allclose(agent.targets(batch), slow_targets(agent, batch), rtol=1e-4, atol=1e-6)
+def test_targets_equal_a_loop_over_transitions_and_discounts(subtests):
+    for columns in [1, 3]:
+        for n_step in [1, 3]:
+            for policy in ["shared", "per_gamma"]:
+                for termination in ["plain", "auxiliary", "absorbing"]:
+                    for name in ["softmax", "accumulated"]:
+                        with subtests.test(
+                            columns=columns, n_step=n_step, policy=policy, termination=termination, name=name
+                        ):
+                            double = n_step == 1
+                            agent = small(
+                                parametrisation=name,
+                                target_policy=policy,
+                                termination=termination,
+                                double=double,
+                                n_step=n_step,
+                                dueling=True,
+                            )
+                            batch = batch_of(8, columns=columns, n_step=n_step)
+                            np.testing.assert_allclose(
+                                agent.targets(batch), slow_targets(agent, batch), rtol=1e-4, atol=1e-6
+                            )
 
 
 def slow_targets(agent: LaplaceAgent, batch: Batch) -> np.ndarray:

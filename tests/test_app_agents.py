@@ -133,13 +133,14 @@ def test_a_file_that_is_no_checkpoint_is_refused_in_one_sentence(data):
     assert "mine.safetensors" in str(refused.value)
 
 
-@pytest.mark.parametrize("environment", ENVIRONMENTS)
-def test_every_environment_has_its_words(environment):
-    scene, spec = environment_of(environment), vector.spec(environment)
-    assert len(scene.actions) == spec.actions
-    assert len(scene.states or scene.components) == spec.observation
-    for part in scene.components:
-        assert part.low <= part.start <= part.high
+def test_every_environment_has_its_words(subtests):
+    for environment in ENVIRONMENTS:
+        with subtests.test(environment):
+            scene, spec = environment_of(environment), vector.spec(environment)
+            assert len(scene.actions) == spec.actions
+            assert len(scene.states or scene.components) == spec.observation
+            for part in scene.components:
+                assert part.low <= part.start <= part.high
 
 
 def rolled_out(**query: str) -> AppTest:

@@ -88,14 +88,15 @@ def test_another_environment_brings_its_own_settings_and_keeps_the_seed(runs):
     assert page.number_input(key="t.steps").value == settings_of("laplace", "CartPole-v1", {}).steps
 
 
-@pytest.mark.parametrize("environment", ENVIRONMENTS)
-@pytest.mark.parametrize("algorithm", SETTINGS)
-def test_every_pair_has_a_form_that_may_be_started_as_it_is(algorithm, environment):
-    assert wanted({"algorithm": algorithm, "environment": environment}).environment == environment
-    first, others = fields(algorithm)
-    named = [parameter.name for parameter in (*first, *others)]
-    assert sorted([*named, "seed", "environment"]) == sorted(p.name for p in SETTINGS[algorithm].SCHEMA)
-    assert {"steps", "learning_rate"} < {parameter.name for parameter in first}
+def test_every_pair_has_a_form_that_may_be_started_as_it_is(subtests):
+    for environment in ENVIRONMENTS:
+        for algorithm in SETTINGS:
+            with subtests.test(environment=environment, algorithm=algorithm):
+                assert wanted({"algorithm": algorithm, "environment": environment}).environment == environment
+                first, others = fields(algorithm)
+                named = [parameter.name for parameter in (*first, *others)]
+                assert sorted([*named, "seed", "environment"]) == sorted(p.name for p in SETTINGS[algorithm].SCHEMA)
+                assert {"steps", "learning_rate"} < {parameter.name for parameter in first}
 
 
 @pytest.mark.parametrize(

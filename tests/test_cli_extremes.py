@@ -66,9 +66,10 @@ ACCEPTED = [
 ]
 
 
-@pytest.mark.parametrize("command", ACCEPTED)
-def test_extremes_give_finite_numbers(capsys, command):
-    assert isinstance(outcome(capsys, ["decode", *command.split()]), dict)
+def test_extremes_give_finite_numbers(subtests, capsys):
+    for command in ACCEPTED:
+        with subtests.test(command):
+            assert isinstance(outcome(capsys, ["decode", *command.split()]), dict)
 
 
 @pytest.mark.parametrize(

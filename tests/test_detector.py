@@ -207,7 +207,13 @@ def test_every_artefact_has_its_switch():
     assert set().union(*SWITCHES_OF.values()) == set(SWITCHES)
 
 
-@pytest.mark.parametrize(("kind", "cases"), [("short", 25), ("lasting", 8)])
+@pytest.mark.parametrize(
+    ("kind", "cases"),
+    [
+        ("short", 12), pytest.param("short", 25, marks=pytest.mark.long),
+        ("lasting", 4), pytest.param("lasting", 8, marks=pytest.mark.long),
+    ],
+)  # fmt: skip
 def test_precision_and_recall(kind, cases):
     scores = score(list(compare(cases, 4, kind)))
     wrong = sum(one.false_positive + one.false_negative for one in scores)

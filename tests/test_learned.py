@@ -62,17 +62,17 @@ def test_the_grid_is_that_of_the_study():
     assert resolve_learning(LearnSettings(acting_gamma=0.9), world).peer_gamma == 0.9
 
 
-@pytest.mark.parametrize("parameter", [p for p in LEARN_SCHEMA if p.type in (int, float)], ids=lambda p: p.name)
-@pytest.mark.parametrize("beyond", ["low", "high"])
-def test_settings_out_of_range_are_refused(parameter, beyond):
-    value = parameter.bounds[0] - 1 if beyond == "low" else parameter.bounds[1] * 2 + 1
-    for refused in (
-        lambda: parse_learn_settings({parameter.name: str(value)}),
-        lambda: resolve_learning(LearnSettings(**{parameter.name: value}), load_world("two_branch")),
-    ):
-        with pytest.raises(InputError) as error:
-            refused()
-        assert_one_sentence(f"laplace: {error.value}", parameter.name)
+def test_settings_out_of_range_are_refused(subtests):
+    for parameter in [p for p in LEARN_SCHEMA if p.type in (int, float)]:
+        for beyond in ["low", "high"]:
+            with subtests.test(parameter.name, beyond=beyond):
+                value = parameter.bounds[0] - 1 if beyond == "low" else parameter.bounds[1] * 2 + 1
+                with pytest.raises(InputError) as in_words:
+                    parse_learn_settings({parameter.name: str(value)})
+                with pytest.raises(InputError) as in_numbers:
+                    resolve_learning(LearnSettings(**{parameter.name: value}), load_world("two_branch"))
+                for error in (in_words, in_numbers):
+                    assert_one_sentence(f"laplace: {error.value}", parameter.name)
 
 
 @pytest.mark.parametrize(

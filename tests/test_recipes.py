@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import inspect
 import json
-import shutil
 
 import numpy as np
 import pytest
@@ -102,12 +101,14 @@ def test_a_rule_of_control_in_its_two_files(workshop):
     (workshop.root / "checkpoints").mkdir()
     path = workshop.root / "checkpoints" / "laplace_two_branch.safetensors"
     save_checkpoint(path, laplace(), 0, None)
-    said = json.loads(workshop.laplace("evaluate", str(path), "--rule", "last", "--horizon", "3", "--json"))
-    assert said["rule"] == "last"
-    episode, race = workshop.pages(
-        ("agents", {"checkpoint": path.stem, "r.shown": "yes", "r.rule": "last"}),
-        ("race", {"checkpoint": path.stem, "d.right": "last", "d.T": "3"}),
+    (said,), (episode, race) = workshop.follow(
+        ("evaluate", str(path), "--rule", "last", "--horizon", "3", "--json"),
+        pages=[
+            ("agents", {"checkpoint": path.stem, "r.shown": "yes", "r.rule": "last"}),
+            ("race", {"checkpoint": path.stem, "d.right": "last", "d.T": "3"}),
+        ],
     )
+    assert json.loads(said)["rule"] == "last"
     assert "for T: always the last action" in episode["options"]["r.rule"]
     assert any("player" in name for name in episode["components"])
     assert any("last action" in words for words in race["verdict"])
@@ -152,20 +153,21 @@ def test_an_environment(workshop):
     assert_in_the_recipe(workshop.touched())
 
     # Trained and evaluated by the command line.
-    workshop.laplace(
-        "train", "laplace", "Switch-v0", "--run", "runs/lights", "--gammas", "4", "--features", "4", *SMALL
-    )
-    said = json.loads(workshop.laplace("evaluate", "runs/lights/best.safetensors", "--episodes", "3", "--json"))
+    agent = {"checkpoint": "run:lights"}
+    (_, said), (form, card, episode, race) = workshop.follow(
+        ("train", "laplace", "Switch-v0", "--run", "runs/lights", "--gammas", "4", "--features", "4", *SMALL),
+        ("evaluate", "runs/lights/best.safetensors", "--episodes", "3", "--json"),
+        pages=[
+            ("train", {"environment": "Switch-v0"}), ("agents", agent), ("agents", agent | {"r.shown": "yes"}),
+            ("race", agent | {"d.T": "5"}),
+        ],
+    )  # fmt: skip
+    said = json.loads(said)
     assert said["environment"] == "Switch-v0"
     assert len(said["returns"]) == 3
     assert max(said["returns"]) <= 12
 
     # Offered by the form, opened, rolled out and raced on the pages.
-    agent = {"checkpoint": "run:lights"}
-    form, card, episode, race = workshop.pages(
-        ("train", {"environment": "Switch-v0"}), ("agents", agent), ("agents", agent | {"r.shown": "yes"}),
-        ("race", agent | {"d.T": "5"}),
-    )  # fmt: skip
     assert "Switch-v0" in form["options"]["environment"]
     assert "Switch: keep the light on; reward 1 a step" in card["captions"]
     assert card["sliders"][:2] == ["lit", "dark"]
@@ -222,20 +224,20 @@ def test_an_algorithm(workshop):
     assert_in_the_recipe(workshop.touched())
 
     # Trained and evaluated by the command line, with a setting of its own.
-    workshop.laplace("train", "dqn_huber", "two_branch", "--run", "runs/mine", "--delta", "0.5", *SMALL)
-    said = json.loads(workshop.laplace("evaluate", "runs/mine/best.safetensors", "--episodes", "3", "--json"))
+    (_, said), (form, card, race) = workshop.follow(
+        ("train", "dqn_huber", "two_branch", "--run", "runs/mine", "--delta", "0.5", *SMALL),
+        ("evaluate", "runs/mine/best.safetensors", "--episodes", "3", "--json"),
+        copies=[("runs/mine/best.safetensors", "checkpoints/dqn_huber_two_branch.safetensors")],
+        pages=[
+            ("train", {"algorithm": "dqn_huber", "run": "mine"}),
+            ("agents", {"checkpoint": "run:mine", "r.shown": "yes"}), ("race", {"checkpoint": "run:mine"}),
+        ],
+    )  # fmt: skip
+    said = json.loads(said)
     assert said["algorithm"] == "dqn_huber"
     assert len(said["returns"]) == 3
 
     # Offered by the form with that setting, listed, opened and raced by its title.
-    (workshop.root / "checkpoints").mkdir()
-    shutil.copy(
-        workshop.runs / "mine" / "best.safetensors", workshop.root / "checkpoints" / "dqn_huber_two_branch.safetensors"
-    )
-    form, card, race = workshop.pages(
-        ("train", {"algorithm": "dqn_huber", "run": "mine"}), ("agents", {"checkpoint": "run:mine", "r.shown": "yes"}),
-        ("race", {"checkpoint": "run:mine"}),
-    )  # fmt: skip
     assert "Huber DQN" in form["options"]["algorithm"]
     assert form["numbers"]["t.delta"] == 1.0
     assert "two_branch · Huber DQN" in card["options"]["checkpoint"]
