@@ -10,7 +10,6 @@ import pytest
 
 from app.catalogue import tabular
 from app.session.link import pack
-from app.worlds import sources
 from app.worlds.schema import LINK
 from laplace_core import Settings, load_world, study
 from laplace_core.cli import main
@@ -243,7 +242,7 @@ def agent() -> Learned:
 @pytest.fixture
 def shipped(agent, tmp_path, monkeypatch):
     (tmp_path / "toy_world_td.safetensors").write_bytes(learned_bytes(agent))
-    monkeypatch.setattr(sources, "SHIPPED", tmp_path)
+    monkeypatch.setattr(tabular, "SHIPPED", tmp_path)
     for cached in (tabular.shipped_agents, tabular.shipped_agent):
         cached.cache_clear()
     yield "toy_world_td"
@@ -305,7 +304,7 @@ def test_the_python_of_a_learned_view_repeats_it(shipped, agent, learner, tmp_pa
     monkeypatch.chdir(tmp_path)
     namespace: dict = {}
     exec(compile(copied(page, "python"), "script", "exec"), namespace)
-    assert_shows(page, namespace["found"])
+    assert_shows(page, namespace["result"])
 
 
 def test_the_command_of_a_learned_view_repeats_it(shipped, tmp_path, monkeypatch):

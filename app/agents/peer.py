@@ -49,7 +49,7 @@ def view(loaded: Loaded, scene: Scene, asked: Rolling | None) -> None:
                 return_quantiles(said, rollout.actions),
                 at,
                 gamma=rollout.acting_gamma,
-                cut=not rollout.terminated,
+                truncated=not rollout.terminated,
             )
             chart(figures.to_json(figure), "episode", "Expected and real return over the episode.", HEIGHT)
     returns.section(loaded, seen, action, scene.actions[action], alpha=None, rollout=rollout, step=at)

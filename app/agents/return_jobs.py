@@ -50,6 +50,8 @@ def begin(agents: Sequence[Loaded], rollout: Rollout, step: int, action: int) ->
         def of(i: int) -> Told:
             return lambda done, steps: told(round(1000 * (i + done / steps)), 1000 * len(agents))
 
-        return tuple(simulate_returns(each.agent, rollout, step, action, told=of(i)) for i, each in enumerate(agents))
+        return tuple(
+            simulate_returns(each.agent, rollout, step, action, progress=of(i)) for i, each in enumerate(agents)
+        )
 
     _kept.take(key, lambda: Work(make))

@@ -9,7 +9,7 @@ import numpy as np
 from app.components.player.payload import payload
 from app.session.background import Told, Work
 from app.session.shelf import Shelf
-from laplace_core.acting.return_laws import said_along
+from laplace_core.acting.return_laws import outputs_along
 from laplace_core.acting.rollout import Rollout, longest, roll_out
 from laplace_core.environments import GYMNASIUM_ENVIRONMENTS
 from laplace_core.training.checkpoint import Loaded
@@ -44,9 +44,9 @@ class Rolling(Work[tuple[Rollout, bytes, dict[str, np.ndarray]]]):
                 horizon=c.horizon,
                 gamma=c.gamma,
                 pictures=pictures,
-                told=told,
+                progress=told,
             )
-            said = {} if found.spaces is not None else said_along(loaded.agent, found)
+            said = {} if found.spaces is not None else outputs_along(loaded.agent, found)
             return found, payload(found, said), said
 
         super().__init__(make)
@@ -63,7 +63,7 @@ class Rolling(Work[tuple[Rollout, bytes, dict[str, np.ndarray]]]):
         return self.result()[1]
 
     def said(self) -> dict[str, np.ndarray]:
-        """See :func:`laplace_core.acting.return_laws.said_along`."""
+        """See :func:`laplace_core.acting.return_laws.outputs_along`."""
         return self.result()[2]
 
     @property

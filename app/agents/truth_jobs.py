@@ -43,11 +43,11 @@ def begin(loaded: Loaded, rollout: Rollout, step: int, action: int, *, own: bool
     def make(told: Told) -> Continuations | Outcomes:
         if vector.chance(loaded.environment):
             return continue_from(
-                loaded.agent, rollout, step, action=action, count=COUNT, steps=STEPS, own=own, told=told
+                loaded.agent, rollout, step, action=action, count=COUNT, steps=STEPS, own=own, progress=told
             )
         like = rollout if own else None
         return outcomes_of_states(
-            loaded.agent, loaded.environment, episodes=EPISODES, each=EACH, steps=STEPS, like=like, told=told
+            loaded.agent, loaded.environment, episodes=EPISODES, each=EACH, steps=STEPS, like=like, progress=told
         )
 
     _kept.take(key, lambda: Work(make))

@@ -45,7 +45,7 @@ class Racing(Work[tuple[Race, bytes]]):
 
         def make(told: Told) -> tuple[Race, bytes]:
             found = race(
-                control.environment, *control.entrants, start, horizon=control.horizon, pictures=pictures, told=told
+                control.environment, *control.entrants, start, horizon=control.horizon, pictures=pictures, progress=told
             )
             return found, payload(found)
 
@@ -57,7 +57,7 @@ class Field(Work[tuple[Races, dict[str, Any]]]):
 
     def __init__(self, control: Control, count: int):
         def make(told: Told) -> tuple[Races, dict[str, Any]]:
-            found = races(control.environment, *control.entrants, control.horizon, count=count, told=told)
+            found = races(control.environment, *control.entrants, control.horizon, count=count, progress=told)
             return found, found.summary()
 
         super().__init__(make)

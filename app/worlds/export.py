@@ -60,12 +60,12 @@ def python_of(view: View) -> str:
         brought = world_name() in sources.BROUGHT and view.world is not None
         return view.settings.to_python(f'read_world("{view.settings.world}")' if brought else None)
     settings = view.settings.to_python().partition("settings = Settings(")[2]
-    imports, found = "Settings", f"found = study_of(learned, settings, {view.learner.index})"
+    imports, line = "Settings", f"result = study_of(learned, settings, {view.learner.index})"
     if view.learner.index is None:
         imports = "Settings, study"
-        found = (
+        line = (
             "tables = learned.basis[:, learned.world.state_index(settings.state)]  # a table a seed\n"
-            "found = study(learned.world, settings, learned=tables.astype(float).mean(axis=0))"
+            "result = study(learned.world, settings, learned=tables.astype(float).mean(axis=0))"
         )
     return "\n".join(
         [
@@ -73,6 +73,6 @@ def python_of(view: View) -> str:
             f"from laplace_core.tabular import read_learned{'' if view.learner.index is None else ', study_of'}",
             "",
             f'learned = read_learned("{settings_on_disk(view).world}")',
-            "settings = Settings(" + settings.replace("found = study(world, settings)", found),
+            "settings = Settings(" + settings.replace("result = study(world, settings)", line),
         ]
     )
