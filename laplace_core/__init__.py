@@ -2,9 +2,9 @@
 
 from laplace_core import Settings, load_world, study
 
-found = study(load_world("two_branch"), Settings(alpha=0.2))
-found.decoded.tau_space        # (A, K, H-1): how likely each reward is at each future step
-found.decoded.horizon_values   # (A, K): column T-1 is the value of each action for the horizon T
+result = study(load_world("two_branch"), Settings(alpha=0.2))
+result.decoded.tau_space        # (A, K, H-1): how likely each reward is at each future step
+result.decoded.horizon_values   # (A, K): column T-1 is the value of each action for the horizon T
 """
 
 from laplace_core.code.gamma_space import GammaSpace

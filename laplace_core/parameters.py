@@ -126,13 +126,13 @@ def schema_of(owner: type) -> tuple[Parameter, ...]:
     it. A field that states nothing is no setting.
     """
     hints = get_type_hints(owner)
-    found = []
+    parameters = []
     for each in fields(owner):
         stated = _stated_in(owner, each)
         if stated is not None:
             default: Any = stated.default if each.default is None else each.default
-            found.append(replace(stated, name=each.name, kind=_kind(hints[each.name]), default=default))
-    return tuple(found)
+            parameters.append(replace(stated, name=each.name, kind=_kind(hints[each.name]), default=default))
+    return tuple(parameters)
 
 
 def _stated_in(owner: type, each: Field[Any]) -> Parameter | None:

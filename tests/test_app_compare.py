@@ -217,10 +217,10 @@ def test_the_python_and_the_command_repeat_the_view(query, monkeypatch, tmp_path
     monkeypatch.chdir(tmp_path)
     namespace: dict = {}
     exec(compile(copied(page, "python"), "script", "exec"), namespace)
-    assert_shows(page, namespace["found"], shown(page).action)
+    assert_shows(page, namespace["result"], shown(page).action)
     assert main(shlex.split(copied(page, "command"))[3:]) == 0
     told = np.load(tmp_path / "view.npz")
-    for name, array in study_arrays(namespace["found"]).items():
+    for name, array in study_arrays(namespace["result"]).items():
         if name != "settings":
             np.testing.assert_array_equal(told[name], array)
 
@@ -231,7 +231,7 @@ def test_the_python_of_a_gamma_space_from_a_file_repeats_it(tmp_path, monkeypatc
     monkeypatch.chdir(tmp_path)
     namespace: dict = {}
     exec(compile(copied(page, "python"), "script", "exec"), namespace)
-    assert_shows(page, namespace["found"])
+    assert_shows(page, namespace["result"])
     assert main(shlex.split(copied(page, "command"))[3:]) == 0
 
 

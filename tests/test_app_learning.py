@@ -304,7 +304,7 @@ def test_the_python_of_a_learned_view_repeats_it(shipped, agent, learner, tmp_pa
     monkeypatch.chdir(tmp_path)
     namespace: dict = {}
     exec(compile(copied(page, "python"), "script", "exec"), namespace)
-    assert_shows(page, namespace["found"])
+    assert_shows(page, namespace["result"])
 
 
 def test_the_command_of_a_learned_view_repeats_it(shipped, tmp_path, monkeypatch):

@@ -112,7 +112,9 @@ def test_without_a_rollout_a_state_is_edited(shipped):
 
 
 def test_what_comes_stands_beside_what_was_learned(shipped, monkeypatch):
-    monkeypatch.setattr(jobs, "simulate_returns", lambda *given, told: simulate_returns(*given, count=7, told=told))
+    monkeypatch.setattr(
+        jobs, "simulate_returns", lambda *given, progress: simulate_returns(*given, count=7, progress=progress)
+    )
     page = rolled_out(checkpoint=f"c51_{WORLD}", **{"r.shown": "yes", "r.action": "long"})
     heights = charts(page)["codes"]["layout"]["height"]
     page = simulated(page)
@@ -145,7 +147,7 @@ def test_where_nothing_is_by_chance_one_line_says_all(shipped):
     page = rolled_out(checkpoint="qrdqn_CartPole-v1", **{"r.shown": "yes", "r.seed": "5", "r.at": "4"})
     assert "once, because nothing here is by chance" in words(page)
     drawn = charts(simulated(page))["codes"]
-    assert "came (always)" in [trace.get("name") for trace in drawn["data"]]
+    assert "observed (always)" in [trace.get("name") for trace in drawn["data"]]
 
 
 def test_a_laplace_agent_has_the_codes_under_its_lens(shipped):
@@ -205,9 +207,9 @@ def test_what_ships_has_its_curves():
 
 
 def test_a_cancelled_simulation_is_asked_for_anew(shipped, monkeypatch):
-    def slow(agent, rollout, step, action, *, told):
+    def slow(agent, rollout, step, action, *, progress):
         for i in range(10_000):
-            told(i, 10_000)
+            progress(i, 10_000)
             time.sleep(0.01)
 
     monkeypatch.setattr(jobs, "simulate_returns", slow)

@@ -124,10 +124,10 @@ def test_many_starts_are_raced_over_on_a_click_and_lead_to_one(shipped):
 def test_cancel_leads_back_to_the_button(shipped, monkeypatch):
     real = jobs.races
 
-    def slow(*given, told, **named):
+    def slow(*given, progress, **named):
         while True:
             time.sleep(0.02)
-            told(1, 100)
+            progress(1, 100)
 
     monkeypatch.setattr(jobs, "races", slow)
     page = run(opened(checkpoint="laplace_two_branch", d_starts="3"))

@@ -36,8 +36,8 @@ NAMES = ("left", "right")
         values_of_actions(np.array([-3.0, 4.0]), NAMES, 0.99, 0),
         values_of_actions(np.zeros(2), NAMES, 0.99, 0),
         values_over_time_to_go(np.arange(10.0).reshape(5, 2), NAMES, 0.99, 3),
-        returns_over_episode(np.arange(4.0), np.ones(4), np.ones((4, 5)), 2, gamma=0.99, cut=True),
-        returns_over_episode(np.arange(4.0), np.ones(4), None, 2, gamma=0.99, cut=False),
+        returns_over_episode(np.arange(4.0), np.ones(4), np.ones((4, 5)), 2, gamma=0.99, truncated=True),
+        returns_over_episode(np.arange(4.0), np.ones(4), None, 2, gamma=0.99, truncated=False),
         score_curve([TrainingCurve(1, (1.0, 5.0), (2.0, 3.0), (0.1, 0.1)), TrainingCurve(0, (), (), ())], 5),
     ],
 )
@@ -58,7 +58,7 @@ def test_the_shaded_area_between_learned_and_came_is_w1():
     """Areas of each panel, from the drawn corners alone; W1 by hand: quantile against quantile, 1/4 |1 + 1| +
     1/4 |1 - 0| + 1/2 |3 - 2| = 1.25."""
     figure = returns_side_by_side([ReturnRow("one", LAW, CAME)])
-    came = next(trace for trace in figure["data"] if str(trace.get("name", "")).startswith("came"))
+    came = next(trace for trace in figure["data"] if str(trace.get("name", "")).startswith("observed"))
     learned = figure["data"][figure["data"].index(came) + 1]
     assert learned["fill"] == "tonexty"
     grid = np.unique(np.concatenate([came["x"], learned["x"]]))
@@ -77,9 +77,11 @@ def test_the_axis_leaves_the_last_thousandths_out():
 def test_what_an_agent_puts_in_for_itself_is_told_apart():
     """.5^4 = .0625 is above .05 and .5^5 is not: of six steps the last four are too close to the cut."""
     received = np.arange(6.0)
-    came, own = returns_over_episode(received, received, None, 0, gamma=0.5, cut=True)["data"][1:]
-    assert (came["name"], own["name"]) == ("came", "came, then its own value")
+    came, own = returns_over_episode(received, received, None, 0, gamma=0.5, truncated=True)["data"][1:]
+    assert (came["name"], own["name"]) == ("observed", "observed, then bootstrap")
     np.testing.assert_array_equal((came["x"], came["y"]), [[0, 1], [0.0, 1.0]])
     np.testing.assert_array_equal((own["x"], own["y"]), [[2, 3, 4, 5], [2.0, 3.0, 4.0, 5.0]])
-    names = [trace["name"] for trace in returns_over_episode(received, received, None, 0, gamma=0.5, cut=False)["data"]]
-    assert names == ["expected", "came"]
+    names = [
+        trace["name"] for trace in returns_over_episode(received, received, None, 0, gamma=0.5, truncated=False)["data"]
+    ]
+    assert names == ["predicted", "observed"]

@@ -118,7 +118,7 @@ def test_a_setting_of_training_that_changes_nothing_is_refused(capsys, tmp_path,
 def test_the_command_of_a_run_never_holds_a_setting_that_changes_nothing():
     usual = settings_of("laplace", "two_branch", {})
     settings = usual.parse(usual.as_dict() | {"spacing": "paper", "gammas": 9, "priority_exponent": 0.1, "steps": 99})
-    assert {"gammas", "priority_exponent"} < set(settings.unheard())
+    assert {"gammas", "priority_exponent"} < set(settings.ignored())
     words = command_of(settings, "run")
     assert "--steps" in words
     assert "--gammas" not in words

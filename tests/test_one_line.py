@@ -112,7 +112,7 @@ def test_everything_gives_the_numbers_of_the_picture(made, count, tmp_path, monk
 
         names: dict[str, object] = {}
         exec(compile(s.to_python(), "script", "exec"), names)
-        held(shown, rows, **{name: getattr(names["found"].decoded, name) for name in SAME})
+        held(shown, rows, **{name: getattr(names["result"].decoded, name) for name in SAME})
 
         held(shown, rows, **from_csv(found))
     assert switched > count / 3

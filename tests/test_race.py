@@ -128,9 +128,9 @@ def test_progress_is_told_to_the_end_and_can_be_stopped(agent, run):
 
     def work(told):
         if run == "one":
-            race("CartPole-v1", *sides, 0, horizon=30, told=told)
+            race("CartPole-v1", *sides, 0, horizon=30, progress=told)
         else:
-            races("CartPole-v1", *sides, 30, count=120, told=told)  # in two parts
+            races("CartPole-v1", *sides, 30, count=120, progress=told)  # in two parts
 
     heard: list[tuple[int, int]] = []
     work(lambda done, of: heard.append((done, of)))

@@ -243,7 +243,7 @@ def test_a_training_that_cannot_be_scored_keeps_no_other_from_its_result(small, 
     assert main(words(tmp_path, "second")) == 0
     shutil.rmtree(tmp_path / "out")
     training = trainings_of([SMALL["second"]], tmp_path / "runs", STEPS)["second"][0]
-    (training.folder / results.KEPT).unlink()
+    (training.folder / results.RESULT).unlink()
     (training.folder / "best.safetensors").write_bytes(b"not a checkpoint")
     capsys.readouterr()
     assert main(words(tmp_path, "second")) == 2

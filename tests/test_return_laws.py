@@ -20,9 +20,9 @@ from laplace_core.acting.return_laws import (
     SimulatedReturns,
     has_return_law,
     laws_npz,
+    outputs_along,
     return_laws,
     return_quantiles,
-    said_along,
     simulate_returns,
     steps_until_cut,
 )
@@ -149,7 +149,7 @@ def test_a_laplace_agent_says_it_as_if_steps_were_independent():
 def test_quantiles_along_an_episode_are_those_of_each_step(settings):
     agent = made(settings)
     rollout = roll_out(agent, "CartPole-v1", 5, rule="random")
-    said = said_along(agent, rollout)
+    said = outputs_along(agent, rollout)
     found = return_quantiles(said, rollout.actions)
     if settings is DqnSettings:
         assert found is None
@@ -167,17 +167,17 @@ def test_who_says_nothing_of_the_whole_return():
     assert has_return_law(made(DqnSettings))
 
 
-def test_what_is_said_along_an_episode(monkeypatch):
+def test_what_is_outputs_along_an_episode(monkeypatch):
     agent = made(FixedHorizonSettings, horizon=7)
     rollout = roll_out(agent, "CartPole-v1", 5, rule="random")
-    said = said_along(agent, rollout)
+    said = outputs_along(agent, rollout)
     assert return_quantiles(said, rollout.actions) is None
     assert said["horizon_values"].shape == (len(rollout), 7, 2)
     np.testing.assert_allclose(said["horizon_values"][4], agent.action_values(rollout.observations[4:5])[0], rtol=1e-5)
     laplace = made(LaplaceSettings, features=4)
-    assert said_along(laplace, roll_out(laplace, "CartPole-v1", 5, rule="random")) == {}
-    monkeypatch.setattr(module, "MOST_SAID", 14 * len(rollout) - 1)
-    assert said_along(agent, rollout) == {}
+    assert outputs_along(laplace, roll_out(laplace, "CartPole-v1", 5, rule="random")) == {}
+    monkeypatch.setattr(module, "MOST_OUTPUTS", 14 * len(rollout) - 1)
+    assert outputs_along(agent, rollout) == {}
 
 
 def test_a_file_holds_every_law_and_what_came():
@@ -194,6 +194,6 @@ def test_whoever_watches_a_simulation_does_not_change_it():
     agent = made(DqnSettings)
     rollout = roll_out(agent, "CartPole-v1", 5, rule="random")
     heard = []
-    watched = simulate_returns(agent, rollout, 0, 1, told=lambda done, of: heard.append((done, of)))
+    watched = simulate_returns(agent, rollout, 0, 1, progress=lambda done, of: heard.append((done, of)))
     np.testing.assert_array_equal(watched.returns, simulate_returns(agent, rollout, 0, 1).returns)
     assert heard

@@ -171,7 +171,7 @@ def test_what_hears_of_progress_may_end_it(agent):
             raise KeyboardInterrupt
 
     with pytest.raises(KeyboardInterrupt):
-        roll_out(agent, "CartPole-v1", 7, horizon=60, told=told)
+        roll_out(agent, "CartPole-v1", 7, horizon=60, progress=told)
     assert heard == [(1, 60), (2, 60), (3, 60), (4, 60)]
 
 

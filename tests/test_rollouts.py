@@ -66,11 +66,11 @@ def test_one_that_is_refused_says_why(loaded):
 def test_a_cancelled_one_ends_at_the_next_step_and_is_begun_anew(loaded, monkeypatch):
     begun, held, steps = threading.Event(), threading.Event(), []
 
-    def slow(agent, environment, *rest, told, **options):
+    def slow(agent, environment, *rest, progress, **options):
         begun.set()
         for i in range(1000):
             held.wait(30)
-            told(i + 1, 1000)
+            progress(i + 1, 1000)
             steps.append(i)
 
     monkeypatch.setattr(jobs, "roll_out", slow)

@@ -18,7 +18,7 @@ from tests.malformed_worlds import TEXT
 def assert_same_study(script: str, expected) -> None:
     namespace: dict = {}
     exec(compile(script, "script", "exec"), namespace)
-    found = namespace["found"]
+    found = namespace["result"]
     assert found.settings == expected.settings
     assert found.action_names == expected.action_names
     np.testing.assert_array_equal(found.gamma_space.values, expected.gamma_space.values)
@@ -82,7 +82,7 @@ def test_the_script_repeats_a_study_of_an_edited_world(tmp_path, monkeypatch):
     text = f"parse_world({(tmp_path / 'edited.json').read_text().replace(chr(10), '')!r})"
     namespace: dict = {}
     exec(Settings(alpha=0.1).to_python(text), namespace)
-    np.testing.assert_array_equal(namespace["found"].decoded.tau_space, expected.decoded.tau_space)
+    np.testing.assert_array_equal(namespace["result"].decoded.tau_space, expected.decoded.tau_space)
 
 
 @pytest.mark.parametrize("leading", [(2,), (3, 2)])
@@ -115,6 +115,6 @@ def test_numpy_numbers_are_written_as_plain_ones():
 def test_the_script_runs_by_itself():
     script = Settings("two_branch", (("r1", 6.0),), alpha=0.2).to_python()
     done = subprocess.run(
-        [sys.executable, "-W", "error", "-c", f"{script}print(found.decoded.actions)"], capture_output=True, text=True
+        [sys.executable, "-W", "error", "-c", f"{script}print(result.decoded.actions)"], capture_output=True, text=True
     )
     assert (done.stdout, done.stderr) == ("[0 0 1]\n", "")

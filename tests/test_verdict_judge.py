@@ -24,7 +24,7 @@ from laplace_core.experiments.judge import (
     sensitivities,
     single_settings,
 )
-from laplace_core.experiments.verdicts import CRITERIA, Examined, Said, examine, rows_of, table
+from laplace_core.experiments.verdicts import CRITERIA, Answer, Examined, examine, rows_of, table
 from laplace_core.experiments.views import MOST_ROWS, View, draw_view
 from laplace_core.study.pipeline import grids, study
 from laplace_core.study.settings import resolve
@@ -482,14 +482,14 @@ def test_views_are_of_every_kind():
 # --- the counting ---
 
 
-def truthful(view: View) -> Said:
+def truthful(view: View) -> Answer:
     """Says what the judge finds, names the first setting that repairs, and offers it twice."""
     judge = Judge(view)
     held = judge.every_single_setting(until_one=True) if judge.judged.needs_repair(judge.action) else {}
     cause = next((dict(change) for change, repaired in held.items() if repaired), None)
     choice = {"off": "lucky"}.get(judge.judged.choice, judge.judged.choice)
     offered = (cause,) if cause and "alpha" not in cause else ()
-    return Said(
+    return Answer(
         choice, judge.judged.chosen, judge.judged.grades[judge.action], cause, offered, offered,
         bool(held) and cause is None, True,
     )  # fmt: skip
@@ -499,11 +499,11 @@ IMPOSSIBLE = {"gamma_min": 0.9999}
 """Refused, or under the paper's spacing without any effect."""
 
 
-def lying(view: View) -> Said:
+def lying(view: View) -> Answer:
     """Turns everything round, and suggests two alphas, whatever alpha there is."""
     alphas = ({"alpha": 500.0}, {"alpha": 600.0})
     if view.settings.alpha >= 500.0:
-        return Said("right", 0, None, None, (), alphas, False, False)
+        return Answer("right", 0, None, None, (), alphas, False, False)
     said = truthful(view)
     choice, timeline = "right" if said.choice == "wrong" else "wrong", "ruined" if said.timeline == "sound" else "sound"
     exhausted = said.cause is not None

@@ -16,7 +16,7 @@ from app.session.shelf import Job, Shelf
 from app.view.subjects import View
 from laplace_core.acting.continuations import Continuations, Outcomes, continue_from, outcomes_of_states
 from laplace_core.acting.flags import Flags, flag_steps
-from laplace_core.acting.return_laws import SimulatedReturns, said_along, simulate_returns
+from laplace_core.acting.return_laws import SimulatedReturns, outputs_along, simulate_returns
 from laplace_core.acting.rollout import Rollout, roll_out
 from laplace_core.environments import GYMNASIUM_ENVIRONMENTS, vector
 from laplace_core.training.checkpoint import Loaded
@@ -43,7 +43,7 @@ class RolledOut:
 
     Attributes:
         packed: the same for the player.
-        along: what a peer has learned of the return along it; see :func:`laplace_core.acting.return_laws.said_along`.
+        along: what a peer has learned of the return along it; see :func:`laplace_core.acting.return_laws.outputs_along`.
         artefacts: searches in it, of some kilobytes each, which go when it goes.
     """
 
@@ -75,8 +75,8 @@ def rolling(loaded: Loaded, control: Control) -> Rolling:
 
     def make(progress: Progress) -> RolledOut:
         pictures = loaded.environment in GYMNASIUM_ENVIRONMENTS
-        rollout = roll_out(loaded.agent, loaded.environment, **asdict(control), pictures=pictures, told=progress)
-        along = {} if rollout.spaces is not None else said_along(loaded.agent, rollout)
+        rollout = roll_out(loaded.agent, loaded.environment, **asdict(control), pictures=pictures, progress=progress)
+        along = {} if rollout.spaces is not None else outputs_along(loaded.agent, rollout)
         return RolledOut(rollout, payload(rollout, along), along)
 
     return _rollouts.take((loaded.agent, control), make)
@@ -100,11 +100,11 @@ def truth(loaded: Loaded, rollout: Rollout, step: int, action: int, *, own: bool
     agent, environment = loaded.agent, loaded.environment
     if vector.chance(environment):
         return Job(_truths, (agent, rollout, step, action, own), lambda progress: continue_from(
-            agent, rollout, step, action=action, count=COUNT, steps=STEPS, own=own, told=progress
+            agent, rollout, step, action=action, count=COUNT, steps=STEPS, own=own, progress=progress
         ))  # fmt: skip
     like, rule = (rollout, (rollout.rule, rollout.horizon, rollout.gamma)) if own else (None, None)
     return Job(_truths, (agent, rule), lambda progress: outcomes_of_states(
-        agent, environment, episodes=EPISODES, each=EACH, steps=STEPS, like=like, told=progress
+        agent, environment, episodes=EPISODES, each=EACH, steps=STEPS, like=like, progress=progress
     ))  # fmt: skip
 
 
@@ -117,6 +117,8 @@ def returns(agents: Sequence[Loaded], rollout: Rollout, step: int, action: int) 
         def of(i: int) -> Progress:
             return lambda done, steps: progress(round(1000 * (i + done / steps)), 1000 * len(agents))
 
-        return tuple(simulate_returns(each.agent, rollout, step, action, told=of(i)) for i, each in enumerate(agents))
+        return tuple(
+            simulate_returns(each.agent, rollout, step, action, progress=of(i)) for i, each in enumerate(agents)
+        )
 
     return Job(_returns, (*(each.agent for each in agents), rollout, step, action), make)

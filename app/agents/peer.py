@@ -39,7 +39,7 @@ def view(loaded: Loaded, scene: Environment, rolled: RolledOut | None) -> None:
         else:
             quantiles, gamma = return_quantiles(rolled.along, rollout.actions), rollout.acting_gamma
             figure = figures.returns_over_episode(
-                rollout.received, rollout.predicted, quantiles, at, gamma=gamma, cut=not rollout.terminated
+                rollout.received, rollout.predicted, quantiles, at, gamma=gamma, truncated=not rollout.terminated
             )
             chart(figure, "episode", "Predicted and observed return over the episode.")
     returns.section(loaded, seen, action, scene.actions[action], alpha=None, rollout=rollout, step=at)

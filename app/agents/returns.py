@@ -156,11 +156,11 @@ def _table(rows: Sequence[ReturnRow]) -> str:
     lines = ["".join(f'<th title="{hint}">{head}</th>' for head, hint in zip(heads, hints, strict=True))]
     for row in rows:
         cells = [escape(row.name.split(",")[0]), "", "", f"{row.law.mean:.4g}", ""]
-        if row.came is not None:
-            mean, error = row.came.mean
-            many = len(row.came.returns) > 1
-            cells[1] = f"{row.came.distance(row.law):.3g}"
-            cells[2] = f"{row.came.by_chance:.2g}" if many else "none"
+        if row.observed is not None:
+            mean, error = row.observed.mean
+            many = len(row.observed.returns) > 1
+            cells[1] = f"{row.observed.distance(row.law):.3g}"
+            cells[2] = f"{row.observed.by_chance:.2g}" if many else "none"
             cells[4] = f"{mean:.4g} ± {error:.2g}" if many else f"{mean:.4g}"
         lines.append("".join(f"<td>{cell or '–'}</td>" for cell in cells))
     return f'<table class="numbers">{"".join(f"<tr>{line}</tr>" for line in lines)}</table>'

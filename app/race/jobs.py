@@ -46,7 +46,7 @@ def racing(control: Control, start: int) -> Work[tuple[Race, bytes]]:
 
     def make(progress: Progress) -> tuple[Race, bytes]:
         horizon, pictures = control.horizon, control.environment in GYMNASIUM_ENVIRONMENTS
-        run = race(control.environment, *control.entrants, start, horizon=horizon, pictures=pictures, told=progress)
+        run = race(control.environment, *control.entrants, start, horizon=horizon, pictures=pictures, progress=progress)
         return run, payload(run)
 
     return _racing.take((control, start), make)
@@ -56,7 +56,7 @@ def field(control: Control, count: int) -> Work[tuple[Races, dict[str, Any]]]:
     """The races of a control from the first so many starts, and their summary."""
 
     def make(progress: Progress) -> tuple[Races, dict[str, Any]]:
-        runs = races(control.environment, *control.entrants, control.horizon, count=count, told=progress)
+        runs = races(control.environment, *control.entrants, control.horizon, count=count, progress=progress)
         return runs, runs.summary()
 
     return _fields.take((control, count), make)

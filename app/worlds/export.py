@@ -59,12 +59,12 @@ def python_of(view: View) -> str:
         brought = world_name() in sources.BROUGHT and view.world is not None
         return view.settings.to_python(f'read_world("{view.settings.world}")' if brought else None)
     settings = view.settings.to_python().partition("settings = Settings(")[2]
-    imports, last = "Settings", f"found = study_of(learned, settings, {view.learner.index})"
+    imports, line = "Settings", f"result = study_of(learned, settings, {view.learner.index})"
     if view.learner.index is None:
         imports = "Settings, study"
-        last = (
+        line = (
             "tables = learned.basis[:, learned.world.state_index(settings.state)]  # a table a seed\n"
-            "found = study(learned.world, settings, learned=tables.astype(float).mean(axis=0))"
+            "result = study(learned.world, settings, learned=tables.astype(float).mean(axis=0))"
         )
     return "\n".join(
         [
@@ -72,6 +72,6 @@ def python_of(view: View) -> str:
             f"from laplace_core.tabular import read_learned{'' if view.learner.index is None else ', study_of'}",
             "",
             f'learned = read_learned("{settings_on_disk(view).world}")',
-            "settings = Settings(" + settings.replace("found = study(world, settings)", last),
+            "settings = Settings(" + settings.replace("result = study(world, settings)", line),
         ]
     )

@@ -1,1 +1,1 @@
-"""Acting: control rules, whole episodes, what they return, and what really follows a step."""
+"""Acting: control rules, whole episodes and their returns, and simulated continuations of a step."""

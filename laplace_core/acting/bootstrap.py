@@ -1,4 +1,4 @@
-"""How sure a mean difference is, by drawing anew from what was measured (Efron 1979)."""
+"""Bootstrap intervals of a mean difference: means of samples redrawn from the measured ones (Efron 1979)."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def mean_interval(values: np.ndarray, draws: int = DRAWS, seed: int = 0) -> list
 
 
 def _off_the_mean(values: np.ndarray, draws: int, rng: np.random.Generator) -> np.ndarray:
-    """How far means of as many values drawn from ``(N,)`` lie off theirs, ``(draws,)``; many draws at a time."""
+    """Bootstrap means of values ``(N,)`` less their own mean, ``(draws,)``; many draws at a time."""
     parts = [values[rng.integers(len(values), size=(_AT_ONCE, len(values)))].mean(axis=1)
              for _ in range(-(-draws // _AT_ONCE))]  # fmt: skip
     return np.concatenate(parts)[:draws] - values.mean()

@@ -1,4 +1,4 @@
-"""What really comes after a step of an episode: continuations by simulation, past the environment's time limit.
+"""Simulated continuations of an episode from one of its steps, past the environment's time limit.
 
 A survival decoded from values knows no time limit, so the simulation has none. All continuations are given the same
 past: the episode's start seed and its actions up to the step. Then each gets random numbers of its own; without that
@@ -23,7 +23,6 @@ from laplace_core.errors import InputError
 
 MOST = 1_000
 """Continuations, and steps of each."""
-"""Rules that do not look at the time to go."""
 _USUAL = Options()
 
 
@@ -40,13 +39,13 @@ class Continuations:
     alive: np.ndarray
 
     @property
-    def expected(self) -> tuple[np.ndarray, np.ndarray]:
-        """E[r_tau], 0 for episodes that are over, and its standard error, ``(K,)`` each."""
+    def mean_reward(self) -> tuple[np.ndarray, np.ndarray]:
+        """Estimate of E[r_tau], where an episode that is over counts 0, and its standard error, ``(K,)`` each."""
         return self.rewards.mean(axis=0), standard_error(self.rewards)
 
     @property
     def survival(self) -> tuple[np.ndarray, np.ndarray]:
-        """P(alive at tau) and its standard error, ``(K,)`` each."""
+        """Estimate of P(alive at tau) and its standard error, ``(K,)`` each."""
         return self.alive.mean(axis=0), standard_error(self.alive.astype(float))
 
     def exceeds(self, thetas: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -66,7 +65,7 @@ def _for_deadline(rule: str) -> bool:
 
 
 def steps_known(agent: Agent, rollout: Rollout, step: int, steps: int, *, own: bool) -> int:
-    """How many of the steps from one on a control decides: a rule for a deadline T says nothing after T."""
+    """How many of the next ``steps`` steps a rule decides: one for a deadline T is not defined after T."""
     if not own or not _for_deadline(rollout.rule):
         return steps
     return min(steps, length_of(agent, rollout.environment, rollout.horizon) - step)
@@ -74,12 +73,12 @@ def steps_known(agent: Agent, rollout: Rollout, step: int, steps: int, *, own: b
 
 def continue_from(
     agent: Agent, rollout: Rollout, step: int, *, action: int | None = None, count: int = 100, steps: int = 200,
-    seed: int = 0, own: bool = False, options: Options = _USUAL, told: Callable[[int, int], None] | None = None,
+    seed: int = 0, own: bool = False, options: Options = _USUAL, progress: Callable[[int, int], None] | None = None,
 ) -> Continuations:  # fmt: skip
     """Continuations from the state before a step.
 
     They are greedy at the acting discount, which is the policy that the values are of; or go on under the rule of the
-    episode, which is another process: then what is decoded and what comes differ by the policies as well.
+    episode, which is another process: then decoded and observed rewards differ by the policies as well.
 
     Args:
         rollout: whose start seed and actions lead there.
@@ -88,7 +87,7 @@ def continue_from(
         seed: of the random numbers from there on.
         own: whether to go on under the episode's own rule, with the time to go that it has at each step.
         options: those of that rule.
-        told: hears how many of the K steps are done; what it raises ends the work.
+        progress: called with (done, total) in the K steps; an exception that it raises cancels the work.
 
     Raises:
         InputError: arguments out of range.
@@ -114,7 +113,7 @@ def continue_from(
         with one_thread():
             return _play(
                 envs, rollout.observations[step], first, steps, past=step, choose=_choice(judge, agent.n_actions, dice),
-                told=told or (lambda done, of: None),
+                progress=progress or (lambda done, of: None),
             )  # fmt: skip
     finally:
         for env in envs:
@@ -141,7 +140,7 @@ def _play(
     *,
     past: int,
     choose: Choose,
-    told: Callable[[int, int], None],
+    progress: Callable[[int, int], None],
 ) -> Continuations:
     count = len(envs)
     rewards, alive = np.zeros((count, steps)), np.zeros((count, steps), dtype=bool)
@@ -155,13 +154,13 @@ def _play(
                 if not terminated:
                     still.append(i)
             going = np.array(still, dtype=int)
-        told(t + 1, steps)
+        progress(t + 1, steps)
     return Continuations(rewards, alive)
 
 
 @dataclass(frozen=True, eq=False)
 class Outcomes:
-    """What came after each of S states, on K steps.
+    """Observed rewards after each of S states, on K steps.
 
     Attributes:
         observations: ``(S, O)``; actions: ``(S,)``, the first one taken.
@@ -176,14 +175,15 @@ class Outcomes:
 
 def outcomes_of_states(
     agent: Agent, environment: str, *, episodes: int = 20, each: int = 10, steps: int = 200, seed: int = 0,
-    like: Rollout | None = None, told: Callable[[int, int], None] | None = None,
+    like: Rollout | None = None, progress: Callable[[int, int], None] | None = None,
 ) -> Outcomes:  # fmt: skip
-    """States along episodes, and what came after them, without a time limit.
+    """States along episodes and the rewards observed after them, without a time limit.
 
     Args:
         each: states of an episode, evenly spaced over its first ``steps`` steps.
         like: an episode by whose rule to act; greedy at the acting discount without one. Of a rule for a deadline T,
-            at most the first half of T is states, so that as many steps are known of all.
+            states are taken from at most the first half of T, so that equally many steps are known after each.
+        progress: called with (done, total) in episodes; an exception that it raises cancels the work.
 
     Raises:
         InputError: arguments out of range.
@@ -198,17 +198,17 @@ def outcomes_of_states(
             steps = min(steps, (length + 1) // 2)
     parts: list[tuple[Any, ...]] = []
     for i in range(episodes):
-        found = roll_out(
+        episode = roll_out(
             agent, environment, seed + i, rule=rule, horizon=length, gamma=gamma, limited=False, spaces=False
         )
-        whole = len(found) if found.terminated else len(found) - steps
+        whole = len(episode) if episode.terminated else len(episode) - steps
         for at in np.unique(np.linspace(0, max(0, min(steps, whole) - 1), each).astype(int)):
-            got = found.rewards[at : at + steps]
+            observed = episode.rewards[at : at + steps]
             rewards, alive = np.zeros(steps), np.zeros(steps, dtype=bool)
-            rewards[: len(got)], alive[: len(got)] = got, True
-            parts.append((found.observations[at], found.actions[at], rewards, alive))
-        if told:
-            told(i + 1, episodes)
+            rewards[: len(observed)], alive[: len(observed)] = observed, True
+            parts.append((episode.observations[at], episode.actions[at], rewards, alive))
+        if progress:
+            progress(i + 1, episodes)
     return Outcomes(*(np.array(column) for column in zip(*parts, strict=True)))
 
 
@@ -222,17 +222,17 @@ class Calibration:
     counts: np.ndarray
 
 
-def calibration(predicted: np.ndarray, happened: np.ndarray, bins: int = 10) -> Calibration:
-    """How often what was predicted with some probability has happened; predictions outside of [0, 1] have end bins.
+def calibration(predicted: np.ndarray, outcomes: np.ndarray, bins: int = 10) -> Calibration:
+    """Observed frequencies of events by their predicted probability; predictions outside [0, 1] are in the end bins.
 
     The error is sqrt(p (1 - p) / n), as if predictions were independent: those of one episode are not, so it is a
     lower bound.
     """
-    predicted, happened = np.ravel(predicted), np.ravel(happened).astype(float)
-    if predicted.shape != happened.shape:
-        raise InputError(f"{predicted.size} predictions do not fit {happened.size} outcomes.")
+    predicted, outcomes = np.ravel(predicted), np.ravel(outcomes).astype(float)
+    if predicted.shape != outcomes.shape:
+        raise InputError(f"{predicted.size} predictions do not fit {outcomes.size} outcomes.")
     place = np.digitize(predicted, np.linspace(0.0, 1.0, bins + 1)[1:-1])
     counts = np.bincount(place, minlength=bins)
     full = counts > 0
-    mean, observed = (np.bincount(place, each, bins)[full] / counts[full] for each in (predicted, happened))
+    mean, observed = (np.bincount(place, each, bins)[full] / counts[full] for each in (predicted, outcomes))
     return Calibration(mean, observed, np.sqrt(observed * (1.0 - observed) / counts[full]), counts[full])

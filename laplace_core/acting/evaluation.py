@@ -1,4 +1,4 @@
-"""How well an agent acts: whole episodes from start seeds that no training run ever uses."""
+"""Evaluation of an agent: whole episodes from held-out start seeds, which no training run ever uses."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ _AT_ONCE = 100  # episodes side by side
 
 @dataclass(frozen=True, eq=False)
 class Scores:
-    """What came of N episodes.
+    """Returns and lengths of N episodes.
 
     Attributes:
         returns, lengths: ``(N,)``.
@@ -51,7 +51,7 @@ class Scores:
 
 
 def _standard_error(values: np.ndarray) -> np.ndarray:
-    """Of the mean over the first axis; 0 for one value, of which nothing is known."""
+    """Standard error of the mean over the first axis; 0 for a single value, which has none."""
     count = len(values)
     return values.std(axis=0, ddof=1) / np.sqrt(count) if count > 1 else np.zeros(values.shape[1:])
 
@@ -60,7 +60,7 @@ def evaluate(
     agent: Agent, environment: str, *, episodes: int = 100, seed: int = 0, horizon: int | None = None,
     softness: float = 0.2, rule: str = "greedy", alpha: float = 1.0, steps: int = 1000, stretch: float = 1.5,
     first_seed: int = FIRST_SEED, discounts: np.ndarray | None = None, head: int | None = None,
-    told: Callable[[int, int], None] | None = None,
+    progress: Callable[[int, int], None] | None = None,
 ) -> Scores:  # fmt: skip
     """Act without exploration and add up rewards.
 
@@ -69,7 +69,7 @@ def evaluate(
         rule: a name in :data:`laplace_core.acting.rules.RULES`; the others are its options.
         discounts: ``(G,)``, for the discounted returns.
         head: another one than the acting head to be greedy at.
-        told: hears how many steps are done and how many there may be; what it raises ends the evaluation.
+        progress: called with (done, total) in steps; an exception that it raises cancels the evaluation.
 
     Raises:
         InputError: arguments that do not fit, or a rule that the agent has not learned enough for.
@@ -90,22 +90,22 @@ def evaluate(
     groups = [starts[i : i + _AT_ONCE] for i in range(0, episodes, _AT_ONCE)]
     parts = []
     for i, group in enumerate(groups):
-        hear = _part_of(told, i, len(groups), length)
-        parts.append(_episodes(choose, environment, group, length, gammas=gammas, hear=hear))
+        after_step = _part_of(progress, i, len(groups), length)
+        parts.append(_episodes(choose, environment, group, length, gammas=gammas, after_step=after_step))
     return Scores(*(np.concatenate(column) for column in zip(*parts, strict=True)))
 
 
 def _part_of(
-    told: Callable[[int, int], None] | None, part: int, parts: int, length: int | None
+    progress: Callable[[int, int], None] | None, part: int, parts: int, length: int | None
 ) -> Callable[[int], None]:
-    """What one part of the episodes tells after each step: the steps of all parts."""
-    if told is None or length is None:
+    """Report the progress of one part of the episodes in steps of all parts: called after each step with its time."""
+    if progress is None or length is None:
         return lambda time: None
-    return lambda time: told(part * length + time, parts * length)
+    return lambda time: progress(part * length + time, parts * length)
 
 
 def _episodes(
-    choose: Any, environment: str, starts: list[int], length: int | None, *, gammas: np.ndarray, hear: Any
+    choose: Any, environment: str, starts: list[int], length: int | None, *, gammas: np.ndarray, after_step: Any
 ) -> Any:
     """The columns of :class:`Scores`, of one episode from each start seed, all in step."""
     envs = [vector.make(environment) for _ in starts]
@@ -129,7 +129,7 @@ def _episodes(
             if not (terminated[i] or truncated):
                 still.append(i)
         going, time = np.array(still, dtype=int), time + 1
-        hear(time)
+        after_step(time)
     for env in envs:
         env.close()
     return returns, lengths, ~terminated, first, discounted
@@ -141,7 +141,7 @@ def own_discount(agent: Agent) -> np.ndarray | None:
 
 
 def return_notes(agent: Agent, scores: Scores) -> list[str]:
-    """Whether atoms reach the returns that came, in a sentence if not.
+    """A warning if observed returns lie outside an agent's fixed atoms; an empty list if none do.
 
     Args:
         scores: with the discounted returns at :func:`own_discount`.
@@ -149,11 +149,11 @@ def return_notes(agent: Agent, scores: Scores) -> list[str]:
     if not isinstance(agent, HasAtoms):
         return []
     low, high = float(agent.atoms[0]), float(agent.atoms[-1])
-    came = scores.discounted[:, 0]
-    outside = int(np.count_nonzero((came < low) | (came > high)))
+    observed = scores.discounted[:, 0]
+    outside = int(np.count_nonzero((observed < low) | (observed > high)))
     if not outside:
         return []
     return [
-        f"{outside} of {came.size} discounted returns, which were {came.min():.1f} to {came.max():.1f}, lie outside "
-        f"the atoms of this agent, {low:g} to {high:g}: set v_min and v_max wider"
+        f"{outside} of {observed.size} discounted returns, which were {observed.min():.1f} to {observed.max():.1f}, "
+        f"lie outside the atoms of this agent, {low:g} to {high:g}: set v_min and v_max wider"
     ]

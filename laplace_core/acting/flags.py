@@ -19,7 +19,7 @@ class Flags:
     """Artefacts by name, each with the steps that have it.
 
     Attributes:
-        names: of those that are anywhere, the gravest kinds first.
+        names: of the artefacts that any step has, the gravest kinds first.
         marks: bool ``(N, len(names))``.
     """
 
@@ -34,21 +34,21 @@ class Flags:
 
 
 def flag_steps(
-    rollout: Rollout, settings: Settings, added: int = 0, told: Callable[[int, int], None] | None = None
+    rollout: Rollout, settings: Settings, added: int = 0, progress: Callable[[int, int], None] | None = None
 ) -> Flags:  # fmt: skip
-    """Look for artefacts at every step, by the same measures and from the same level on as anywhere else.
+    """Search for artefacts at every step, by the same measures and levels as in a study of a world.
 
-    A network has no truth beside it: what is found is what shows in the data alone.
+    A network has no truth beside it: only artefacts that show in the data alone are listed.
 
     Args:
         settings: of the inverse and the reading.
         added: interpolated discounts in every gap.
-        told: hears how many steps are done, of how many; what it raises ends the search.
+        progress: called with (done, total) in steps; an exception that it raises cancels the search.
 
     Raises:
         InputError: the agent has no gamma-space, or the settings do not fit it.
     """
-    found = np.zeros((len(rollout), len(LISTED)), dtype=bool)
+    marks = np.zeros((len(rollout), len(LISTED)), dtype=bool)
     order = {name: i for i, name in enumerate(LISTED)}
     for step, action in enumerate(rollout.actions):
         space = rollout.space(step)
@@ -56,8 +56,8 @@ def flag_steps(
         alone = replace(space, values=space.values[[action]], constant=space.constant[[action]])
         study = study_of_gamma_space(with_added(alone, added), settings, own_convention=False)
         for artefact in find_artefacts(study, 0, searching=False):
-            found[step, order[artefact.name]] = True
-        if told is not None:
-            told(step + 1, len(rollout))
-    there = np.asarray(found.any(axis=0))
-    return Flags(tuple(name for name, seen in zip(LISTED, there, strict=True) if seen), found[:, there])
+            marks[step, order[artefact.name]] = True
+        if progress is not None:
+            progress(step + 1, len(rollout))
+    there = np.asarray(marks.any(axis=0))
+    return Flags(tuple(name for name, seen in zip(LISTED, there, strict=True) if seen), marks[:, there])

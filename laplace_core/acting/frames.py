@@ -25,10 +25,10 @@ _GAP, _CAPTION = 8, 22  # pixels between two pictures, and above them
 def encoded(picture: np.ndarray, height: int = HEIGHT) -> bytes:
     """A picture ``(Y, X, 3)``, uint8, scaled to a height and packed as JPEG."""
     image_of = _pillow()
-    found = image_of.fromarray(picture)
-    width = max(1, round(found.width * height / found.height))
+    image = image_of.fromarray(picture)
+    width = max(1, round(image.width * height / image.height))
     file = io.BytesIO()
-    found.resize((width, height), image_of.Resampling.BILINEAR).save(file, "JPEG", quality=QUALITY)
+    image.resize((width, height), image_of.Resampling.BILINEAR).save(file, "JPEG", quality=QUALITY)
     return file.getvalue()
 
 

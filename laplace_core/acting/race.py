@@ -1,9 +1,9 @@
 """A race against a deadline: two ways to act from the same start, and which has the larger return after T steps.
 
 Start k of a race is the start seed ``FIRST_START`` + k. Training draws its start seeds below 10^9, the evaluations
-while training lie from 10^12 and those after it from 2 * 10^12 (:mod:`laplace_core.acting.evaluation`): no agent has
-learned from, or was chosen by, a start of a race. Where an environment has chance in it after the start, both sides
-draw the same random numbers as long as they act alike.
+while training lie from 10^12 and those after it from 2 * 10^12 (:mod:`laplace_core.acting.evaluation`): the starts of
+a race are held out, no agent was trained or chosen on them. Where an environment has chance in it after the start, both
+sides draw the same random numbers as long as they act alike.
 """
 
 from __future__ import annotations
@@ -27,7 +27,8 @@ MOST_RACES = 500
 LEVEL = 1e-9
 """Returns that differ by less are equal: sums of the same rewards in another order."""
 
-Told = Callable[[int, int], None]
+Progress = Callable[[int, int], None]
+"""Called with (done, total); an exception that it raises cancels the work."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -81,22 +82,22 @@ class Races:
     @property
     def differences(self) -> np.ndarray:
         """``(N,)``: right less left, start by start; a mere rounding error is 0."""
-        found = self.right - self.left
-        return np.where(np.abs(found) <= LEVEL * np.maximum(1.0, np.abs(self.left)), 0.0, found)
+        differences = self.right - self.left
+        return np.where(np.abs(differences) <= LEVEL * np.maximum(1.0, np.abs(self.left)), 0.0, differences)
 
     def summary(self) -> dict[str, Any]:
         """Means, mean difference, its standard error and 95% bootstrap interval over starts, and shares of starts."""
-        found, count = self.differences, len(self.starts)
+        differences, count = self.differences, len(self.starts)
         return {
             "starts": count,
             "left": float(self.left.mean()),
             "right": float(self.right.mean()),
-            "difference": float(found.mean()),
-            "standard_error": float(found.std(ddof=1) / np.sqrt(count)),
-            "interval": mean_interval(found),
-            "better": float((found > 0).mean()),
-            "equal": float((found == 0).mean()),
-            "worse": float((found < 0).mean()),
+            "difference": float(differences.mean()),
+            "standard_error": float(differences.std(ddof=1) / np.sqrt(count)),
+            "interval": mean_interval(differences),
+            "better": float((differences > 0).mean()),
+            "equal": float((differences == 0).mean()),
+            "worse": float((differences < 0).mean()),
         }
 
     def notable(self) -> dict[str, int]:
@@ -109,7 +110,7 @@ class Races:
 
 def race(
     environment: str, left: Entrant, right: Entrant, start: int, *, horizon: int, pictures: bool = False,
-    told: Told | None = None,
+    progress: Progress | None = None,
 ) -> Race:  # fmt: skip
     """Two rollouts from one start.
 
@@ -117,7 +118,7 @@ def race(
         start: k, from 0 to ``MOST_START``.
         horizon: T, in steps; both sides are stopped after so many.
         pictures: whether to keep a frame of every step.
-        told: hears how many steps of both are done and how many there may be; what it raises ends the race.
+        progress: called with (done, total) in steps of both sides; an exception that it raises cancels the race.
 
     Raises:
         InputError: arguments that do not fit, or a rule that an agent has not learned enough for.
@@ -125,11 +126,11 @@ def race(
     _check_start(start)
     sides = []
     for i, one in enumerate((left, right)):
-        hear = _half(told, i)
+        half = _half(progress, i)
         sides.append(
             roll_out(
                 one.agent, environment, FIRST_START + int(start), rule=one.rule, horizon=horizon, gamma=one.gamma,
-                pictures=pictures, spaces=False, told=hear,
+                pictures=pictures, spaces=False, progress=half,
             )
         )  # fmt: skip
     return Race(int(start), horizon, *sides)
@@ -137,9 +138,12 @@ def race(
 
 def races(
     environment: str, left: Entrant, right: Entrant, horizon: int, *, count: int = 100, first: int = 0,
-    told: Told | None = None,
+    progress: Progress | None = None,
 ) -> Races:  # fmt: skip
     """Races from the starts ``first`` to ``first + count - 1``, all episodes of one side in step; no pictures.
+
+    Args:
+        progress: called with (done, total) in steps of both sides; an exception that it raises cancels the races.
 
     Raises:
         InputError: arguments that do not fit, or a rule that an agent has not learned enough for.
@@ -154,7 +158,7 @@ def races(
             scores.append(
                 evaluate(
                     one.agent, environment, episodes=count, horizon=horizon, rule=one.rule,
-                    first_seed=FIRST_START + first, head=head, told=_half(told, i),
+                    first_seed=FIRST_START + first, head=head, progress=_half(progress, i),
                 )
             )  # fmt: skip
     a, b = scores
@@ -166,6 +170,6 @@ def _check_start(start: int) -> None:
         raise InputError(f"the start is {start}; it must be from 0 to {MOST_START:,}.")
 
 
-def _half(told: Told | None, which: int) -> Told | None:
-    """What one of two equal halves tells."""
-    return None if told is None else lambda done, of: told(which * of + done, 2 * of)
+def _half(progress: Progress | None, which: int) -> Progress | None:
+    """Report the progress of one of two equal halves as that of the whole."""
+    return None if progress is None else lambda done, of: progress(which * of + done, 2 * of)

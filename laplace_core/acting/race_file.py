@@ -15,10 +15,10 @@ from laplace_core.acting.rollout_file import rollout_arrays
 from laplace_core.errors import InputError
 
 
-def race_npz(found: Race) -> bytes:
+def race_npz(race: Race) -> bytes:
     """The arrays of both rollouts, their names after ``left_`` and ``right_``."""
     file = io.BytesIO()
-    sides = {"left": found.left, "right": found.right}
+    sides = {"left": race.left, "right": race.right}
     np.savez_compressed(
         file, **{f"{side}_{name}": array for side, one in sides.items() for name, array in rollout_arrays(one).items()}
     )
@@ -46,24 +46,24 @@ def race_gif(race: Race, names: tuple[str, str], seconds: float) -> bytes:
     return animation(pictures, seconds)
 
 
-def races_csv(found: Races, left: str, right: str) -> str:
+def races_csv(races: Races, left: str, right: str) -> str:
     """A row a start: start, start seed, both returns, their difference, and steps taken; sides by their names."""
     file = io.StringIO()
     rows = csv.writer(file, lineterminator="\n")
     names = [f"return of {left}", f"return of {right}", "difference", f"steps of {left}", f"steps of {right}"]
     rows.writerow(["start", "start seed", *names])
-    columns = (found.left, found.right, found.differences, found.left_lengths, found.right_lengths)
-    for i, start in enumerate(found.starts):
+    columns = (races.left, races.right, races.differences, races.left_lengths, races.right_lengths)
+    for i, start in enumerate(races.starts):
         rows.writerow([start, FIRST_START + start, *(column[i] for column in columns)])
     return file.getvalue()
 
 
-def races_npz(found: Races, settings: dict[str, Any]) -> bytes:
-    """The same as arrays, and as ``settings`` a JSON string that says how they came about."""
+def races_npz(races: Races, settings: dict[str, Any]) -> bytes:
+    """The same as arrays, and a JSON string ``settings`` with the settings that reproduce them."""
     file = io.BytesIO()
-    told = {"environment": found.environment, "horizon": found.horizon, "first_seed": FIRST_START} | settings
+    report = {"environment": races.environment, "horizon": races.horizon, "first_seed": FIRST_START} | settings
     np.savez_compressed(
-        file, starts=found.starts, left=found.left, right=found.right, differences=found.differences,
-        left_lengths=found.left_lengths, right_lengths=found.right_lengths, settings=np.array(json.dumps(told)),
+        file, starts=races.starts, left=races.left, right=races.right, differences=races.differences,
+        left_lengths=races.left_lengths, right_lengths=races.right_lengths, settings=np.array(json.dumps(report)),
     )  # fmt: skip
     return file.getvalue()

@@ -1,7 +1,7 @@
-"""The law of the discounted return after one state and action: what an agent has learned of it, and what comes.
+"""Distributions of the discounted return after one state and action: those that agents learned, and simulated ones.
 
 Both are of the agent's OWN policy, greedy at its acting discount, and know no time limit. A Laplace agent has learned
-no such law: what its tau-space would say if its steps were independent stands in for one, and is labelled so.
+no such law: the law that its tau-space gives if its steps were independent stands in for one, and is labelled so.
 """
 
 from __future__ import annotations
@@ -29,14 +29,14 @@ COUNT = 100
 CUT = 0.005
 """Weight of a reward at which simulations end: gamma^K."""
 LEVELS = (0.1, 0.25, 0.5, 0.75, 0.9)
-MOST_SAID = 4_000_000
+MOST_OUTPUTS = 4_000_000
 _AT_ONCE = 100  # observations in one pass through the network
 INDEPENDENT, LEARNED, MEAN = "if steps were independent", "learned", "a mean"
 
 
 @dataclass(frozen=True, eq=False)
 class ReturnLaw:
-    """What an agent says of the return.
+    """The distribution of the return that an agent predicts.
 
     Attributes:
         kind: ``LEARNED``, ``INDEPENDENT`` or, of an agent that knows no more, ``MEAN``.
@@ -56,12 +56,12 @@ class ReturnLaw:
 
 @dataclass(frozen=True, eq=False)
 class SimulatedReturns:
-    """What came in N continuations.
+    """Observed returns of N continuations.
 
     Attributes:
         returns: ``(N,)``, of the first ``steps`` steps, discounted.
         running: share of the continuations that were not over by then.
-        missing: what was cut off is at most this, on average, if no later reward is larger than the largest seen.
+        missing: upper bound of the mean return after those steps, if no later reward exceeds the largest observed.
     """
 
     returns: np.ndarray
@@ -85,7 +85,7 @@ class SimulatedReturns:
 
     @property
     def by_chance(self) -> float:
-        """W1 distance that N draws of a law have from that very law, expected.
+        """Expected W1 distance between a law and N draws of it.
 
         The integral of E|F_N - F|, which for a binomial count near a normal one is sqrt(2 F (1 - F) / (pi N)), with the
         simulated law for F.
@@ -95,17 +95,17 @@ class SimulatedReturns:
         return float(np.sqrt(2.0 * below * (1.0 - below) / (np.pi * len(locations))) @ np.diff(locations))
 
     def distance(self, law: ReturnLaw) -> float:
-        """W1 distance from what an agent says, in units of reward."""
+        """W1 distance from the law that an agent predicts, in units of reward."""
         return wasserstein((law.locations, law.masses), self.law)
 
 
 def has_return_law(agent: Agent) -> bool:
-    """Whether an agent says something of the whole return."""
+    """Whether an agent predicts the distribution of the return, if only by its mean."""
     return isinstance(agent, HasReturnDistribution | HasGammaSpace)
 
 
 def says_more_than_a_mean(agent: Agent) -> bool:
-    """Whether it knows how the return is spread, and not only its mean."""
+    """Whether it predicts the spread of the return, and not only its mean."""
     if isinstance(agent, HasReturnDistribution):
         return agent.return_distribution(np.zeros(agent.n_observations))[0].shape[1] > 1
     return isinstance(agent, HasGammaSpace)
@@ -119,7 +119,7 @@ def steps_until_cut(gamma: float) -> int:
 def return_laws(
     agent: Agent, observation: np.ndarray, actions: Sequence[int] | None = None, alpha: float = 1.0
 ) -> list[ReturnLaw]:
-    """What an agent says of the return of some actions, by default of all, for one observation ``(O,)``.
+    """Laws that an agent predicts for the return of some actions, by default of all, for one observation ``(O,)``.
 
     Args:
         alpha: regularisation of the inverse, for an agent with a gamma-space.
@@ -131,19 +131,19 @@ def return_laws(
         kind = MEAN if locations.shape[1] == 1 else LEARNED
         return [ReturnLaw(kind, gamma, locations[action], masses[action]) for action in actions]
     if not isinstance(agent, HasGammaSpace):
-        raise InputError("this agent says nothing of its return but a mean.")
+        raise InputError("this agent predicts the mean of its return, and no distribution.")
     space, steps = agent.gamma_space(observation), steps_until_cut(gamma)
     tau_space = decode(space.differences[list(actions)], space.gammas, steps, alpha)
     rewards, discounts = space.bin_values, gamma ** np.arange(steps)
     return [ReturnLaw(INDEPENDENT, gamma, *independent_steps_return(one, rewards, discounts)) for one in tau_space]
 
 
-def said_along(agent: Agent, rollout: Rollout) -> dict[str, np.ndarray]:
-    """What a peer says at every step of an episode beside its values, float32.
+def outputs_along(agent: Agent, rollout: Rollout) -> dict[str, np.ndarray]:
+    """Outputs of a peer at every step of an episode beside its values, float32.
 
     Returns:
         ``locations`` and ``masses`` ``(N, A, M)`` of learned returns; ``horizon_values`` ``(N, T, A)`` of an agent that
-        knows the time to go; nothing for others, or if it were more than ``MOST_SAID`` numbers.
+        knows the time to go; nothing for others, or if it were more than ``MOST_OUTPUTS`` numbers.
     """
     if isinstance(agent, HasTimeToGo):
         names: tuple[str, ...] = ("horizon_values",)
@@ -153,7 +153,7 @@ def said_along(agent: Agent, rollout: Rollout) -> dict[str, np.ndarray]:
     else:
         return {}
     first = read(rollout.observations[:1])[0]
-    if first.shape[-1] == 1 or first.size * len(rollout) > MOST_SAID:
+    if first.shape[-1] == 1 or first.size * len(rollout) > MOST_OUTPUTS:
         return {}
     starts = range(0, len(rollout), _AT_ONCE)
     parts = [read(rollout.observations[i : min(i + _AT_ONCE, len(rollout))]) for i in starts]
@@ -165,17 +165,17 @@ def _horizon_values(agent: Agent, observations: np.ndarray) -> tuple[np.ndarray,
     return (agent.action_values(observations),)
 
 
-def return_quantiles(said: Mapping[str, np.ndarray], actions: np.ndarray) -> np.ndarray | None:
-    """Quantiles, at ``LEVELS``, of what was said of the return of the actions taken: ``(N, len(LEVELS))``.
+def return_quantiles(outputs: Mapping[str, np.ndarray], actions: np.ndarray) -> np.ndarray | None:
+    """Quantiles, at ``LEVELS``, of the predicted return of the actions taken: ``(N, len(LEVELS))``.
 
     Args:
-        said: from :func:`said_along`.
+        outputs: from :func:`outputs_along`.
         actions: ``(N,)``.
     """
-    if "locations" not in said:
+    if "locations" not in outputs:
         return None
     each = np.arange(len(actions))
-    locations, masses = said["locations"][each, actions].astype(float), said["masses"][each, actions].astype(float)
+    locations, masses = (outputs[name][each, actions].astype(float) for name in ("locations", "masses"))
     below = np.cumsum(masses, axis=1) / masses.sum(axis=1, keepdims=True)
     places = (below[:, None, :] < np.array(LEVELS)[:, None] * (1.0 - 1e-6)).sum(axis=2)
     return locations[each[:, None], places.clip(max=locations.shape[1] - 1)]
@@ -183,13 +183,14 @@ def return_quantiles(said: Mapping[str, np.ndarray], actions: np.ndarray) -> np.
 
 def simulate_returns(
     agent: Agent, rollout: Rollout, step: int, action: int, *, count: int = COUNT, seed: int = 0,
-    told: Callable[[int, int], None] | None = None,
+    progress: Callable[[int, int], None] | None = None,
 ) -> SimulatedReturns:  # fmt: skip
     """Returns of continuations from the state before a step of an episode, which may be another agent's.
 
     Args:
-        action: taken first; from there on the agent acts greedily at its acting discount.
+        action: taken first; afterwards the agent acts greedily at its acting discount.
         count: N; 1 where the environment has no chance in it and all are the same.
+        progress: called with (done, total) in steps; an exception that it raises cancels the work.
 
     Raises:
         InputError: as of :func:`continue_from`.
@@ -197,21 +198,23 @@ def simulate_returns(
     gamma = acting_gamma(agent)
     steps = steps_until_cut(gamma)
     count = count if vector.chance(rollout.environment) else 1
-    found = continue_from(agent, rollout, step, action=action, count=count, steps=steps, seed=seed, told=told)
-    running = float(found.alive[:, -1].mean())
-    missing = running * gamma**steps / (1.0 - gamma) * float(np.abs(found.rewards).max())
-    return SimulatedReturns(found.rewards @ gamma ** np.arange(steps), gamma, steps, running, missing)
+    sample = continue_from(agent, rollout, step, action=action, count=count, steps=steps, seed=seed, progress=progress)
+    running = float(sample.alive[:, -1].mean())
+    missing = running * gamma**steps / (1.0 - gamma) * float(np.abs(sample.rewards).max())
+    return SimulatedReturns(sample.rewards @ gamma ** np.arange(steps), gamma, steps, running, missing)
 
 
-def laws_npz(names: Sequence[str], laws: Sequence[ReturnLaw], came: Sequence[SimulatedReturns] | None = None) -> bytes:
+def laws_npz(
+    names: Sequence[str], laws: Sequence[ReturnLaw], observed: Sequence[SimulatedReturns] | None = None
+) -> bytes:
     """Laws side by side as an ``.npz`` file: ``I_NAME_locations``, ``_masses`` and, where known, ``_came`` for agent I,
     and a JSON string ``settings`` with the discount and the kind of each."""
     arrays: dict[str, Any] = {}
     for i, (name, law) in enumerate(zip(names, laws, strict=True)):
         arrays |= {f"{i}_{name}_locations": law.locations, f"{i}_{name}_masses": law.masses}
-        if came is not None:
-            arrays[f"{i}_{name}_came"] = came[i].returns
-    told = [{"algorithm": name, "kind": law.kind, "gamma": law.gamma} for name, law in zip(names, laws, strict=True)]
+        if observed is not None:
+            arrays[f"{i}_{name}_came"] = observed[i].returns
+    report = [{"algorithm": name, "kind": law.kind, "gamma": law.gamma} for name, law in zip(names, laws, strict=True)]
     file = io.BytesIO()
-    np.savez_compressed(file, **arrays, settings=np.array(json.dumps(told)))
+    np.savez_compressed(file, **arrays, settings=np.array(json.dumps(report)))
     return file.getvalue()

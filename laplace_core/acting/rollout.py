@@ -1,10 +1,10 @@
-"""One episode of an agent, step by step: what it saw, did and got, and what it expected.
+"""One episode of an agent, step by step: observations, actions, rewards, and predicted returns.
 
 Definitions, at the acting discount gamma, with Q the agent's values there:
 
-- ``received``: G_t = r_t + gamma G_(t+1). After a termination nothing follows; where the episode was cut off, the best
-  value of the last observation stands for what would have followed.
-- ``surprise``: the temporal-difference error r_t + gamma max_a Q(s_(t+1), a) - Q(s_t, a_t), 0 after a termination in
+- ``received``: the observed return, G_t = r_t + gamma G_(t+1). After a termination nothing follows; a truncated
+  episode is bootstrapped from the best value of the last observation.
+- ``surprise``: the TD error r_t + gamma max_a Q(s_(t+1), a) - Q(s_t, a_t), 0 after a termination in
   place of the maximum (Sutton & Barto 2018, Eq. 6.11). It is local: an accident surprises once, where it happens.
 """
 
@@ -40,14 +40,14 @@ class Rollout:
     """N steps with A actions, and for an agent with a gamma-space G discounts and H sensitivities.
 
     Attributes:
-        seed, rule, horizon, gamma: how it came about; ``horizon`` is T, ``gamma`` the discount of ``greedy``.
+        seed, rule, horizon, gamma: as given to :func:`roll_out`; ``horizon`` is T, ``gamma`` that of ``greedy``.
         acting_gamma: discount of ``received``, ``surprise`` and ``greedy_values``.
         observations: ``(N + 1, O)``, float32; the last one is that after the last step.
         actions, rewards: ``(N,)``.
         values, greedy_values: ``(N, A)``: of all actions under the rule, and at the acting discount. An episode of
             random actions has the same in both.
         predicted, received, surprise: ``(N,)``, in units of reward, discounted.
-        terminated: whether the episode was over, and not only cut off.
+        terminated: whether the episode terminated; else it was truncated.
         spaces, constants: gamma-space ``(N, A, G, H)`` and its constant channel ``(N, A, G)``, float32; None for an
             agent that has none.
         thetas, gammas: their axes.
@@ -80,7 +80,7 @@ class Rollout:
 
     @property
     def of_the_values(self) -> bool:
-        """Whether it was acted as the values presume: greedy at the acting discount."""
+        """Whether the episode followed the policy of the values: greedy at the acting discount."""
         return self.rule == "greedy" and self.gamma in (None, self.acting_gamma)
 
     @property
@@ -113,7 +113,7 @@ def longest(agent: Agent) -> int:
 def roll_out(
     agent: Agent, environment: str, seed: int, *, rule: str = "greedy", horizon: int | None = None,
     gamma: float | None = None, options: Options = _USUAL, pictures: bool = False, limited: bool = True,
-    spaces: bool = True, told: Callable[[int, int], None] | None = None,
+    spaces: bool = True, progress: Callable[[int, int], None] | None = None,
 ) -> Rollout:  # fmt: skip
     """Act for one episode, from the start that a seed gives.
 
@@ -123,9 +123,9 @@ def roll_out(
         horizon: T; the episode is stopped after so many steps. None leaves it to the environment's own limit.
         gamma: a discount for ``greedy``; the nearest one that was trained is taken. None is the acting discount.
         pictures: whether to keep a frame of every step.
-        limited: whether the environment's own time limit cuts the episode off.
+        limited: whether the environment's own time limit truncates the episode.
         spaces: whether to keep gamma-spaces, which an agent must have.
-        told: hears how many steps are done and how many there may be; what it raises ends the rollout.
+        progress: called with (done, total) in steps; an exception that it raises cancels the rollout.
 
     Raises:
         InputError: arguments that do not fit, or a rule that the agent has not learned enough for.
@@ -151,15 +151,17 @@ def roll_out(
             length=length,
             pictures=pictures,
             limited=limited,
-            told=told or (lambda done, of: None),
+            progress=progress or (lambda done, of: None),
         )
         greedy_values = _in_parts(lambda some: agent.action_values(some, agent.acting_head), observations)
-        kept = _spaces(agent, observations[:-1]) if spaces else _NONE
-        predicted, received, surprise = _expected(greedy_values, actions, rewards, terminated=terminated, gamma=acting)
+        gamma_space = _spaces(agent, observations[:-1]) if spaces else _NONE
+        predicted, received, surprise = _returns_and_td_errors(
+            greedy_values, actions, rewards, terminated=terminated, gamma=acting
+        )
     return Rollout(
         environment, seed, rule, horizon, gamma, acting, observations, actions, rewards,
         greedy_values[:-1] if judge is None else values, greedy_values[:-1],
-        predicted, received, surprise, terminated, *kept, frames,
+        predicted, received, surprise, terminated, *gamma_space, frames,
     )  # fmt: skip
 
 
@@ -172,7 +174,7 @@ def length_of(agent: Agent, environment: str, horizon: int | None) -> int:
 def judge_of(
     agent: Agent, rule: str, length: int, *, gamma: float | None = None, options: Options = _USUAL
 ) -> tuple[Judge | None, float | None]:
-    """What a rule asks at every step, None for random actions; and the trained discount nearest to ``gamma``.
+    """Function that values actions at every step, None for random actions; and the discount nearest to ``gamma``.
 
     Raises:
         InputError: a rule that the agent has not learned enough for, or a discount that does not fit.
@@ -183,7 +185,7 @@ def judge_of(
 
 @contextmanager
 def one_thread() -> Iterator[None]:
-    """Products of one observation are too small to share: beside other work two threads wait for each other."""
+    """Let torch use one thread: products of one observation are too small to be worth sharing."""
     before = torch.get_num_threads()
     torch.set_num_threads(1)
     try:
@@ -219,7 +221,7 @@ def acting_gamma(agent: Agent) -> float:
 
 def _act(
     agent: Agent, environment: str, seed: int, judge: Judge | None, *, length: int, pictures: bool,
-    limited: bool, told: Callable[[int, int], None],
+    limited: bool, progress: Callable[[int, int], None],
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, bool, tuple[bytes, ...]]:  # fmt: skip
     """Observations ``(N + 1, O)``, values, actions, rewards, whether it terminated, and frames."""
     env, random = vector.make(environment, pictures=pictures, limited=limited), np.random.default_rng(seed)
@@ -243,18 +245,18 @@ def _act(
             if pictures:
                 frames.append(picture_of(env))
             over = terminated or truncated
-            told(len(actions), length)
+            progress(len(actions), length)
     finally:
         env.close()
-    kept = tuple(frame for frame in frames if frame is not None)
-    found = np.array(seen, dtype=np.float32), np.array(values), np.array(actions), np.array(rewards)
-    return *found, bool(terminated), kept if len(kept) == len(frames) else ()
+    pictured = tuple(frame for frame in frames if frame is not None)
+    arrays = np.array(seen, dtype=np.float32), np.array(values), np.array(actions), np.array(rewards)
+    return *arrays, bool(terminated), pictured if len(pictured) == len(frames) else ()
 
 
-def _expected(
+def _returns_and_td_errors(
     greedy_values: np.ndarray, actions: np.ndarray, rewards: np.ndarray, *, terminated: bool, gamma: float
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """``predicted``, ``received`` and ``surprise``; values ``(N + 1, A)``."""
+    """Predicted returns, observed returns (``received``) and TD errors (``surprise``); values ``(N + 1, A)``."""
     predicted = greedy_values[np.arange(len(actions)), actions]
     following = greedy_values[1:].max(axis=1)
     if terminated:
@@ -265,11 +267,11 @@ def _expected(
     return predicted, received, rewards + gamma * following - predicted
 
 
-_Kept = tuple[np.ndarray | None, np.ndarray | None, np.ndarray | None, np.ndarray | None]
-_NONE: _Kept = (None, None, None, None)
+_GammaSpaceArrays = tuple[np.ndarray | None, np.ndarray | None, np.ndarray | None, np.ndarray | None]
+_NONE: _GammaSpaceArrays = (None, None, None, None)
 
 
-def _spaces(agent: Agent, observations: np.ndarray) -> _Kept:
+def _spaces(agent: Agent, observations: np.ndarray) -> _GammaSpaceArrays:
     """``spaces``, ``constants``, ``gammas``, ``thetas``; the network computes in single precision: nothing is lost."""
     if not isinstance(agent, HasGammaSpace):
         return _NONE

@@ -1,4 +1,4 @@
-"""A rollout as an ``.npz`` file: every array, and as ``settings`` a JSON string that says how it came about."""
+"""A rollout as an ``.npz`` file: every array, and a JSON string ``settings`` with the arguments that reproduce it."""
 
 from __future__ import annotations
 
@@ -23,8 +23,8 @@ def rollout_arrays(rollout: Rollout) -> dict[str, Any]:
             "gamma_space": rollout.spaces, "constant_channel": rollout.constants,
             "gammas": rollout.gammas, "thetas": rollout.thetas, "open_ends": np.array(1),
         }  # fmt: skip
-    told = ("environment", "seed", "rule", "horizon", "gamma", "acting_gamma", "terminated")
-    return arrays | {"settings": np.array(json.dumps({name: getattr(rollout, name) for name in told}))}
+    reported = ("environment", "seed", "rule", "horizon", "gamma", "acting_gamma", "terminated")
+    return arrays | {"settings": np.array(json.dumps({name: getattr(rollout, name) for name in reported}))}
 
 
 def rollout_npz(rollout: Rollout) -> bytes:

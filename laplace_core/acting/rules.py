@@ -1,6 +1,6 @@
 """Rules of control: how an agent that knows values for many discounts acts when an episode ends after T steps.
 
-A rule is a function of the agent, of the length of the episode and of :class:`Options`, and returns what is asked at
+A rule is a function of the agent, of the length of the episode and of :class:`Options`, and returns what is called at
 every step: a function from observations ``(B, O)`` and the step t, from 0, to the values of all actions ``(B, A)``, the
 best of which is taken. T - t steps are to go.
 
@@ -35,7 +35,7 @@ Choose = Callable[[np.ndarray, int], np.ndarray]
 
 @dataclass(frozen=True)
 class Options:
-    """What a rule may be told besides.
+    """Options of a rule besides the length of the episode.
 
     Attributes:
         softness: width of the deadline as a fraction of the time to go.
@@ -100,7 +100,7 @@ def _by_weights(agent: Agent, weights: np.ndarray, length: int) -> Judge:
 
 
 def decoded(agent: Agent, length: int | None, options: Options) -> Judge:
-    """The same as ``readout`` through the tau-space, slowly."""
+    """The same as ``readout`` by way of the tau-space, which is slower."""
     gammas, length = _discounts(agent, length, "decoded")
     chosen = Settings(
         alpha=options.alpha, steps=max(options.steps, length), time_step=1.0, normalise="none",
@@ -110,8 +110,8 @@ def decoded(agent: Agent, length: int | None, options: Options) -> Judge:
 
     def judge(observations: np.ndarray, time: int) -> np.ndarray:
         assert isinstance(agent, HasGammaSpace)  # its discounts were asked for
-        found = zip(*agent.gamma_spaces(observations), strict=True)
-        spaces = [GammaSpace(values, constant, gammas, agent.thetas, open_ends=True) for values, constant in found]
+        pairs = zip(*agent.gamma_spaces(observations), strict=True)
+        spaces = [GammaSpace(values, constant, gammas, agent.thetas, open_ends=True) for values, constant in pairs]
         return np.array([decode_and_read(one, settings).horizon_values[:, length - time - 1] for one in spaces])
 
     return judge
@@ -132,10 +132,10 @@ class Rule:
     """A rule of control. Called with an agent, the length of an episode and :class:`Options`, it takes the best action.
 
     Attributes:
-        values: what is asked at every step.
+        values: makes the function that values actions at every step.
         suits: whether an agent has learned enough for it.
         for_deadline: whether it acts for the T of an episode; else T changes nothing.
-        options: names of the :class:`Options` that it hears, besides ``steps`` and ``head``.
+        options: names of the :class:`Options` that it uses, besides ``steps`` and ``head``.
     """
 
     values: Callable[[Agent, int | None, Options], Judge]
@@ -171,13 +171,13 @@ RULES: dict[str, Rule] = {
 
 
 def rules_of(agent: Agent) -> tuple[str, ...]:
-    """Names of the rules that an agent has learned enough for, that which suits it first."""
-    found = tuple(name for name, rule in RULES.items() if rule.suits(agent))
-    return ("own", *(name for name in found if name != "own")) if "own" in found else found
+    """Names of the rules that an agent has learned enough for, the one that suits it best first."""
+    suitable = tuple(name for name, rule in RULES.items() if rule.suits(agent))
+    return ("own", *(name for name in suitable if name != "own")) if "own" in suitable else suitable
 
 
 def check_rule_options(rule: str, given: Iterable[str]) -> None:
-    """Refuse an option that a rule would not hear; a rule that does not exist is refused elsewhere.
+    """Refuse an option that a rule would not use; a rule that does not exist is refused elsewhere.
 
     Raises:
         InputError: naming the option and the rules that take it.

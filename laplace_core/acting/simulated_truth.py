@@ -61,33 +61,33 @@ def with_ends(tails: np.ndarray, alive: np.ndarray) -> np.ndarray:
     return np.concatenate([alive[..., None], tails, np.zeros((*alive.shape, 1))], axis=-1)
 
 
-def empirical(agent: Agent, found: Continuations) -> Empirical:
-    """What an agent with a gamma-space should have decoded."""
-    passed = _passed(agent, found)
-    assert isinstance(agent, HasGammaSpace)  # or nothing would have passed
+def empirical(agent: Agent, sample: Continuations) -> Empirical:
+    """The timeline that an agent with a gamma-space should decode, estimated from continuations."""
+    passed = _passed(agent, sample)
+    assert isinstance(agent, HasGammaSpace)  # :func:`_passed` refused any other
     thetas = agent.thetas
-    places, ends = np.concatenate([thetas[:1], thetas, thetas[-1:]]), with_ends(passed, found.alive.astype(float))
+    places, ends = np.concatenate([thetas[:1], thetas, thetas[-1:]]), with_ends(passed, sample.alive.astype(float))
     # The mean of the absolute value of a normal number is sqrt(2 / pi) times its standard deviation.
     chance = np.sqrt(2.0 / np.pi) * area_around_zero(ends[..., :1] - ends, places, standard_error)
-    return Empirical(len(passed), passed.mean(axis=0), *found.expected, *found.survival, chance)
+    return Empirical(len(passed), passed.mean(axis=0), *sample.mean_reward, *sample.survival, chance)
 
 
-def _passed(agent: Agent, found: Continuations) -> np.ndarray:
+def _passed(agent: Agent, sample: Continuations) -> np.ndarray:
     """f_h(r) of every step of every simulation, 0 where it is over, ``(N, K, H)``.
 
     Raises:
         InputError: an agent without a gamma-space.
     """
     if not isinstance(agent, HasGammaSpace):
-        raise InputError("this agent has no gamma-space to hold against what came.")
+        raise InputError("this agent has no gamma-space to compare with simulated rewards.")
     with torch.no_grad():
-        passed = agent.sensitivities.tails(torch.as_tensor(found.rewards, dtype=torch.float32))[..., 1:].double()
-    return np.where(found.alive[..., None], passed.numpy(), 0.0)
+        passed = agent.sensitivities.tails(torch.as_tensor(sample.rewards, dtype=torch.float32))[..., 1:].double()
+    return np.where(sample.alive[..., None], passed.numpy(), 0.0)
 
 
 @dataclass(frozen=True, eq=False)
 class Confronted:
-    """What is simulated and what is decoded for it, on K future steps.
+    """A simulated timeline and the decoded one, on K future steps.
 
     Attributes:
         simulated: means over simulations, or over states.
@@ -104,39 +104,40 @@ class Confronted:
     calibration: Calibration
 
 
-def confront(agent: Agent, space: GammaSpace, action: int, found: Continuations, *, alpha: float) -> Confronted:
+def confront(agent: Agent, space: GammaSpace, action: int, sample: Continuations, *, alpha: float) -> Confronted:
     """One state's gamma-space and the continuations that begin with an action."""
     return _confronted(
-        agent, found, space.values[[action]], space.constant[[action]], open_ends=space.open_ends, alpha=alpha
+        agent, sample, space.values[[action]], space.constant[[action]], open_ends=space.open_ends, alpha=alpha
     )
 
 
-def confront_states(agent: Agent, found: Outcomes, alpha: float) -> Confronted:
-    """Many states' gamma-spaces and what came after each; means are over the states.
+def confront_states(agent: Agent, outcomes: Outcomes, alpha: float) -> Confronted:
+    """Many states' gamma-spaces and the rewards observed after each; means are over the states.
 
     Raises:
         InputError: an agent without a gamma-space.
     """
     if not isinstance(agent, HasGammaSpace):
-        raise InputError("this agent has no gamma-space to hold against what came.")
-    values, constant = agent.gamma_spaces(found.observations)
+        raise InputError("this agent has no gamma-space to compare with simulated rewards.")
+    values, constant = agent.gamma_spaces(outcomes.observations)
     row = np.arange(len(values))
-    tails, constant = values[row, found.actions], constant[row, found.actions]
-    return _confronted(agent, Continuations(found.rewards, found.alive), tails, constant, open_ends=True, alpha=alpha)
+    tails, constant = values[row, outcomes.actions], constant[row, outcomes.actions]
+    sample = Continuations(outcomes.rewards, outcomes.alive)
+    return _confronted(agent, sample, tails, constant, open_ends=True, alpha=alpha)
 
 
 def _confronted(
-    agent: Agent, found: Continuations, tails: np.ndarray, constant: np.ndarray, *, open_ends: bool, alpha: float
+    agent: Agent, sample: Continuations, tails: np.ndarray, constant: np.ndarray, *, open_ends: bool, alpha: float
 ) -> Confronted:
     """Gamma-space of one state or of as many as there are simulations: tails ``(S, G, H)``, constant ``(S, G)``."""
-    happened = _passed(agent, found)
-    assert isinstance(agent, HasGammaSpace)  # or nothing would have happened
-    steps, gammas, thetas = found.rewards.shape[1], agent.gammas, agent.thetas
+    observed = _passed(agent, sample)
+    assert isinstance(agent, HasGammaSpace)  # :func:`_passed` refused any other
+    steps, gammas, thetas = sample.rewards.shape[1], agent.gammas, agent.thetas
     tau_space = decode(bin_differences(tails, constant, open_ends), gammas, steps, alpha).mean(axis=0)
     alive = decode(constant[..., None], gammas, steps, alpha)[..., 0].mean(axis=0)
-    simulated = empirical(agent, found)
-    said = np.broadcast_to(decode(tails, gammas, steps, alpha), happened.shape)
+    simulated = empirical(agent, sample)
+    predicted = np.broadcast_to(decode(tails, gammas, steps, alpha), observed.shape)
     return Confronted(
         simulated, expected_rewards(tau_space, bin_values(thetas, open_ends)), alive,
-        simulated.distance(tau_space, thetas), calibration(said, happened),
+        simulated.distance(tau_space, thetas), calibration(predicted, observed),
     )  # fmt: skip

@@ -1,4 +1,4 @@
-"""What all agents share: two networks, the optimiser and one update. An algorithm adds its network and its loss."""
+"""The base of all agents: two networks, the optimiser and one update. An algorithm adds its network and its loss."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What an agent may be able to do besides acting, as types to ask for with ``isinstance``."""
+"""Capabilities of agents besides acting, as types for ``isinstance``."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ class HasGammaSpace(HasDiscounts, Protocol):
         """``(B, A, G, H)`` and the constant channel, ``(B, A, G)``, for observations ``(B, O)``."""
 
     def gamma_space(self, observation: np.ndarray) -> GammaSpace:
-        """What was learned for one observation ``(O,)``."""
+        """The learned gamma-space of one observation ``(O,)``."""
 
 
 @runtime_checkable
@@ -55,7 +55,7 @@ class HasTimeToGo(Protocol):
 
 @runtime_checkable
 class HasAtoms(Protocol):
-    """Returns that carry all probability, ``atoms`` ``(C,)``, in units of reward: what lies beyond cannot be said."""
+    """Fixed returns that carry all probability, ``atoms`` ``(C,)``, in units of reward; none lies beyond them."""
 
     atoms: Tensor
     acting_discount: float

@@ -1,8 +1,8 @@
-"""Fixed-horizon DQN: the return of the next T steps for every T up to a maximum, by one network that is told T.
+"""Fixed-horizon DQN: the return of the next T steps for every T up to a maximum, by one network with T as an input.
 
 Q(s, a, T) = E[r + gamma max_a' Q(s', a', T - 1)] and Q(s, a, 0) = 0 (De Asis et al. 2020, there with one table a
-horizon), learned off-policy for random T from the same transitions. Backward induction on a world it cannot know, it is
-what any rule that adapts to a horizon is measured against.
+horizon), learned off-policy for random T from the same transitions. It is backward induction without a model of the
+world, and the baseline of any rule that adapts to a horizon.
 """
 
 from __future__ import annotations
@@ -18,10 +18,10 @@ from laplace_core.agents.networks import Single
 from laplace_core.agents.peer import discounted
 from laplace_core.agents.settings import FixedHorizonSettings
 
-TOLD = 12
-"""Numbers that T is told by: its nearness to as many times from 1 to the longest, evenly spaced in log T.
+TIME_INPUTS = 12
+"""Inputs of the network that encode T: its nearness to as many times from 1 to the longest, evenly spaced in log T.
 
-The two times around T share a weight of 1. Short times are told apart at once, and long ones vary smoothly.
+The two times around T share a weight of 1. Short times differ from the start, and long ones vary smoothly.
 """
 
 
@@ -40,11 +40,11 @@ class FixedHorizonAgent(Agent[FixedHorizonSettings]):
         super().__init__(settings, *sizes)
 
     def _build(self) -> nn.Module:
-        return Single(self.n_observations + TOLD, self.n_actions, torch.zeros(1), self.settings)
+        return Single(self.n_observations + TIME_INPUTS, self.n_actions, torch.zeros(1), self.settings)
 
     @classmethod
     def network_numbers(cls, settings: FixedHorizonSettings, observation: int, actions: int) -> int:
-        return Single.count_numbers(observation + TOLD, actions, 1, settings)
+        return Single.count_numbers(observation + TIME_INPUTS, actions, 1, settings)
 
     def values(self, network: nn.Module, observations: Tensor, times: Tensor) -> Tensor:
         """Q(s, a, T), ``(B, g, A)``, in units of reward.
@@ -53,9 +53,9 @@ class FixedHorizonAgent(Agent[FixedHorizonSettings]):
             observations: ``(B, 1, O)``.
             times: T, ``(B, g)``; 0 is worth 0.
         """
-        place = times.clamp(min=1).log() * ((TOLD - 1) / np.log(max(2, self.horizon)))
-        told = (1.0 - (place.unsqueeze(-1) - torch.arange(TOLD)).abs()).clamp(min=0.0)
-        outputs = network(torch.cat([observations.expand(-1, times.shape[1], -1), told], dim=-1))
+        place = times.clamp(min=1).log() * ((TIME_INPUTS - 1) / np.log(max(2, self.horizon)))
+        inputs = (1.0 - (place.unsqueeze(-1) - torch.arange(TIME_INPUTS)).abs()).clamp(min=0.0)
+        outputs = network(torch.cat([observations.expand(-1, times.shape[1], -1), inputs], dim=-1))
         # The network's own scale is reward a step, which is of one size for all T.
         return outputs.squeeze(-1) * self._steps(times).unsqueeze(-1)
 

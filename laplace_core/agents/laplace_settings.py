@@ -72,23 +72,23 @@ class LaplaceSettings(LoopSettings):
         grid = f"{self.n_discounts} discounts to {self.gamma_max:g}, {self.thetas} sensitivities"
         return f"{grid}, {self.network}, {self.parametrisation}"
 
-    def unheard(self) -> dict[str, str]:
-        found = super().unheard()
+    def ignored(self) -> dict[str, str]:
+        ignored = super().ignored()
         if self.consistency == 0:
-            found["consistency_exponent"] = "at consistency 0"
+            ignored["consistency_exponent"] = "at consistency 0"
         if self.theta_spacing == "uniform":
-            found["theta_scale"] = "beside theta_spacing=uniform"
+            ignored["theta_scale"] = "beside theta_spacing=uniform"
         if self.own_experience:
-            found["envs"] = "where every discount has an environment of its own (experience=per_discount)"
+            ignored["envs"] = "where every discount has an environment of its own (experience=per_discount)"
         if self.spacing == "paper":
             paper = {"gammas": len(PAPER_GAMMAS), "gamma_min": PAPER_GAMMAS[0], "gamma_max": PAPER_GAMMAS[-1]}
             differ = [name for name, value in paper.items() if getattr(self, name) != value]
-            found |= dict.fromkeys(differ, "beside spacing=paper, which has its own fifteen discounts")
+            ignored |= dict.fromkeys(differ, "beside spacing=paper, which has its own fifteen discounts")
         elif self.gammas == 1:
-            found |= dict.fromkeys(
+            ignored |= dict.fromkeys(
                 ("spacing", "gamma_min", "acting_gamma"), "for a single discount, which is gamma_max"
             )
-        return found
+        return ignored
 
     @classmethod
     def suited_to(cls, world: str) -> dict[str, Any]:

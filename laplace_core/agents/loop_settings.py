@@ -20,7 +20,7 @@ from laplace_core.parameters import Schema, choice, parse_named, schema_of, sett
 
 @dataclass(frozen=True)
 class LoopSettings:
-    """What every algorithm has."""
+    """The settings that every algorithm has."""
 
     environment: str = choice("CartPole-v1", ENVIRONMENTS, "What is trained on.")
     seed: int = setting(0, 0, 10**6, "Decides everything random: the same seed gives the same metrics.")
@@ -57,9 +57,9 @@ class LoopSettings:
     ALGORITHM: ClassVar[str]
     """The name that commands, files and checkpoints give the algorithm."""
     TITLE: ClassVar[str]
-    """What a person calls it."""
+    """The name that people call it by."""
     RETURN_LAW: ClassVar[str] = ""
-    """What must be said beside a distribution of the return drawn from its outputs; nothing where they are one."""
+    """How a distribution of the return is derived from its outputs, as a label; empty where they are one."""
     SCHEMA = Schema()  # no annotation: a dataclass would ask for its value before there are fields
     """The parameters of each class, those of every algorithm first."""
 
@@ -82,17 +82,17 @@ class LoopSettings:
             raise InputError("learning_starts must not exceed the buffer.")
 
     def describe(self) -> str:
-        """What the network gives for an action, in a few words."""
+        """The outputs of the network for an action, in a few words."""
         return "the value of every action"
 
-    def unheard(self) -> dict[str, str]:
-        """Settings that the others make meaningless, by name, and where that is so."""
-        found: dict[str, str] = {}
+    def ignored(self) -> dict[str, str]:
+        """Settings that the others make meaningless, by name, each with the condition under which it is ignored."""
+        ignored: dict[str, str] = {}
         if not self.prioritised:
-            found |= dict.fromkeys(("priority_exponent", "priority_correction"), "without prioritised=true")
+            ignored |= dict.fromkeys(("priority_exponent", "priority_correction"), "without prioritised=true")
         if self.epsilon_first == self.epsilon_final:
-            found["exploration"] = "where epsilon_first and epsilon_final are the same"
-        return found
+            ignored["exploration"] = "where epsilon_first and epsilon_final are the same"
+        return ignored
 
     @classmethod
     def suited_to(cls, world: str) -> dict[str, Any]:
@@ -115,7 +115,7 @@ class LoopSettings:
         return self.envs
 
     def discounts(self) -> np.ndarray:
-        """Of the returns to the end of an episode that the heads value, ``(heads,)``; none where they value others."""
+        """Discounts of the heads' returns to the end of an episode, ``(heads,)``; empty where they value others."""
         return np.zeros(0)
 
     def as_dict(self) -> dict[str, bool | int | float | str]:

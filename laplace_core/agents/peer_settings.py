@@ -1,4 +1,4 @@
-"""Settings of the peers, and what each is called; :data:`PEERS` is the list of them."""
+"""Settings and names of the peers; :data:`PEERS` lists them."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from laplace_core.worlds import load_world
 
 @dataclass(frozen=True)
 class DqnSettings(LoopSettings):
-    """Settings of DQN, and what all peers have."""
+    """Settings of DQN, which all peers have as well."""
 
     gamma: float = setting(0.99, 1e-6, 0.9999, "Discount of the return.")
 

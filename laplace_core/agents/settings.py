@@ -30,5 +30,5 @@ SETTINGS: dict[str, type[LoopSettings]] = {kind.ALGORITHM: kind for kind in _KIN
 
 
 def algorithm_title(name: str) -> str:
-    """What a person calls an algorithm; one that is not known goes by its own name."""
+    """The name that people call an algorithm by; an unknown one keeps its own name."""
     return SETTINGS[name].TITLE if name in SETTINGS else name

@@ -14,7 +14,7 @@ def add_evaluate(verbs: argparse._SubParsersAction[argparse.ArgumentParser]) -> 
     evaluate = verbs.add_parser(
         "evaluate",
         help="how well a checkpoint acts",
-        description="Whole episodes without exploration, from start seeds that are never trained on.",
+        description="Whole episodes without exploration, from held-out start seeds.",
     )
     evaluate.add_argument("checkpoint", metavar="CHECKPOINT", help="a .safetensors file of a trained agent")
     evaluate.add_argument("--episodes", default="100", metavar="N", help="how many (default: 100)")
@@ -41,7 +41,7 @@ def run_evaluate(options: argparse.Namespace) -> None:
     """Evaluate one checkpoint."""
     episodes = checked_number("episodes", options.episodes, int, 1, high=100_000)
     seed = checked_number("seed", options.seed, int, 0, high=10**6)
-    told_rule: dict[str, Any] = {
+    rule_options: dict[str, Any] = {
         name: checked_number(name, getattr(options, name), float, low, high=high)
         for name, low, high in (("softness", 0.0, 10.0), ("alpha", 1e-9, 1e6), ("stretch", 1e-2, 100.0))
         if getattr(options, name) is not None
@@ -53,19 +53,19 @@ def run_evaluate(options: argparse.Namespace) -> None:
 
     loaded = load_checkpoint(options.checkpoint)
     rule = suited(loaded.agent, horizon) if options.rule is None else options.rule
-    check_rule_options(rule, told_rule)
+    check_rule_options(rule, rule_options)
     scores = evaluate(
         loaded.agent, loaded.environment, episodes=episodes, seed=seed, horizon=horizon, rule=rule,
-        discounts=own_discount(loaded.agent), **told_rule,
+        discounts=own_discount(loaded.agent), **rule_options,
     )  # fmt: skip
     notes = return_notes(loaded.agent, scores)
-    told = {
+    report = {
         "checkpoint": options.checkpoint, "algorithm": loaded.algorithm, "environment": loaded.environment,
         "rule": rule, "horizon": horizon, "episodes": episodes, "seed": seed, "mean": scores.mean,
         "standard_error": scores.standard_error, "notes": notes,
     }  # fmt: skip
     if options.json:
-        print(json.dumps(told | {"returns": scores.returns.tolist(), "lengths": scores.lengths.tolist()}))
+        print(json.dumps(report | {"returns": scores.returns.tolist(), "lengths": scores.lengths.tolist()}))
         return
     limit = "" if horizon is None else f", T = {horizon}"
     print(

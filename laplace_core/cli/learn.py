@@ -46,7 +46,9 @@ def add_learn(verbs: argparse._SubParsersAction[argparse.ArgumentParser]) -> Non
     learn.add_argument("world", metavar="WORLD", help="a preset, a world file (.json) or gym:NAME")
     learn.add_argument("--param", action="append", default=[], metavar="name=value", help="a parameter of the world")
     add_parameters(learn, LEARN_SCHEMA)
-    learn.add_argument("--out", metavar="FILE.safetensors", help="keep what is learned here, anew while it learns")
+    learn.add_argument(
+        "--out", metavar="FILE.safetensors", help="save the learned tables here, again and again while it learns"
+    )
     learn.add_argument("--progress", metavar="FILE.jsonl", help="append a JSON line of progress here as it learns")
     learn.add_argument("--json", action="store_true", help="print progress and result as JSON lines")
     learn.add_argument("--parent", type=int, help=argparse.SUPPRESS)  # end with this process
@@ -98,7 +100,7 @@ def _report_and_save(
 ) -> None:
     if learned is not None and out is not None:
         save_learned(learned, out)
-    for reporter in reporters:  # after the file, so that whoever reads of an end finds it
+    for reporter in reporters:  # after the file, so that it is there for whoever reads of the end
         reporter(learning.progress)
 
 
@@ -124,7 +126,7 @@ def _ended_by_signal() -> Iterator[None]:
 
 @contextmanager
 def _reporters(options: argparse.Namespace) -> Iterator[list[Callable[[dict[str, object]], None]]]:
-    """Where lines of progress go: the file, the standard output as JSON, or one line in a terminal."""
+    """Functions that report progress: to the file, to standard output as JSON, or as one line in a terminal."""
     reporters: list[Callable[[dict[str, object]], None]] = []
     if options.json:
         reporters.append(lambda progress: print(json.dumps(progress), flush=True))
@@ -165,15 +167,15 @@ def summary(learned: Learned) -> dict[str, object]:
         "actions": list(learned.world.actions),
         "state": studies[0].settings.state,
         "seeds": [
-            {"seed": seed, "error": float(curve["error"][-1]), "chosen_action": found.decoded.actions.tolist()}
-            for seed, curve, found in zip(learned.seeds, learned.curves, studies, strict=True)
+            {"seed": seed, "error": float(curve["error"][-1]), "chosen_action": study.decoded.actions.tolist()}
+            for seed, curve, study in zip(learned.seeds, learned.curves, studies, strict=True)
         ],
         "optimal_action": studies[0].truth.optimal_action.tolist(),
     }
 
 
 def report(learned: Learned, progress: dict[str, object]) -> str:
-    """What ``learn`` prints at its end."""
+    """The report that ``learn`` prints at its end."""
     studies = [study_of(learned, seed_index=i) for i in range(len(learned.basis))]
     first, s = studies[0], learned.settings
     lines = [
@@ -181,8 +183,8 @@ def report(learned: Learned, progress: dict[str, object]) -> str:
         f"{progress['seconds']:.1f} s, {s.gammas} discounts, policy {s.policy}",
         f"from state {first.settings.state}, alpha {first.settings.alpha:g}: error of gamma-space and actions by T",
     ]
-    for seed, curve, found in zip(learned.seeds, learned.curves, studies, strict=True):
-        lines.append(f"  seed {seed:<5} {curve['error'][-1]:8.3%}   {action_runs(found, found.decoded.actions)}")
+    for seed, curve, study in zip(learned.seeds, learned.curves, studies, strict=True):
+        lines.append(f"  seed {seed:<5} {curve['error'][-1]:8.3%}   {action_runs(study, study.decoded.actions)}")
     lines.append(f"  {'best':<10} {'':8}   {action_runs(first, first.truth.optimal_action)}")
     return "\n".join(lines)
 
@@ -204,5 +206,5 @@ def study_of_file(path: str | Path, settings: Settings) -> Study:
         wanted, has = getattr(settings, name), getattr(learned.settings, name)
         if wanted not in (None, has):
             raise InputError(f"--{name.replace('_', '-')} cannot be chosen: it is {as_text(has)} in this learned file.")
-    found = study_of(learned, settings, int(text))
-    return replace(found, settings=replace(found.settings, world=str(path), params=(("seed_index", int(text)),)))
+    result = study_of(learned, settings, int(text))
+    return replace(result, settings=replace(result.settings, world=str(path), params=(("seed_index", int(text)),)))

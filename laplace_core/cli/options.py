@@ -1,4 +1,4 @@
-"""Words that several verbs of the command line read or print alike."""
+"""Options, notes and wording that several verbs of the command line share."""
 
 from __future__ import annotations
 
@@ -20,12 +20,12 @@ Number = TypeVar("Number", int, float)
 def add_parameters(parser: argparse.ArgumentParser, parameters: Iterable[Parameter]) -> None:
     """One option a parameter, its help in one sentence; a truth value may be given as the bare option."""
     for parameter in parameters:
-        shown = "" if parameter.default is None else f" (default: {str(parameter.default).lower()})"
+        default = "" if parameter.default is None else f" (default: {str(parameter.default).lower()})"
         if parameter.type is str:
-            shown = shown and f" (default: {parameter.default})"
+            default = default and f" (default: {parameter.default})"
         choices = f" One of {', '.join(parameter.choices)}." if parameter.choices else ""
         metavar = {int: "N", float: "X", str: "NAME", bool: "true"}[parameter.type]
-        text = f"{parameter.help}{choices}{shown}".replace("%", "%%")
+        text = f"{parameter.help}{choices}{default}".replace("%", "%%")
         optional: dict[str, Any] = {"nargs": "?", "const": "true"} if parameter.type is bool else {}
         parser.add_argument(flag(parameter), dest=parameter.name, metavar=metavar, help=text, **optional)
 
@@ -39,18 +39,18 @@ def checked_number(name: str, text: object, kind: type[Number], low: float, *, h
     return kind(Parameter(name, None, low, high, "", kind).parse(text))
 
 
-def study_notes(found: Study) -> list[str]:
-    """What a reader of a decoded state should know of its world and sensitivities, a sentence each."""
-    if not isinstance(found, WorldStudy):
+def study_notes(study: Study) -> list[str]:
+    """Notes on the world and the sensitivities of a decoded state, a sentence each."""
+    if not isinstance(study, WorldStudy):
         return []
-    world, notes = found.world, []
+    world, notes = study.world, []
     if world.absorbing.any():
         names = [world.states[s] for s in np.flatnonzero(world.absorbing)]
         notes.append(f"the episode ends on entering {_listed(names)}: whatever is done there, only rewards of 0 follow")
-    thetas = found.gamma_space.thetas
+    thetas = study.gamma_space.thetas
     outside = world.reward_values[(world.reward_values < thetas[0]) | (world.reward_values > thetas[-1])]
     if outside.size:
-        held = bin_masses(outside, thetas, found.settings.slope).sum(axis=-1).max()
+        held = bin_masses(outside, thetas, study.settings.slope).sum(axis=-1).max()
         notes.append(
             f"the sensitivities, {thetas[0]:g} to {thetas[-1]:g}, do not reach the "
             f"{'reward' if outside.size == 1 else 'rewards'} {_listed([f'{value:g}' for value in outside])}: "
@@ -80,12 +80,12 @@ def named_params(entries: Sequence[str], option: str = "--param") -> dict[str, s
     return params
 
 
-def action_runs(found: Study, actions: np.ndarray) -> str:
+def action_runs(study: Study, actions: np.ndarray) -> str:
     """Actions over the horizon as runs: ``1-2 short, 3 long``."""
     starts = np.flatnonzero(np.diff(actions, prepend=-1))
     ends = np.append(starts[1:], len(actions)) - 1
     parts = []
     for first, last in zip(starts, ends, strict=True):
-        until = f"-{found.horizons[last]:g}" if last > first else ""
-        parts.append(f"{found.horizons[first]:g}{until} {found.action_names[actions[first]]}")
+        until = f"-{study.horizons[last]:g}" if last > first else ""
+        parts.append(f"{study.horizons[first]:g}{until} {study.action_names[actions[first]]}")
     return ", ".join(parts[:12]) + (", ..." if len(parts) > 12 else "")

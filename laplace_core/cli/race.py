@@ -1,4 +1,4 @@
-"""The verb ``race``: what acting for a deadline is worth, from starts that no agent was trained or chosen on."""
+"""The verb ``race``: the worth of acting for a deadline, from held-out starts."""
 
 from __future__ import annotations
 
@@ -56,45 +56,47 @@ def run_race(options: argparse.Namespace) -> None:
         )
     right = Entrant(loaded.agent, options.rule or suited(loaded.agent, horizon))
     left = Entrant(other.agent, options.against, gamma)
-    told = {
+    report = {
         "checkpoint": options.checkpoint, "environment": loaded.environment, "horizon": horizon,
         "rule": right.rule, "against": left.rule, "against_agent": options.against_agent, "gamma": gamma,
     }  # fmt: skip
     if start is None:
-        found = races(loaded.environment, left, right, horizon, count=count, first=first)
-        _print_many(found, told | {"first": first}, as_json=options.json)
+        result = races(loaded.environment, left, right, horizon, count=count, first=first)
+        _print_many(result, report | {"first": first}, as_json=options.json)
     else:
         _print_one(
-            race(loaded.environment, left, right, start, horizon=horizon), told | {"start": start}, as_json=options.json
+            race(loaded.environment, left, right, start, horizon=horizon),
+            report | {"start": start},
+            as_json=options.json,
         )
 
 
-def _print_many(found: Races, told: dict[str, Any], *, as_json: bool) -> None:
-    summary = found.summary()
+def _print_many(result: Races, report: dict[str, Any], *, as_json: bool) -> None:
+    summary = result.summary()
     if as_json:
-        returns = {"left": found.left.tolist(), "right": found.right.tolist(), "all_starts": found.starts.tolist()}
-        print(json.dumps(told | summary | {"notable": found.notable()} | {"returns": returns}))
+        returns = {"left": result.left.tolist(), "right": result.right.tolist(), "all_starts": result.starts.tolist()}
+        print(json.dumps(report | summary | {"notable": result.notable()} | {"returns": returns}))
         return
     low, high = summary["interval"]
-    print(f"{told['environment']}, T = {found.horizon}, {summary['starts']} starts from {told['first']}")
-    print(f"  {told['against']:>9} {summary['left']:9.2f}    mean return")
-    print(f"  {told['rule']:>9} {summary['right']:9.2f}")
+    print(f"{report['environment']}, T = {result.horizon}, {summary['starts']} starts from {report['first']}")
+    print(f"  {report['against']:>9} {summary['left']:9.2f}    mean return")
+    print(f"  {report['rule']:>9} {summary['right']:9.2f}")
     print(f"  difference {summary['difference']:+8.2f}    95% {low:+.2f} to {high:+.2f}")
     print(f"  better {summary['better']:.0%}, equal {summary['equal']:.0%}, worse {summary['worse']:.0%}")
     if low <= 0.0 <= high:
-        print("  the interval covers 0: these starts do not tell which is better")
+        print("  the interval covers 0: these starts do not show which is better")
 
 
-def _print_one(found: Race, told: dict[str, Any], *, as_json: bool) -> None:
-    sides = {"left": found.left, "right": found.right}
+def _print_one(result: Race, report: dict[str, Any], *, as_json: bool) -> None:
+    sides = {"left": result.left, "right": result.right}
     if as_json:
-        told |= {"difference": found.difference, "parting": found.parting}
-        told |= {f"{name}_actions": side.actions.tolist() for name, side in sides.items()}
-        told |= {f"{name}_rewards": side.rewards.tolist() for name, side in sides.items()}
-        print(json.dumps(told))
+        report |= {"difference": result.difference, "parting": result.parting}
+        report |= {f"{name}_actions": side.actions.tolist() for name, side in sides.items()}
+        report |= {f"{name}_rewards": side.rewards.tolist() for name, side in sides.items()}
+        print(json.dumps(report))
         return
-    part = "never" if found.parting is None else f"first at step {found.parting + 1}"
-    print(f"{told['environment']}, T = {found.horizon}, start {found.start}; the actions differ {part}")
-    for rule, side in ((told["against"], found.left), (told["rule"], found.right)):
+    part = "never" if result.parting is None else f"first at step {result.parting + 1}"
+    print(f"{report['environment']}, T = {result.horizon}, start {result.start}; the actions differ {part}")
+    for rule, side in ((report["against"], result.left), (report["rule"], result.right)):
         print(f"  {rule:>9} {side.rewards.sum():9.2f} in {len(side)} steps")
-    print(f"  difference {found.difference:+8.2f}")
+    print(f"  difference {result.difference:+8.2f}")

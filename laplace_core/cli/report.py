@@ -1,4 +1,4 @@
-"""The command line's ``report`` verb: run an experiment and print what it found."""
+"""The command line's ``report`` verb: run an experiment and print its results."""
 
 from __future__ import annotations
 
@@ -79,8 +79,8 @@ def add_report(verbs: argparse._SubParsersAction[argparse.ArgumentParser]) -> No
     interpolation.add_argument("--json", action="store_true", help="print JSON")
     interpolation.set_defaults(run=_interpolation)
 
-    searches = kinds.add_parser("searches", help="what searches over settings have found")
-    searches.add_argument("files", nargs="+", metavar="FILE", help="results of searches: their search.json, kept")
+    searches = kinds.add_parser("searches", help="results of searches over settings")
+    searches.add_argument("files", nargs="+", metavar="FILE", help="results of searches: their search.json")
     searches.add_argument("--json", action="store_true", help="print JSON")
     searches.set_defaults(run=_searches)
 
@@ -96,7 +96,7 @@ def _detectors(options: argparse.Namespace) -> None:
 
 
 def _check(missed: list[str]) -> None:
-    """End with status 1 and one line where a report falls short of what is demanded."""
+    """Exit with status 1 and one line where a report does not meet its criteria."""
     if missed:
         print(f"laplace: not reached: {', '.join(missed)}.", file=sys.stderr)
         raise SystemExit(1)
@@ -107,7 +107,7 @@ def _verdicts(options: argparse.Namespace) -> None:
 
     seed = checked_number("seed", options.seed, int, 0, high=2**31 - 1)
     if options.only is not None:
-        print(verdicts.shown(checked_number("only", options.only, int, 0, high=verdicts.MOST_VIEWS), seed))
+        print(verdicts.described(checked_number("only", options.only, int, 0, high=verdicts.MOST_VIEWS), seed))
         return
     cases = checked_number("cases", options.cases, int, 1, high=verdicts.MOST_VIEWS)
     numbers, text = verdicts.report(cases, seed, checked_number("jobs", options.jobs, int, 1, high=verdicts.MOST_JOBS))

@@ -26,9 +26,9 @@ def add_reproduce(verbs: argparse._SubParsersAction[argparse.ArgumentParser]) ->
     reproduce = verbs.add_parser(
         "reproduce",
         help="train the experiments of the paper again",
-        description="Trains what an experiment of the paper needs, one training after another, and writes what each "
-        "one found to a small file. An interrupted training goes on where it was; one that several experiments need "
-        "is trained once, and one whose result is in the folder of results is not trained again.",
+        description="Trains what an experiment of the paper needs, one training after another, and writes the "
+        "result of each to a small file. An interrupted training goes on where it was; one that several experiments "
+        "need is trained once, and one whose result is in the folder of results is not trained again.",
     )
     reproduce.add_argument("name", nargs="?", metavar="NAME", help=f"one of {', '.join(EXPERIMENTS)}, or all")
     reproduce.add_argument("--runs", default=RUNS, metavar="FOLDER", help=f"where the runs are kept (default: {RUNS})")
@@ -61,8 +61,8 @@ def _reproduce(options: argparse.Namespace) -> None:
         _budget(experiments, trainings, out, as_json=options.json)
     elif options.adopt is not None:
         adopted = adopt(Path(options.adopt), once_each(trainings))
-        told = {"run": adopted.name, "state": adopted.state, "folder": str(adopted.folder)}
-        print(json.dumps(told, indent=1) if options.json else f"{options.adopt} is {adopted.folder} now")
+        report = {"run": adopted.name, "state": adopted.state, "folder": str(adopted.folder)}
+        print(json.dumps(report, indent=1) if options.json else f"{options.adopt} is {adopted.folder} now")
     else:
         _train(experiments, trainings, out, collect=options.collect, as_json=options.json)
 
@@ -129,15 +129,15 @@ def _budget(
     budgets = {each.name: Budget(trainings[each.name], speeds) for each in experiments}
     together = Budget(everything, speeds)
     if as_json:
-        told = {name: budget.as_dict() for name, budget in budgets.items()}
-        print(json.dumps({"experiments": told, "together": together.as_dict()}, indent=1))
+        report = {name: budget.as_dict() for name, budget in budgets.items()}
+        print(json.dumps({"experiments": report, "together": together.as_dict()}, indent=1))
         return
     for name, budget in {**budgets, "together, each run once": together}.items():
         print(f"{name}: {_cost(budget)}")
 
 
 def _all_planned(asked: Sequence[Training]) -> list[Training]:
-    """With the trainings of the other experiments, whose speeds are told of as well."""
+    """These trainings and those of all other experiments, whose measured speeds are used as well."""
     runs = asked[0].folder.parent
     return once_each({"asked": list(asked), **trainings_of(list(EXPERIMENTS.values()), runs)})
 
@@ -148,7 +148,7 @@ def _cost(budget: Budget) -> str:
         return words
     left = len(budget.trainings) - budget.finished
     if budget.unknown == left:
-        return f"{words}, at a speed that no finished run tells yet"
+        return f"{words}, at a speed that no finished run has measured yet"
     rough = f", for {budget.rough} of them by the speed of other settings" if budget.rough else ""
     unknown = f", without {budget.unknown} whose speed is not known" if budget.unknown else ""
     return f"{words}, about {budget.hours:.1f} h{rough}{unknown}"
@@ -159,12 +159,12 @@ def _train(
 ) -> None:  # fmt: skip
     from laplace_core.experiments.paper import reproduce  # loads torch
 
-    def tell(words: str) -> None:
+    def report(words: str) -> None:
         if not as_json:
             print(words, flush=True)
 
     def begins(each: Training) -> None:
-        tell(f"{each.cell.label}, seed {each.settings.seed}: {each.step:,} of {each.settings.steps:,} steps")
+        report(f"{each.cell.label}, seed {each.settings.seed}: {each.step:,} of {each.settings.steps:,} steps")
 
     failed = 0
     with Stop() as stop:
@@ -176,13 +176,13 @@ def _train(
             which = f"{each.cell.label}, seed {each.settings.seed}"
             about = {"run": each.name, "cell": each.cell.label, "seed": each.settings.seed}
             if as_json:
-                found = {"trouble": done.trouble} if row is None else {"best": row["best"], "seconds": row["seconds"]}
-                print(json.dumps(about | found), flush=True)
+                result = {"trouble": done.trouble} if row is None else {"best": row["best"], "seconds": row["seconds"]}
+                print(json.dumps(about | result), flush=True)
             elif row is None:
                 print(f"{which}: {done.trouble}", file=sys.stderr, flush=True)
             else:
                 best = row["best"]
-                tell(
+                report(
                     f"{which}: {best['score']:.1f} +- {best['standard_error']:.1f} over {best['episodes']} episodes; "
                     f"{row['seconds']:,.0f} s of training"
                 )
@@ -190,6 +190,6 @@ def _train(
         print("stopped; the same command goes on from there", file=sys.stderr, flush=True)
         sys.exit(128 + stop.asked)
     for experiment in experiments:
-        tell(f"{experiment.name}: {result_file(out, experiment)}")
+        report(f"{experiment.name}: {result_file(out, experiment)}")
     if failed:
         raise InputError(f"{failed} of the trainings have no result yet: see above, and give the same command again.")

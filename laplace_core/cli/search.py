@@ -56,9 +56,9 @@ def _search(options: argparse.Namespace) -> None:
         ]
         if len(set(parsed)) < len(parsed):
             raise InputError(f"--vary {name}={','.join(values)[:60]} has the same value twice: leave one out.")
-    told = search.budget(planned, folder)
+    cost = search.budget(planned, folder)
     if options.budget or not options.json:
-        print(told, flush=True)
+        print(cost, flush=True)
     if options.budget:
         return
     folder.mkdir(parents=True, exist_ok=True)

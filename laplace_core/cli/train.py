@@ -80,7 +80,7 @@ def run_train(options: argparse.Namespace) -> None:
 
 
 class _Json:
-    """One JSON line an event that says something."""
+    """Print every event but steps as one JSON line."""
 
     def show(self, event: Any) -> None:
         if not isinstance(event, Step):
@@ -91,11 +91,11 @@ class _Json:
 
 
 class _Line:
-    """One line that is written over: steps, speed, score, time left; evaluations stay."""
+    """Print progress as one line that is overwritten: steps, speed, score, time left; evaluations stay."""
 
     def __init__(self, folder: Path, total: int):
         self.folder, self.total = folder, total
-        self.started = self.shown = time.monotonic()
+        self.started = self.reported = time.monotonic()
         self.first: int | None = None
         self.step = 0
         self.score: float | None = None
@@ -114,8 +114,8 @@ class _Line:
             self._say(f"step {event.step:,}: {event.score:.1f} +- {event.standard_error:.1f} in evaluation{best}")
         elif isinstance(event, Checkpoint):
             return
-        if time.monotonic() - self.shown >= REPORT_EVERY and sys.stderr.isatty():
-            self.shown = time.monotonic()
+        if time.monotonic() - self.reported >= REPORT_EVERY and sys.stderr.isatty():
+            self.reported = time.monotonic()
             print(f"\r\033[K{self._words()}", end="", file=sys.stderr, flush=True)
 
     def _words(self) -> str:

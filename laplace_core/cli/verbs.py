@@ -127,8 +127,8 @@ def _worlds(options: argparse.Namespace) -> None:
     for preset in PRESETS.values():
         print(f"{preset.name}\n    {preset.summary}")
         for p in preset.parameters:
-            shown = str(p.default).lower() if p.type is bool else f"{p.default:g}"
-            print(f"    {p.name}={shown:8} {p.help}")
+            default = str(p.default).lower() if p.type is bool else f"{p.default:g}"
+            print(f"    {p.name}={default:8} {p.help}")
     for name, parameters in TOY_TEXT.items():
         print(f"gym:{name}")
         for p in parameters:
@@ -150,33 +150,33 @@ def _decode(options: argparse.Namespace) -> None:
         raise InputError(f"--out {options.out[:60]!r} must end in .npz.")
     ending = options.world.lower().rpartition(".")[2]
     if ending == "safetensors":
-        found = study_of_file(options.world, settings)
+        result = study_of_file(options.world, settings)
     elif ending == "npz":
         if settings.deadline == "constant" and not settings.used:
             raise InputError("--deadline changes nothing for a saved gamma-space: no episode is acted without a world.")
-        found = study_of_gamma_space(read_gamma_space(options.world, settings.state), settings)
+        result = study_of_gamma_space(read_gamma_space(options.world, settings.state), settings)
     else:
-        found = study(load_world(options.world, params), settings)
+        result = study(load_world(options.world, params), settings)
     if options.horizon is not None:  # at a time_step of 1 there is no T between two whole ones
-        kind, least = (int, 1) if found.settings.time_step == 1.0 else (float, float(found.horizons[0]))
-        checked_number("horizon", options.horizon, kind, least, high=float(found.horizons[-1]))
+        kind, least = (int, 1) if result.settings.time_step == 1.0 else (float, float(result.horizons[0]))
+        checked_number("horizon", options.horizon, kind, least, high=float(result.horizons[-1]))
     if options.out is not None:
-        save_study(found, options.out)
-    row = found.row
-    verdict = judge(found, row, explain=options.explain)
-    listed = find_artefacts(found, verdict.chosen, float(found.horizons[row])) if options.explain else None
+        save_study(result, options.out)
+    row = result.row
+    verdict = judge(result, row, explain=options.explain)
+    listed = find_artefacts(result, verdict.chosen, float(result.horizons[row])) if options.explain else None
     if options.json:
-        print(json.dumps(summary(found) | {"verdict": _verdict(found, row, verdict, listed)}, indent=1))
+        print(json.dumps(summary(result) | {"verdict": _verdict(result, row, verdict, listed)}, indent=1))
     else:
-        print("\n".join([_report(found), *_verdict_lines(found, verdict, listed)]))
+        print("\n".join([_report(result), *_verdict_lines(result, verdict, listed)]))
 
 
-def _verdict(found: Study, row: int, verdict: Verdict, listed: list[Artefact] | None) -> dict[str, object]:
-    """What is right and wrong at one horizon, for JSON; causes, remedies and artefacts only where they were sought."""
-    told: dict[str, object] = {
-        "horizon": float(found.horizons[row]),
+def _verdict(result: Study, row: int, verdict: Verdict, listed: list[Artefact] | None) -> dict[str, object]:
+    """The verdict at one horizon, for JSON; causes, remedies and artefacts only where they were searched for."""
+    payload: dict[str, object] = {
+        "horizon": float(result.horizons[row]),
         "choice": verdict.choice,
-        "chosen": found.action_names[verdict.chosen],
+        "chosen": result.action_names[verdict.chosen],
         "timeline": verdict.timeline,
         "timeline_error": verdict.timeline_error,
         "value_error": verdict.value_error,
@@ -184,9 +184,9 @@ def _verdict(found: Study, row: int, verdict: Verdict, listed: list[Artefact] | 
         "sentence": verdict.sentence,
     }
     if listed is None:
-        return told
+        return payload
     remedies = [{"label": remedy.label, "changes": dict(remedy.changes)} for remedy in verdict.remedies]
-    return told | {
+    return payload | {
         "cause": verdict.cause.name if verdict.cause else None,
         "remedies": remedies,
         "exhausted": verdict.exhausted,
@@ -194,64 +194,64 @@ def _verdict(found: Study, row: int, verdict: Verdict, listed: list[Artefact] | 
     }
 
 
-def _verdict_lines(found: Study, verdict: Verdict, listed: list[Artefact] | None) -> list[str]:
+def _verdict_lines(result: Study, verdict: Verdict, listed: list[Artefact] | None) -> list[str]:
     lines = [f"verdict       {verdict.sentence}"]
     if listed is None:
         return lines
     lines += [f"remedy        {remedy.label}" for remedy in verdict.remedies]
-    name = found.action_names[verdict.chosen]
+    name = result.action_names[verdict.chosen]
     return lines + [f"artefact      {each.name}, in {name}: {each.shown}. {each.sentence}" for each in listed]
 
 
-def summary(found: Study) -> dict[str, object]:
-    """What ``decode`` prints: expected rewards, values at the longest horizon, and the chosen actions."""
-    decoded, truth = found.decoded, found.truth
-    result: dict[str, object] = {
-        "settings": {**vars(found.settings), "params": dict(found.settings.params)},
-        "actions": list(found.action_names),
+def summary(result: Study) -> dict[str, object]:
+    """The summary that ``decode`` prints: expected rewards, values at the longest horizon, and the chosen actions."""
+    decoded, truth = result.decoded, result.truth
+    payload: dict[str, object] = {
+        "settings": {**vars(result.settings), "params": dict(result.settings.params)},
+        "actions": list(result.action_names),
         "expected_reward": decoded.expected_reward.tolist(),
         "survival": decoded.survival.tolist(),
         "horizon_values": decoded.horizon_values.tolist(),
         "chosen_action": decoded.actions.tolist(),
-        "notes": study_notes(found),
+        "notes": study_notes(result),
     }
     if truth is not None:
-        result |= {
+        payload |= {
             "true_expected_reward": truth.expected_reward.tolist(),
             "true_horizon_values": truth.horizon_values.tolist(),
             "optimal_action": truth.optimal_action.tolist(),
         }
-    return result
+    return payload
 
 
-def _report(found: Study, shown: int = 8) -> str:
-    s, decoded, truth = found.settings, found.decoded, found.truth
-    rows = min(s.steps, shown)
+def _report(result: Study, most: int = 8) -> str:
+    s, decoded, truth = result.settings, result.decoded, result.truth
+    rows = min(s.steps, most)
     more = " ..." if s.steps > rows else ""
     lines = [
         f"{s.world}, state {s.state or 0}: "
-        f"{len(found.gamma_space.gammas)} discounts, {len(found.gamma_space.thetas)} sensitivities, alpha {s.alpha:g}, "
-        f"{s.steps} {'step' if s.steps == 1 else 'steps'}, normalise {s.normalise}",
-        f"expected reward at tau = {', '.join(f'{tau:g}' for tau in found.taus[:rows])}{more}",
+        f"{len(result.gamma_space.gammas)} discounts, {len(result.gamma_space.thetas)} sensitivities, "
+        f"alpha {s.alpha:g}, {s.steps} {'step' if s.steps == 1 else 'steps'}, normalise {s.normalise}",
+        f"expected reward at tau = {', '.join(f'{tau:g}' for tau in result.taus[:rows])}{more}",
     ]
-    width = max(map(len, found.action_names))
-    parts = [found.decoded] if truth is None else [found.decoded, truth]
+    width = max(map(len, result.action_names))
+    parts = [result.decoded] if truth is None else [result.decoded, truth]
     largest = max(float(np.abs(part.expected_reward).max()) for part in parts)
     largest = 0.0 if largest <= ROUNDING * decoded.scale else largest
-    for a, name in enumerate(found.action_names):
+    for a, name in enumerate(result.action_names):
         lines.append(f"  {name:{width}}  decoded  {_numbers(decoded.expected_reward[a, :rows], largest)}{more}")
         if truth is not None:
             lines.append(f"  {'':{width}}  true     {_numbers(truth.expected_reward[a, :rows], largest)}{more}")
-    read, left = found.reading(found.row)
-    lines.append(f"value for the horizon T = {found.horizons[read]:g} at gamma {s.value_gamma:g}")
-    for a, name in enumerate(found.action_names):
+    read, left = result.reading(result.row)
+    lines.append(f"value for the horizon T = {result.horizons[read]:g} at gamma {s.value_gamma:g}")
+    for a, name in enumerate(result.action_names):
         against = "" if truth is None else f"   true  {_numbers(truth.horizon_values[a, left : left + 1], largest)}"
         value = _numbers(decoded.horizon_values[a, read : read + 1], largest)
         lines.append(f"  {name:{width}}  decoded  {value}{against}")
-    lines.append(f"chosen by T   {action_runs(found, decoded.actions)}")
+    lines.append(f"chosen by T   {action_runs(result, decoded.actions)}")
     if truth is not None:
-        lines.append(f"best by T     {action_runs(found, truth.optimal_action)}")
-    lines += study_notes(found)
+        lines.append(f"best by T     {action_runs(result, truth.optimal_action)}")
+    lines += study_notes(result)
     return "\n".join(lines)
 
 

@@ -101,13 +101,13 @@ def _numbers(array: object, name: str) -> np.ndarray:
         InputError: it holds something else than finite real numbers.
     """
     try:
-        found = np.asarray(array)
-        found = found if found.dtype == np.float64 else found.astype(np.float64, casting="same_kind")
+        numbers = np.asarray(array)
+        numbers = numbers if numbers.dtype == np.float64 else numbers.astype(np.float64, casting="same_kind")
     except (TypeError, ValueError):
         raise InputError(f"{name!r} must be an array of real numbers.") from None
-    if not np.isfinite(found).all():
+    if not np.isfinite(numbers).all():
         raise InputError(f"{name!r} holds a value that is not a finite number.")
-    return found
+    return numbers
 
 
 def check_gammas(gammas: np.ndarray) -> None:

@@ -39,9 +39,9 @@ def with_between(gammas: np.ndarray, count: int) -> np.ndarray:
     gammas = np.asarray(gammas, dtype=float)
     places = np.linspace(0.0, gammas.size - 1, gammas.size + (gammas.size - 1) * count)
     times = np.interp(places, np.arange(gammas.size), log_times(gammas))
-    found = np.exp(-1.0 / np.exp(times))
-    found[:: count + 1] = gammas
-    return found
+    finer = np.exp(-1.0 / np.exp(times))
+    finer[:: count + 1] = gammas
+    return finer
 
 
 def mixing(gammas: np.ndarray, wanted: np.ndarray) -> np.ndarray:

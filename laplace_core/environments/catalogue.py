@@ -1,4 +1,4 @@
-"""The environments that agents are trained in: everything that the library and the pages say of each, once.
+"""The environments that agents are trained in: names, components, actions and remarks, each stated once.
 
 An environment of gymnasium is one entry in :data:`GYMNASIUM`; tabular worlds speak for themselves. Nothing here loads
 gymnasium, so that lists, forms and checkpoints open where the physics of an environment is not installed.
@@ -127,7 +127,7 @@ ENVIRONMENTS = (*GYMNASIUM_ENVIRONMENTS, *PRESETS, *(f"gym:{name}" for name in T
 
 
 def environment_of(name: str) -> Environment:
-    """What is known of an environment of the list.
+    """The entry of an environment of the list.
 
     Raises:
         InputError: a name that is not on it.

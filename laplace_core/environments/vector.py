@@ -41,7 +41,7 @@ class OneHot(gymnasium.ObservationWrapper):
 
 
 class Spec(NamedTuple):
-    """What a network must know of an environment: numbers in an observation, actions, steps to truncation."""
+    """Sizes of an environment that a network needs: numbers in an observation, actions, steps to truncation."""
 
     observation: int
     actions: int
@@ -91,7 +91,7 @@ def spec(name: str) -> Spec:
 
 
 def chance(name: str) -> bool:
-    """Whether the same action in the same state may lead to different things."""
+    """Whether the environment is stochastic after its start."""
     return environment_of(name).chance
 
 
@@ -142,11 +142,11 @@ class Environments:
 
     @property
     def saves(self) -> bool:
-        """Whether the inner state of these environments can be written down."""
+        """Whether the inner state of these environments can be saved."""
         return all(_savable(env) for env in self._vector.envs)
 
     def state(self) -> dict[str, Any]:
-        """All that decides what the environments do next, for JSON."""
+        """The whole state of the environments, for JSON."""
         return {
             "over": self._over.tolist(),
             "elapsed": self._elapsed.tolist(),
@@ -156,7 +156,7 @@ class Environments:
         }
 
     def restore(self, state: dict[str, Any]) -> None:
-        """Undo everything that has happened since :meth:`state`."""
+        """Return the environments to a state that :meth:`state` gave."""
         self._over = np.array(state["over"], dtype=bool)
         self._elapsed = np.array(state["elapsed"], dtype=np.int64)
         self.fresh = np.array(state["fresh"], dtype=bool)
@@ -188,24 +188,24 @@ def _time_limit(env: gymnasium.Env) -> TimeLimit | None:
 
 def _inner_state(env: gymnasium.Env) -> dict[str, Any]:
     inner, limit = env.unwrapped, _time_limit(env)
-    kept: dict[str, Any] = {"random": inner.np_random.bit_generator.state}
+    state: dict[str, Any] = {"random": inner.np_random.bit_generator.state}
     if limit is not None:
-        kept["steps"] = limit._elapsed_steps
+        state["steps"] = limit._elapsed_steps
     if isinstance(inner, TabularEnv):
-        return kept | {"_state": inner._state}
+        return state | {"_state": inner._state}
     values = {name: getattr(inner, name) for name in _inner_names(env) or ()}
-    return kept | {
+    return state | {
         name: {"dtype": str(value.dtype), "values": value.tolist()} if isinstance(value, np.ndarray) else value
         for name, value in values.items()
     }
 
 
-def _restore_inner(env: gymnasium.Env, kept: dict[str, Any]) -> None:
+def _restore_inner(env: gymnasium.Env, state: dict[str, Any]) -> None:
     inner, limit = env.unwrapped, _time_limit(env)
-    inner.np_random.bit_generator.state = kept["random"]
+    inner.np_random.bit_generator.state = state["random"]
     if limit is not None:
-        limit._elapsed_steps = kept["steps"]
-    for name, value in kept.items():
+        limit._elapsed_steps = state["steps"]
+    for name, value in state.items():
         if name not in ("random", "steps"):
             array = isinstance(value, dict)
             setattr(inner, name, np.array(value["values"], dtype=value["dtype"]) if array else value)

@@ -1,4 +1,4 @@
-"""Does the list of artefacts name what is there, and nothing else? Precision and recall over random cases.
+"""Precision and recall of the list of artefacts over random cases.
 
 ``python -m laplace_core report detectors`` prints the table.
 """
@@ -33,7 +33,7 @@ class Compared:
 
 @dataclass(frozen=True)
 class Score:
-    """How one artefact fared.
+    """Detections of one artefact, against the truth.
 
     Attributes:
         thrown, unseen: cases in which a switch of its own was thrown, and those of them without a visible effect.
@@ -105,13 +105,13 @@ def compare(cases: int, seed: int, kind: str = "short") -> Iterator[Compared]:
         raise InputError(f"seed is {seed}; it must be from 0 to 2147483647.")
     for number in range(cases):
         case = draw_case(np.random.default_rng([seed, number, KINDS.index(kind)]), kind=kind)
-        found = find_artefacts(study(case.world, case.settings), case.action, searching=False)
-        sizes = dict.fromkeys(MEASURES, 0.0) | {artefact.name: artefact.size for artefact in found}
+        listed = find_artefacts(study(case.world, case.settings), case.action, searching=False)
+        sizes = dict.fromkeys(MEASURES, 0.0) | {artefact.name: artefact.size for artefact in listed}
         yield Compared(case, Effects(case).all(), sizes)
 
 
 def score(compared: list[Compared]) -> list[Score]:
-    """One score an artefact: present if its effect exceeds :data:`VISIBLE`, found if it is listed."""
+    """One score an artefact: present if its effect exceeds :data:`VISIBLE`, detected if it is listed."""
     scores = []
     for name in MEASURES:
         present = np.array([one.effects[name] > VISIBLE for one in compared])

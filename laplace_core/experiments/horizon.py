@@ -39,8 +39,8 @@ def report(
         horizons: T of each row; None is the environment's own limit.
         seed: which start seeds.
         options: of the rule, as in :func:`laplace_core.acting.evaluation.evaluate`.
-        references: checkpoints of that environment that show what is to be had, each by the rule that suits it: a
-            fixed-horizon agent by the time to go that it has learned.
+        references: baselines, checkpoints of that environment, each by the rule that suits it: a fixed-horizon agent
+            acts by the time to go that it has learned.
 
     Raises:
         InputError: no checkpoints, or of several environments.
@@ -76,23 +76,23 @@ def _row(
         )
         for name in (*AGAINST, rule)
     }
-    told = {"horizon": horizon, "means": {name: each.mean(axis=1).tolist() for name, each in returns.items()}}
+    row = {"horizon": horizon, "means": {name: each.mean(axis=1).tolist() for name, each in returns.items()}}
     for name in AGAINST:
         difference = returns[rule] - returns[name]
-        told[f"against {name}"] = {
+        row[f"against {name}"] = {
             "mean": float(difference.mean()),
             "agents": difference.mean(axis=1).tolist(),
             "interval": interval(difference),
         }
-    return told
+    return row
 
 
 def _returns(
     loaded: Loaded, rule: str, horizon: int | None, episodes: int, *, seed: int, options: Mapping[str, float] = NOTHING
 ) -> np.ndarray:
     """``(episodes,)``."""
-    told: dict[str, Any] = {"horizon": horizon, "rule": rule, **options}
-    return evaluate(loaded.agent, loaded.environment, episodes=episodes, seed=seed, **told).returns
+    how: dict[str, Any] = {"horizon": horizon, "rule": rule, **options}
+    return evaluate(loaded.agent, loaded.environment, episodes=episodes, seed=seed, **how).returns
 
 
 def _table(numbers: dict[str, Any]) -> str:
@@ -107,9 +107,9 @@ def _table(numbers: dict[str, Any]) -> str:
         means = "  ".join(f"{np.mean(row['means'][name]):8.1f}" for name in (*AGAINST, rule))
         line = f"{row['horizon'] or 'full':>5}  {means}"
         for name in AGAINST:
-            found = row[f"against {name}"]
-            low, high = found["interval"]
-            line += f"  {found['mean']:+9.1f} {f'{low:+.1f} to {high:+.1f}':>16}"
+            difference = row[f"against {name}"]
+            low, high = difference["interval"]
+            line += f"  {difference['mean']:+9.1f} {f'{low:+.1f} to {high:+.1f}':>16}"
         lines.append(line)
     if numbers["references"]:
         each = ", ".join(

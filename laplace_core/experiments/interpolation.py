@@ -1,8 +1,8 @@
 """How far interpolated discounts are off, and what they do to the decoded timeline.
 
-First on a trained network: every discount but the outermost two is left out in turn, drawn from its neighbours and held
-against the network's own, at every step of one greedy episode and for every action. Then on worlds that are known
-exactly, where the decoded timeline is held against the true one: from the learned discounts alone, with as many more
+First on a trained network: every discount but the outermost two is left out in turn, drawn from its neighbours and
+compared with the network's own, at every step of one greedy episode and for every action. Then on worlds that are known
+exactly, where the decoded timeline is compared with the true one: from the learned discounts alone, with as many more
 again that are learned, too, and with as many more that are interpolated.
 """
 
@@ -72,19 +72,19 @@ def of_network(path: Path, seed: int) -> dict[str, Any]:
     if rollout.spaces is None or rollout.gammas is None or len(rollout.gammas) < 3:
         raise InputError(f"{path.name}: to leave a discount out needs an agent with values at three or more.")
     gammas, values = rollout.gammas, rollout.spaces[:: max(1, len(rollout) // 200)].astype(float)
-    found = {}
+    errors = {}
     for name, kind in KINDS.items():
         off = left_out(values, gammas) if kind is line else _left_out(values, gammas, kind)
         worst = off.max(axis=-1)
-        found[name] = {
+        errors[name] = {
             "mean": float(off.mean()),
             "median": float(np.median(worst)),
             "95%": float(np.quantile(worst, 0.95)),
             "worst": float(worst.max()),
             "by discount": np.median(worst, axis=(0, 1)).tolist(),
         }
-    told = {"agent": path.name, "environment": loaded.environment, "seed": seed, "spaces": len(values)}
-    return {**told, "gammas": gammas.tolist(), "kinds": found}
+    report = {"agent": path.name, "environment": loaded.environment, "seed": seed, "spaces": len(values)}
+    return {**report, "gammas": gammas.tolist(), "kinds": errors}
 
 
 def _left_out(values: np.ndarray, gammas: np.ndarray, kind: Between) -> np.ndarray:
@@ -99,34 +99,34 @@ def _left_out(values: np.ndarray, gammas: np.ndarray, kind: Between) -> np.ndarr
 def of_world(name: str) -> list[dict[str, Any]]:
     """Error of the decoded timeline: total variation from the true one, as a share of it; noise: a mean of seeds."""
     settings = Settings(world=name, gammas=15, spacing="log", gamma_min=0.3678794412, gamma_max=0.99, thetas=13)
-    found = study(load_world(name), settings)
-    rows, noiseless = [], _exact(found, found.gamma_space.gammas)
+    result = study(load_world(name), settings)
+    rows, noiseless = [], _exact(result, result.gamma_space.gammas)
     more = with_between(noiseless.gammas, 1)
     for noise in NOISES:
         for alpha in ALPHAS:
             errors: dict[str, list[float]] = {"learned": [], "as many learned": [], **{kind: [] for kind in KINDS}}
             for seed in range(SEEDS if noise else 1):
                 learned = with_noise(noiseless, noise, seed)
-                errors["learned"].append(_error(found, learned, alpha))
-                errors["as many learned"].append(_error(found, with_noise(_exact(found, more), noise, seed), alpha))
+                errors["learned"].append(_error(result, learned, alpha))
+                errors["as many learned"].append(_error(result, with_noise(_exact(result, more), noise, seed), alpha))
                 for kind, between in KINDS.items():
                     values = between(learned.values, learned.gammas, more)
                     drawn = GammaSpace(values, values[..., 0], more, learned.thetas)  # of rewards alone
-                    errors[kind].append(_error(found, drawn, alpha))
-            told = {kind: float(np.mean(each)) for kind, each in errors.items()}
-            rows.append({"world": name, "noise": noise, "alpha": alpha, **told})
+                    errors[kind].append(_error(result, drawn, alpha))
+            means = {kind: float(np.mean(each)) for kind, each in errors.items()}
+            rows.append({"world": name, "noise": noise, "alpha": alpha, **means})
     return rows
 
 
-def _exact(found: WorldStudy, gammas: np.ndarray) -> GammaSpace:
-    policy = greedy_policy(found.world, found.settings.acting_gamma)
-    basis = reward_indicator_basis(found.world, found.state, gammas, [policy] * gammas.size)
-    return encode(basis, found.world.reward_values, gammas, found.gamma_space.thetas, found.settings.slope)
+def _exact(result: WorldStudy, gammas: np.ndarray) -> GammaSpace:
+    policy = greedy_policy(result.world, result.settings.acting_gamma)
+    basis = reward_indicator_basis(result.world, result.state, gammas, [policy] * gammas.size)
+    return encode(basis, result.world.reward_values, gammas, result.gamma_space.thetas, result.settings.slope)
 
 
-def _error(found: WorldStudy, space: GammaSpace, alpha: float) -> float:
-    true = found.truth.tau_space
-    off = decode(space.differences, space.gammas, found.settings.steps, alpha, found.settings.time_step) - true
+def _error(result: WorldStudy, space: GammaSpace, alpha: float) -> float:
+    true = result.truth.tau_space
+    off = decode(space.differences, space.gammas, result.settings.steps, alpha, result.settings.time_step) - true
     return float(np.abs(off).sum() / (2.0 * true.sum()))
 
 

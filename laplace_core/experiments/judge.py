@@ -70,7 +70,7 @@ Change = tuple[tuple[str, object], ...]
 
 @dataclass(frozen=True)
 class Judged:
-    """What is true of a view.
+    """The judge's findings on a view.
 
     Attributes:
         choice: ``wrong``: another action is better; ``off``: a best action on values that are off; else ``right``.
@@ -93,7 +93,7 @@ class Judged:
 
 
 Fault = Callable[[Judged, Judged], str | None]
-"""What speaks against a view under a change, given the view before it; None if nothing does."""
+"""The fault of a view under a change, given the view before it; None if there is none."""
 
 
 def grade(timeline_error: float) -> str:
@@ -142,7 +142,7 @@ class Judge:
         return self._objection(changes, self._unmended)
 
     def harm(self, changes: Mapping[str, Any]) -> str | None:
-        """What a change spoils of a view in which nothing is to be repaired; None where it spoils nothing."""
+        """The harm of a change to a view in which nothing is to be repaired, in a few words; None if there is none."""
         return self._objection(changes, self._unsound)
 
     def share_held(self, changes: Mapping[str, Any], seeds: int) -> float:
@@ -157,11 +157,11 @@ class Judge:
         try:
             if _horizons(settings)[-1] < self.horizon - 1e-9:
                 return "its last horizon does not reach T"
-            found = fault(self._judge(settings, self.horizon), self.judged)
+            objection = fault(self._judge(settings, self.horizon), self.judged)
         except InputError as error:
             return f"refused: {error}"
-        if found or not settings.noise:
-            return found
+        if objection or not settings.noise:
+            return objection
         held = []
         for seed in FRESH_SEEDS:
             held.append(self._on_seed(settings, seed, fault) is None)
@@ -176,23 +176,23 @@ class Judge:
         )
         return fault(self._judge(replace(settings, noise_seed=seed), self.horizon), before)
 
-    def _unmended(self, found: Judged, before: Judged) -> str | None:
-        """What is still wrong of what is wrong with the view; ``before`` has the error to compare with."""
-        if found.choice == "wrong":
+    def _unmended(self, judged: Judged, before: Judged) -> str | None:
+        """The fault of the view that is left under a change; ``before`` has the error to compare with."""
+        if judged.choice == "wrong":
             return "the choice is wrong"
         if self.judged.choice == "wrong":
-            larger = found.error >= before.error * (1.0 - 1e-6)
-            return f"the error is {found.error:.4g}, not below {before.error:.4g}" if larger else None
-        return self._off(found) if self.judged.choice == "off" else self._unsound(found, before)
+            larger = judged.error >= before.error * (1.0 - 1e-6)
+            return f"the error is {judged.error:.4g}, not below {before.error:.4g}" if larger else None
+        return self._off(judged) if self.judged.choice == "off" else self._unsound(judged, before)
 
-    def _off(self, found: Judged) -> str | None:
-        return f"the value error is {found.value_error:.6g}" if found.value_error > OFF else None
+    def _off(self, judged: Judged) -> str | None:
+        return f"the value error is {judged.value_error:.6g}" if judged.value_error > OFF else None
 
-    def _unsound(self, found: Judged, before: Judged) -> str | None:
-        if found.choice == "wrong":
+    def _unsound(self, judged: Judged, before: Judged) -> str | None:
+        if judged.choice == "wrong":
             return "the choice is wrong"
-        error = found.timeline_errors[self.action]
-        return self._off(found) or (f"the timeline error is {error:.6g}" if error > SOUND else None)
+        error = judged.timeline_errors[self.action]
+        return self._off(judged) or (f"the timeline error is {error:.6g}" if error > SOUND else None)
 
     def _changed(self, changes: Mapping[str, Any]) -> ResolvedForWorld:
         fields = {name: value for name, value in changes.items() if not name.startswith("param:")}
@@ -203,12 +203,12 @@ class Judge:
         return replace(self.view.settings, params=tuple(sorted(params.items())), **fields)
 
     def every_single_setting(self, *, until_one: bool = False) -> dict[Change, bool]:
-        found: dict[Change, bool] = {}
+        results: dict[Change, bool] = {}
         for changes in single_settings(self.view, self._thetas(self.view.world, self.view.settings)):
-            found[tuple(sorted(changes.items()))] = repaired = self.repairs(changes)
+            results[tuple(sorted(changes.items()))] = repaired = self.repairs(changes)
             if repaired and until_one:
                 break
-        return found
+        return results
 
     # --- the numbers of a view ---
 
@@ -398,9 +398,9 @@ class Judge:
             return np.linalg.svd(transform, full_matrices=False)
 
         U, sizes, Vt = self._once(("svd", tuple(gammas), rows, s.time_step), factors)
-        kept = sizes > max(len(gammas), rows) * EPSILON * sizes[0]
+        used = sizes > max(len(gammas), rows) * EPSILON * sizes[0]
         back = np.array(
-            [size / (size**2 + s.alpha**2) if keep else 0.0 for size, keep in zip(sizes, kept, strict=True)]
+            [size / (size**2 + s.alpha**2) if keep else 0.0 for size, keep in zip(sizes, used, strict=True)]
         )
         return Vt.T @ np.diag(back) @ U.T
 
@@ -427,7 +427,7 @@ class Judge:
         values, constant = self._gamma_space(world, state, s)
         if s.shift:
             values, constant = _shifted(values), _shifted(constant)
-        inverse, found = self.decode_matrix(s, rows), []
+        inverse, actions = self.decode_matrix(s, rows), []
         for q, c in zip(values, constant, strict=True):
             differences = q[:, :-1] - q[:, 1:]
             if s.normalise == "paper":
@@ -436,8 +436,8 @@ class Judge:
                 read = _normalised(inverse, differences @ gathering, inverse @ c, s)
             whole = np.zeros((s.steps, read.shape[1]))
             whole[: len(read)] = read
-            found.append((whole[:, 0], whole[:, 1:]))
-        return found
+            actions.append((whole[:, 0], whole[:, 1:]))
+        return actions
 
     def _nearest(self, world: World, thetas: np.ndarray) -> np.ndarray:
         """Which of the world's rewards is nearest to each midpoint, one-hot ``(H-1, V)``; the lower one if none is."""
@@ -569,10 +569,10 @@ def _nearest_column(horizons: np.ndarray, horizon: float) -> int:
 
 def _shifted(values: np.ndarray) -> np.ndarray:
     """Values of every action at the discount before it, ``(A, G, ...)``; nothing at the first."""
-    found = np.zeros_like(values)
+    moved = np.zeros_like(values)
     for g in range(1, values.shape[1]):
-        found[:, g] = values[:, g - 1]
-    return found
+        moved[:, g] = values[:, g - 1]
+    return moved
 
 
 def _deadline(s: ResolvedForWorld, horizon: float, softness: float, gamma: float) -> np.ndarray:

@@ -1,4 +1,4 @@
-"""What is really wrong with a picture, by brute force: the ground truth for the detector.
+"""The artefacts of a picture by brute force: the ground truth for the detector.
 
 Nothing here calls the detector; only the level from which on a thing is visible is shared with it. Each effect is
 the change that turning one thing off makes, everything else kept: the study is run again without it, or the world
@@ -68,8 +68,8 @@ class Effects:
 
     def rows(self, settings: Settings, world: World | None = None, policy: np.ndarray | None = None) -> np.ndarray:
         """The picture of the action as probability, ``(K, H-1)``."""
-        found = study(self.world if world is None else world, settings, policy)
-        return found.decoded.tau_space[self.action] / found.settings.time_step
+        result = study(self.world if world is None else world, settings, policy)
+        return result.decoded.tau_space[self.action] / result.settings.time_step
 
     def moved(self, rows: np.ndarray, others: np.ndarray) -> float:
         """Probability that lies with another reward, or row, in the worst row: half the absolute difference."""
@@ -120,11 +120,11 @@ class Effects:
         s = self.settings
         if self.case.settings.normalise != "paper":
             return 0.0
-        found = study(self.world, s)
-        rows, sizes = found.decoded.tau_space[self.action], np.abs(found.gamma_space.differences[self.action])
+        result = study(self.world, s)
+        rows, sizes = result.decoded.tau_space[self.action], np.abs(result.gamma_space.differences[self.action])
         largest = np.sqrt((sizes.sum(axis=1) ** 2).sum())
         rescaled = np.zeros_like(rows)
-        matrix = decode_matrix(found.gamma_space.gammas, s.steps, s.alpha, s.time_step)
+        matrix = decode_matrix(result.gamma_space.gammas, s.steps, s.alpha, s.time_step)
         for k, row in enumerate(rows):
             clipped = np.where(row > 0.0, row, 0.0)
             if clipped.sum() > ROUNDING * largest * np.sqrt((matrix[k] ** 2).sum()):
@@ -140,21 +140,21 @@ class Effects:
         if self.case.settings.normalise != "survival":
             return 0.0
         both = [study(self.world, replace(self.case.settings, normalise=how)) for how in ("survival", "none")]
-        given, alone = (found.decoded.horizon_values[self.action] for found in both)
+        given, alone = (result.decoded.horizon_values[self.action] for result in both)
         least = 0.01 * np.abs(self.world.reward_values).max()
         return float(np.abs(given - alone).max() / max(least, 1e-12, *np.abs(self.values(self.settings.softness))))
 
     def values(self, softness: float) -> list[float]:
         """True V_T of the action at the horizon of every row, the deadline hard or soft."""
-        s, found, steps = self.settings, [], np.arange(self.held)
+        s, values, steps = self.settings, [], np.arange(self.held)
         means = (self.timeline @ self.world.reward_values) * s.acting_gamma**steps
         for k in range(s.steps):
             T = k * s.time_step + 0.5 + 0.5 * s.time_step
             if softness:
-                found.append(float(means @ (0.5 + 0.5 * np.tanh((T - 0.5 - steps) / (2.0 * softness * T)))))
+                values.append(float(means @ (0.5 + 0.5 * np.tanh((T - 0.5 - steps) / (2.0 * softness * T)))))
             else:
-                found.append(float(means[steps <= k * s.time_step].sum()))
-        return found
+                values.append(float(means[steps <= k * s.time_step].sum()))
+        return values
 
     def mixed(self) -> float:
         return self.moved(self.rows(self.settings), self.rows(replace(self.settings, policy="shared")))

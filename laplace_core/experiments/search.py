@@ -1,4 +1,4 @@
-"""A search over settings: which values of some of them score best over several seeds, and what each one is worth.
+"""A search over settings: the values of some of them that score best over several seeds, and the effect of each.
 
 Every combination of the values is trained with every seed, or, one at a time, every value by itself against the
 settings of the file. Trainings are runs in a folder: a search that was interrupted goes on with them, and a search that
@@ -57,7 +57,7 @@ def settings_for(algorithm: str, environment: str, common: Trial, trial: Trial, 
 
 
 def budget(planned: Sequence[LoopSettings], folder: Path) -> str:
-    """What the search will cost at most, before anything is trained."""
+    """The most that the search will cost, before anything is trained."""
     left = [settings for settings in planned if not _finished(folder / _name(settings))]
     steps = sum(settings.steps for settings in left)
     return (
@@ -77,16 +77,16 @@ def search(
     one_at_a_time: bool = False,
     jobs: int = 1,
 ) -> Iterator[dict[str, Any]]:
-    """Train and score, trial by trial; ``search.json`` in the folder always holds what is known.
+    """Train and score, trial by trial; ``search.json`` in the folder always holds the results so far.
 
     Args:
         jobs: trainings at once, each in a process of its own where there are several.
 
     Yields:
-        a trial's settings, scores of its seeds, their median, how far their values at the starts were above what came,
-        and the seconds that their trainings took, one after the other.
+        a trial's settings, scores of its seeds, their median, predicted minus observed return at the starts, and the
+        seconds that their trainings took, one after the other.
     """
-    found: list[dict[str, Any]] = []
+    rows: list[dict[str, Any]] = []
     tried = trials(varied, one_at_a_time=one_at_a_time)
     planned = [
         settings_for(algorithm, environment, common, trial, seed=seed) for trial in tried for seed in range(seeds)
@@ -95,16 +95,16 @@ def search(
         for i, trial in enumerate(tried):
             scores, errors, seconds = zip(*(result() for result in results[i * seeds : (i + 1) * seeds]), strict=True)
             row = {"trial": trial, "scores": scores, "median": float(np.median(scores)), "value_errors": errors}
-            found.append(row | {"seconds": round(sum(seconds), 1)})
+            rows.append(row | {"seconds": round(sum(seconds), 1)})
             about = {
                 "command": command(algorithm, environment, common, varied, seeds=seeds, one_at_a_time=one_at_a_time),
                 "settings": settings_for(algorithm, environment, common, {}, seed=0).as_dict(),
                 "one_at_a_time": one_at_a_time,
                 "seeds": seeds,
-                "trials": found,
+                "trials": rows,
             }
             write_whole(folder / RESULTS, (json.dumps(about, indent=1) + "\n").encode())
-            yield found[-1]
+            yield rows[-1]
 
 
 @contextlib.contextmanager
@@ -162,12 +162,12 @@ def _score(settings: LoopSettings, folder: Path) -> tuple[float, float | None, f
 
 
 def _evaluated_once(run: Path, settings: LoopSettings) -> tuple[float, float | None]:
-    """Score and error of values of a finished run, kept in its folder: a search that asks for more asks these again."""
+    """Score and error of values of a finished run, saved in its folder for a larger search to use again."""
     asked = {"episodes": EPISODES, "start_seed": START_SEEDS + settings.seed}
     with contextlib.suppress(OSError, ValueError, KeyError, TypeError):  # not there, or not to be used
-        kept = json.loads((run / SCORE).read_text())
-        if {name: kept[name] for name in asked} == asked:
-            return float(kept["score"]), None if kept["value_error"] is None else float(kept["value_error"])
+        saved = json.loads((run / SCORE).read_text())
+        if {name: saved[name] for name in asked} == asked:
+            return float(saved["score"]), None if saved["value_error"] is None else float(saved["value_error"])
     agent = load_checkpoint(run / "best.safetensors").agent
     scores, error = evaluated(agent, settings.environment, asked["episodes"], asked["start_seed"])
     score, error = round(scores.mean, 3), None if error is None else round(error, 3)

@@ -1,4 +1,4 @@
-"""What a search has found, as a table; and searches that are kept, read again."""
+"""The results of a search as a table, and saved searches, read again."""
 
 from __future__ import annotations
 
@@ -12,14 +12,14 @@ from laplace_core.files.strict_json import parse_json
 
 MOST_BYTES = 10_000_000
 _LARGEST, _STEPS = 1e12, re.compile("[0-9]{1,10}")
-Found = Mapping[str, Any]
-"""What ``search.json`` holds."""
+SearchResult = Mapping[str, Any]
+"""The content of a ``search.json``."""
 
 
 def table(rows: Sequence[Mapping[str, Any]], *, one_at_a_time: bool) -> str:
     """The best first, with the score of every seed; one at a time, against the unchanged settings.
 
-    ``value off`` is the value at the starts less the discounted return that came, of the seed where it is farthest off.
+    ``value off`` is the predicted less the observed discounted return at the starts, of the seed where that is largest.
     """
     base = rows[0]["median"] if one_at_a_time else None
     width = 8 * len(rows[0]["scores"])
@@ -35,25 +35,25 @@ def table(rows: Sequence[Mapping[str, Any]], *, one_at_a_time: bool) -> str:
     return "\n".join(lines)
 
 
-def report(paths: Sequence[Path]) -> tuple[list[Found], str]:
-    """Searches that are kept: what each file holds, and their commands and tables as text.
+def report(paths: Sequence[Path]) -> tuple[list[SearchResult], str]:
+    """Saved searches: the content of each file, and their commands and tables as text.
 
     Raises:
         InputError: a file that cannot be read or is no result of a search.
     """
-    kept = [read(path) for path in paths]
-    return kept, "\n\n".join(_text(found) for found in kept)
+    searches = [read(path) for path in paths]
+    return searches, "\n\n".join(_text(search) for search in searches)
 
 
-def _text(found: Found) -> str:
-    rows = found["trials"]
+def _text(search: SearchResult) -> str:
+    rows = search["trials"]
     hours = sum(row["seconds"] for row in rows) / 3600
-    steps = sum(int(row["trial"].get("steps", found["settings"]["steps"])) for row in rows) * found["seeds"]
-    about = f"{len(rows) * found['seeds']} trainings, {steps:,} steps, {hours:.1f} hours of one core"
-    return f"{found['command']}\n{about}\n{table(rows, one_at_a_time=found['one_at_a_time'])}"
+    steps = sum(int(row["trial"].get("steps", search["settings"]["steps"])) for row in rows) * search["seeds"]
+    about = f"{len(rows) * search['seeds']} trainings, {steps:,} steps, {hours:.1f} hours of one core"
+    return f"{search['command']}\n{about}\n{table(rows, one_at_a_time=search['one_at_a_time'])}"
 
 
-def read(path: Path) -> Found:
+def read(path: Path) -> SearchResult:
     """A ``search.json``.
 
     Raises:
@@ -63,20 +63,20 @@ def read(path: Path) -> Found:
         text = path.read_bytes() if path.stat().st_size <= MOST_BYTES else b""
     except OSError as error:
         raise InputError(f"{path} cannot be read: {(error.strerror or 'unknown error').lower()}.") from None
-    found = parse_json(text, path.name)
-    if not _is_search(found):
+    search = parse_json(text, path.name)
+    if not _is_search(search):
         raise InputError(f"{path} is no result of a search: name the search.json of one.")
-    return found
+    return search
 
 
-def _is_search(found: object) -> bool:
-    if not isinstance(found, dict) or not isinstance(found.get("settings"), dict):
+def _is_search(content: object) -> bool:
+    if not isinstance(content, dict) or not isinstance(content.get("settings"), dict):
         return False
-    rows, seeds = found.get("trials"), found.get("seeds")
+    rows, seeds = content.get("trials"), content.get("seeds")
     return (
-        isinstance(found.get("command"), str)
-        and isinstance(found.get("one_at_a_time"), bool)
-        and _is_number(found["settings"].get("steps"))
+        isinstance(content.get("command"), str)
+        and isinstance(content.get("one_at_a_time"), bool)
+        and _is_number(content["settings"].get("steps"))
         and isinstance(rows, list)
         and len(rows) > 0
         and all(isinstance(row, dict) and _is_row(row, seeds) for row in rows)

@@ -1,4 +1,4 @@
-"""What ships: scores of every seed that was trained, and whether they stayed there while training."""
+"""The agents that ship: scores of every seed that was trained, and whether they lasted while training."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from laplace_core.experiments.shipping import MOST_BYTES, curves_of, manifest
 
 
 def report(folder: Path) -> tuple[list[dict[str, Any]], str]:
-    """Every agent of a folder's manifest, after its file was found to be the one entered there.
+    """Every agent of a folder's manifest, after its file was checked against the entry.
 
     The score is that of a seed's best checkpoint, by its evaluations while training. What it says nothing of stands
     below it: the last of those evaluations, and the lowest of them in the second half of the training.

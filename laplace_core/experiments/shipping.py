@@ -2,7 +2,7 @@
 
 The seed shipped is the one with the median score, so that what a person opens is what the algorithm does, not the luck
 of its best run. Of an even number the lower of the two in the middle is taken. Beside it lies a small file with the
-evaluations while training of every seed: how the score came about.
+evaluations while training of every seed, which show how the score was reached.
 """
 
 from __future__ import annotations
@@ -86,9 +86,9 @@ def write_curves(runs: Path, algorithm: str, environment: str, seeds: int, *, fo
     curves = []
     for seed in range(seeds):
         events = read_metrics(runs / training.run_name(algorithm, environment, seed))
-        told = [event for event in events if event["event"] == "Evaluation"]
+        evaluations = [event for event in events if event["event"] == "Evaluation"]
         columns = {"steps": "step", "scores": "score", "errors": "standard_error"}
-        curves.append({"seed": seed, **{to: [round(e[of], 3) for e in told] for to, of in columns.items()}})
+        curves.append({"seed": seed, **{to: [round(e[of], 3) for e in evaluations] for to, of in columns.items()}})
     lines = ",\n".join(json.dumps(curve) for curve in curves)
     name, data = f"{algorithm}_{environment}.curve.json", f"[\n{lines}\n]\n".encode()
     write_whole(folder / name, data)
@@ -101,16 +101,16 @@ def curves_of(folder: Path, entry: dict[str, Any]) -> tuple[TrainingCurve, ...]:
     Raises:
         InputError: the file is missing, or not one that :func:`write_curves` could have written.
     """
-    told = entry.get("curve")
-    if told is None:
+    reference = entry.get("curve")
+    if reference is None:
         return ()
     wrong = InputError(f"the training curve of {entry['file']} must be a file beside it, with the manifest's sha256.")
     try:
-        path = folder / Path(told["file"]).name
+        path = folder / Path(reference["file"]).name
         data = path.read_bytes() if path.stat().st_size <= MOST_CURVE_BYTES else b""
     except (OSError, KeyError, TypeError, ValueError):
         raise wrong from None
-    if hashlib.sha256(data).hexdigest() != told.get("sha256"):
+    if hashlib.sha256(data).hexdigest() != reference.get("sha256"):
         raise wrong
     try:
         curves = [
@@ -134,7 +134,7 @@ def manifest(folder: Path) -> list[dict[str, Any]]:
     path = folder / MANIFEST
     if not path.exists():
         return []
-    found = parse_json(path.read_bytes(), path.name)
-    if not isinstance(found, list) or not all(isinstance(entry, dict) and "file" in entry for entry in found):
+    entries = parse_json(path.read_bytes(), path.name)
+    if not isinstance(entries, list) or not all(isinstance(entry, dict) and "file" in entry for entry in entries):
         raise InputError(f"{path.name} must be a list of entries that each name a file.")
-    return found
+    return entries

@@ -20,7 +20,7 @@ EPISODES = 100
 
 
 def report(algorithm: str, environment: str, seeds: int, aim: float, *, folder: Path) -> tuple[dict[str, Any], str]:
-    """Train what is not trained yet, evaluate the best checkpoint of every seed, and tell.
+    """Train what is not trained yet, evaluate the best checkpoint of every seed, and report.
 
     Runs are kept in ``folder``; one that is there already is used if it was made with the same settings, and gone on
     with if it was not finished.
@@ -30,8 +30,8 @@ def report(algorithm: str, environment: str, seeds: int, aim: float, *, folder: 
     numbers = {"algorithm": algorithm, "environment": environment, "aim": aim, "episodes": EPISODES, "seeds": rows}
     numbers |= {"median": float(np.median(scores)), "lowest": float(scores.min())}
     lines = [
-        f"{algorithm} on {environment}: mean of {EPISODES} episodes from start seeds never trained on",
-        f"{'seed':>4}  {'score':>16}  {'value - came':>12}  {f'steps to {aim:g}':>14}  {'seconds':>8}  {'all steps':>9}"
+        f"{algorithm} on {environment}: mean of {EPISODES} episodes from held-out start seeds",
+        f"{'seed':>4}  {'score':>16}  {'value error':>12}  {f'steps to {aim:g}':>14}  {'seconds':>8}  {'all steps':>9}"
         f"  {'seconds':>8}",
     ]
     for row in rows:
@@ -45,7 +45,7 @@ def report(algorithm: str, environment: str, seeds: int, aim: float, *, folder: 
             f"{row['steps']:>9,}  {row['seconds']:>8.0f}"
         )
     lines.append(f"median {numbers['median']:.1f}, lowest {numbers['lowest']:.1f}; +- is the standard error")
-    lines.append("value - came: how far the values at the starts are above the discounted returns that came")
+    lines.append("value error: predicted less observed discounted return, a mean over the starts")
     others = settings_of(algorithm, environment, {}).evaluate_episodes
     lines.append(f"steps to {aim:g}: the first evaluation while training ({others} other start seeds) that reaches it")
     lines += [f"seed {row['seed']}: {note}" for row in rows for note in row["notes"]]
@@ -87,7 +87,7 @@ def _seed(algorithm: str, environment: str, seed: int, aim: float, *, folder: Pa
 
 
 def evaluated(agent: Agent, environment: str, episodes: int, seed: int) -> tuple[Scores, float | None]:
-    """Scores of whole episodes, and how far the values at their starts are above the discounted returns that came.
+    """Scores of whole episodes, and the predicted less the observed discounted return at their starts.
 
     The second is None where the agent's values are of no return to the end of an episode. An agent may act well by
     values that are far too high, as long as they are so for all actions.
@@ -104,10 +104,10 @@ def evaluated(agent: Agent, environment: str, episodes: int, seed: int) -> tuple
 
 def seconds_behind(events: list[dict[str, Any]]) -> list[float]:
     """Seconds of training behind each event, over all times that the run was gone on with."""
-    behind, last, found = 0.0, 0.0, []
+    behind, last, seconds = 0.0, 0.0, []
     for event in events:
         if event["seconds"] < last:  # the clock began anew
             behind += last
         last = event["seconds"]
-        found.append(behind + last)
-    return found
+        seconds.append(behind + last)
+    return seconds

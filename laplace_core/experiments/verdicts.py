@@ -1,4 +1,4 @@
-"""Is what a verdict says true? Every sentence of it against an independent judge, over random views.
+"""Are verdicts true? Every sentence of each against an independent judge, over random views.
 
 ``python -m laplace_core report verdicts`` prints the table and every disagreement.
 """
@@ -43,12 +43,12 @@ CRITERIA: Mapping[str, tuple[str, float | None]] = {
     "one alpha": ("views with a suggested alpha that have only one", 1.0),
     "alpha kept": ("suggested alphas that the next verdict keeps", 1.0),
 }
-"""What is counted: in words, and the share demanded."""
+"""Criteria that are counted: a description, and the share demanded."""
 
 
 @dataclass(frozen=True)
-class Said:
-    """What the library says of a view.
+class Answer:
+    """The library's verdict on a view, in the form that the judge examines.
 
     Attributes:
         choice: ``right``, ``lucky`` or ``wrong``.
@@ -78,7 +78,7 @@ class Said:
 
 @dataclass(frozen=True)
 class Examined:
-    """One view: what was counted, as (criterion, held), and each disagreement as (criterion, detail)."""
+    """One view: the counts, as (criterion, held), and each disagreement as (criterion, detail)."""
 
     number: int
     judged: Judged
@@ -88,60 +88,61 @@ class Examined:
     disagreements: tuple[tuple[str, str], ...]
 
 
-def ask_library(view: View) -> Said:
+def ask_library(view: View) -> Answer:
     """The verdict of the library and the remedies of its artefact list."""
-    found = study(view.world, view.settings)
-    said = verdicts.judge(found, view.row, view.action)
-    action = said.chosen if view.action is None else view.action
-    listed = find_artefacts(found, action, float(found.horizons[view.row]))
-    return Said(
-        said.choice, said.chosen, said.timeline,
-        said.cause.changes if said.cause else None,
-        tuple(remedy.changes for remedy in said.remedies),
+    result = study(view.world, view.settings)
+    verdict = verdicts.judge(result, view.row, view.action)
+    action = verdict.chosen if view.action is None else view.action
+    listed = find_artefacts(result, action, float(result.horizons[view.row]))
+    return Answer(
+        verdict.choice, verdict.chosen, verdict.timeline,
+        verdict.cause.changes if verdict.cause else None,
+        tuple(remedy.changes for remedy in verdict.remedies),
         tuple(remedy.changes for artefact in listed for remedy in artefact.remedies),
-        said.exhausted, said.searched, said.sentence,
+        verdict.exhausted, verdict.searched, verdict.sentence,
     )  # fmt: skip
 
 
-def examine(number: int, seed: int, ask: Callable[[View], Said] = ask_library) -> Examined:
-    """One view of a seed: what ``ask`` says of it, sentence by sentence, against the judge."""
+def examine(number: int, seed: int, ask: Callable[[View], Answer] = ask_library) -> Examined:
+    """One view of a seed: the answer of ``ask``, sentence by sentence, against the judge."""
     view = draw_view(np.random.default_rng([seed, number]))
-    judge, said = Judge(view), ask(view)
+    judge, answer = Judge(view), ask(view)
     judged = judge.judged
-    action = said.chosen if view.action is None else view.action
+    action = answer.chosen if view.action is None else view.action
     counted = list(chain(
-        _grades(judge, said, action), _changes(judge, said), _completeness(judge, said), _alphas(view, said, ask)
+        _grades(judge, answer, action), _changes(judge, answer), _completeness(judge, answer),
+        _alphas(view, answer, ask),
     ))  # fmt: skip
     return Examined(
         number,
         judged,
         judged.grades[judge.action],
-        said.searched,
+        answer.searched,
         tuple((name, detail is None) for name, detail in counted),
         tuple((name, detail) for name, detail in counted if detail is not None),
     )
 
 
 Counted = Iterator[tuple[str, str | None]]
-"""Of each thing that is counted, the criterion, and what speaks against it; None if nothing does."""
+"""A criterion and a disagreement with it for each thing that is counted; None where both agree."""
 
 
-def _grades(judge: Judge, said: Said, action: int) -> Counted:
+def _grades(judge: Judge, answer: Answer, action: int) -> Counted:
     judged = judge.judged
-    agreed = (said.choice == "wrong") == (judged.choice == "wrong") and said.chosen == judged.chosen
-    yield "choice", None if agreed else f"says {said.choice}, {said.chosen}; {judged.choice}, {judged.chosen}"
-    if "wrong" not in (said.choice, judged.choice):
-        agreed = (said.choice == "lucky") == (judged.choice == "off")
-        yield "values", None if agreed else f"says {said.choice}; value error {judged.value_error:.6g}"
-    agreed, error = said.timeline == judged.grades[action], judged.timeline_errors[action]
-    yield "timeline", None if agreed else f"says {said.timeline}; error {error:.6g}"
+    agreed = (answer.choice == "wrong") == (judged.choice == "wrong") and answer.chosen == judged.chosen
+    yield "choice", None if agreed else f"says {answer.choice}, {answer.chosen}; {judged.choice}, {judged.chosen}"
+    if "wrong" not in (answer.choice, judged.choice):
+        agreed = (answer.choice == "lucky") == (judged.choice == "off")
+        yield "values", None if agreed else f"says {answer.choice}; value error {judged.value_error:.6g}"
+    agreed, error = answer.timeline == judged.grades[action], judged.timeline_errors[action]
+    yield "timeline", None if agreed else f"says {answer.timeline}; error {error:.6g}"
 
 
-def _changes(judge: Judge, said: Said) -> Counted:
+def _changes(judge: Judge, answer: Answer) -> Counted:
     needed = judge.judged.needs_repair(judge.action)
-    if said.cause is not None:
-        yield "cause", _against(judge, said.cause)
-    for name, offered in (("remedy", said.remedies), ("listed remedy", said.listed)):
+    if answer.cause is not None:
+        yield "cause", _against(judge, answer.cause)
+    for name, offered in (("remedy", answer.remedies), ("listed remedy", answer.listed)):
         for changes in offered:
             if needed:
                 yield name, _against(judge, changes)
@@ -158,31 +159,31 @@ def _against(judge: Judge, changes: Mapping[str, Any]) -> str | None:
     return f"{_state(judge)}; {_words(changes)}: {fault}{held}"
 
 
-def _completeness(judge: Judge, said: Said) -> Counted:
-    if not said.searched or not judge.judged.needs_repair(judge.action):
+def _completeness(judge: Judge, answer: Answer) -> Counted:
+    if not answer.searched or not judge.judged.needs_repair(judge.action):
         return
     repairing = next(
         (change for change, repairs in judge.every_single_setting(until_one=True).items() if repairs), None
     )
-    shown = "" if repairing is None else f"{_state(judge)}; repaired by {_found(judge, repairing)}"
-    if said.exhausted:
-        yield "exhausted", shown or None
+    repair = "" if repairing is None else f"{_state(judge)}; repaired by {_change_words(judge, repairing)}"
+    if answer.exhausted:
+        yield "exhausted", repair or None
     if repairing is not None:
-        yield "named", None if said.cause is not None else shown
+        yield "named", None if answer.cause is not None else repair
 
 
-def _found(judge: Judge, change: Change) -> str:
+def _change_words(judge: Judge, change: Change) -> str:
     changes = dict(change)
     noisy = bool(changes.get("noise", judge.view.settings.noise))
     held = f" ({judge.share_held(changes, SEEDS_TO_LOOK_AT):.0%} hold)" if noisy else ""
     return f"{_words(changes)}{held}"
 
 
-def _alphas(view: View, said: Said, ask: Callable[[View], Said]) -> Counted:
-    if said.alphas:
-        several = len(said.alphas) > 1
-        yield "one alpha", f"suggests {', '.join(f'{a:g}' for a in sorted(said.alphas))}" if several else None
-    for alpha in sorted(said.alphas):
+def _alphas(view: View, answer: Answer, ask: Callable[[View], Answer]) -> Counted:
+    if answer.alphas:
+        several = len(answer.alphas) > 1
+        yield "one alpha", f"suggests {', '.join(f'{a:g}' for a in sorted(answer.alphas))}" if several else None
+    for alpha in sorted(answer.alphas):
         following = ask(replace(view, settings=replace(view.settings, alpha=alpha))).alphas - {alpha}
         others = ", ".join(f"{a:g}" for a in sorted(following))
         yield "alpha kept", f"{alpha:g}, then {others}" if following else None
@@ -193,8 +194,8 @@ def _state(judge: Judge) -> str:
 
 
 def _words(changes: Mapping[str, Any]) -> str:
-    shown = (f"{value:.6g}" if isinstance(value, float) else str(value) for value in changes.values())
-    return " ".join(f"{name}={value}" for name, value in zip(changes, shown, strict=True))
+    values = (f"{value:.6g}" if isinstance(value, float) else str(value) for value in changes.values())
+    return " ".join(f"{name}={value}" for name, value in zip(changes, values, strict=True))
 
 
 # --- the table ---
@@ -232,25 +233,29 @@ def table(examined: list[Examined], seed: int) -> str:
         share = "-" if row["share"] is None else f"{row['share']:.4f} ({low:.3f}-{high:.3f})"
         demanded = "" if row["demanded"] is None else f"{row['demanded']:.2f}" + ("" if row["met"] else " MISSED")
         lines.append(f"{row['words']:62} {row['held']:5} {row['of']:5}  {share:22} {demanded:>8}".rstrip())
-    told = [f"{one.number:6} {name}: {detail}" for one in examined for name, detail in one.disagreements]
-    lines += ["", "Disagreements, by the number of the view (--only NUMBER shows it):", *told] if told else []
+    disagreements = [f"{one.number:6} {name}: {detail}" for one in examined for name, detail in one.disagreements]
+    lines += (
+        ["", "Disagreements, by the number of the view (--only NUMBER shows it):", *disagreements]
+        if disagreements
+        else []
+    )
     return "\n".join(lines)
 
 
-def shown(number: int, seed: int) -> str:
-    """One view in full: how to get it, what is said of it, and which single settings repair it."""
+def described(number: int, seed: int) -> str:
+    """One view in full: how to get it, the library's answer, and which single settings repair it."""
     view = draw_view(np.random.default_rng([seed, number]))
     judge, s = Judge(view), view.settings
     held = judge.every_single_setting()
-    repairing = [_found(judge, change) for change, repairs in held.items() if repairs]
+    repairing = [_change_words(judge, change) for change, repairs in held.items() if repairs]
     preset = view.world.source and load_world(view.world.source, dict(view.world.params)) is view.world
-    said = ask_library(view)
+    answer = ask_library(view)
     lines = [
         f"View {number} of seed {seed}: T {judge.horizon:g} (row {view.row}), action looked at {judge.action}.",
         s.to_command(),
         *([] if preset else [dump_world(view.world)]),
         f"judge: {judge.judged}",
-        f"library: {said}",
+        f"library: {answer}",
         f"single settings that repair, of {len(held)}: {'; '.join(repairing) or 'none'}",
     ]
     return "\n".join([*lines, *(f"{name}: {detail}" for name, detail in examine(number, seed).disagreements)])

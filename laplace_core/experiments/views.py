@@ -1,6 +1,6 @@
 """Random views, most of them unfavourable, on which verdicts are examined.
 
-A view is what a verdict speaks of: a world, a state, settings and a horizon. Worlds are presets with random parameters
+A view is the subject of a verdict: a world, a state, settings and a horizon. Worlds are presets with random parameters
 and random worlds of every shape that tells the settings apart; settings go from careful to careless, one independently
 of another, so that about half of the views choose wrongly or choose rightly on values that are off, each for a reason
 of another kind.
@@ -29,7 +29,7 @@ VALUE_GAMMAS = (0.5, 0.8, 0.9, 0.95, 0.99, 0.999)
 
 @dataclass(frozen=True, eq=False)
 class View:
-    """What one verdict speaks of.
+    """The subject of one verdict.
 
     Attributes:
         settings: resolved for the world.

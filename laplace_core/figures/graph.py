@@ -1,4 +1,4 @@
-"""A world as a graph: states, what an action may do, and what it pays."""
+"""A world as a graph: states, the outcomes of an action, and their rewards."""
 
 from __future__ import annotations
 

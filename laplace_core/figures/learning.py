@@ -1,4 +1,4 @@
-"""What learning looks like: its curve, what several learners agree on, and the codes of one return."""
+"""Figures of learning: its curve, the rewards that several learners agree on, and the codes of one return."""
 
 from __future__ import annotations
 
@@ -23,9 +23,9 @@ def learning_curve(learned: Learned) -> Figure:
     for index, (seed, curve) in enumerate(zip(learned.seeds, learned.curves, strict=True)):
         line = {"width": 1.6, "color": ACTION_COLOURS[index % len(ACTION_COLOURS)]}
         common = {"type": "scatter", "x": curve["episode"], "mode": "lines", "line": line, "name": f"seed {seed}"}
-        shown = 100.0 * np.maximum(curve["error"], 1e-6)
+        percent = 100.0 * np.maximum(curve["error"], 1e-6)
         hover = f"seed {seed}<br>episode %{{x}}<br>%{{y:.3g}}"
-        traces.append({**common, "y": shown, "hovertemplate": hover + "% of the range<extra></extra>"})
+        traces.append({**common, "y": percent, "hovertemplate": hover + "% of the range<extra></extra>"})
         traces.append({**common, "y": curve["return"], "yaxis": "y2", "showlegend": False,
                        "hovertemplate": hover + " return<extra></extra>"})  # fmt: skip
     return build(

@@ -16,7 +16,7 @@ _CURSOR = "#ff9f1c"
 
 
 def differences(
-    found: Races, mean: float, interval: tuple[float, float], start: int,
+    races: Races, mean: float, interval: tuple[float, float], start: int,
     *, colours: tuple[str, str], names: tuple[str, str],
 ) -> Figure:  # fmt: skip
     """A dot a start over its difference, right less left, piled up as a histogram; mean, interval, and zero.
@@ -25,7 +25,7 @@ def differences(
         start: the one that is shown above, ringed if it is among them.
         colours: of the left side, whose starts lie below 0, and of the right side; names: of both.
     """
-    x = found.differences
+    x = races.differences
     height, reach = piles(x)
     colour = np.where(x > 0, colours[1], np.where(x < 0, colours[0], NEUTRAL))
     size = float(np.clip(260.0 / reach, 4.0, 10.0))
@@ -39,10 +39,10 @@ def differences(
          "line": {"color": NEUTRAL, "width": 2.2}, "hoverinfo": "skip"},
         {"type": "scatter", "x": x, "y": height, "mode": "markers", "showlegend": False,
          "marker": {"color": colour.tolist(), "size": size},
-         "customdata": np.column_stack([found.starts, found.left, found.right]).tolist(),
+         "customdata": np.column_stack([races.starts, races.left, races.right]).tolist(),
          "hovertemplate": hover + "<extra></extra>"},
     ]  # fmt: skip
-    at = np.flatnonzero(found.starts == start)
+    at = np.flatnonzero(races.starts == start)
     if at.size:
         traces.append(
             {"type": "scatter", "x": x[at], "y": height[at], "mode": "markers", "name": f"start {start}",

@@ -1,4 +1,4 @@
-"""Return distributions of trained agents: of every action, along an episode, and agent by agent beside what came."""
+"""Return distributions of trained agents: of every action, along an episode, and agent by agent, with observed ones."""
 
 from __future__ import annotations
 
@@ -23,21 +23,21 @@ from laplace_core.figures.theme import (
 if TYPE_CHECKING:  # it brings torch along, which no figure needs
     from laplace_core.acting.return_laws import ReturnLaw, SimulatedReturns
 
-CAME = "#d6336c"
+OBSERVED = "#d6336c"
 _LEARNED = ACTION_COLOURS[0]
 _ROW, _GAP, _TOP, _BOTTOM = 84, 30, 46, 40  # pixels
-OWN = 0.05
-"""Weight of an agent's own value, in a return that came of an episode cut off, from which on it is told apart."""
+BOOTSTRAPPED = 0.05
+"""Weight of the bootstrap value in the return of a truncated episode above which the return is drawn dotted."""
 _TAIL = 0.002  # mass at either end of a law that the axis need not reach
 
 
 @dataclass(frozen=True, eq=False)
 class ReturnRow:
-    """One agent: what it has learned, and what came of its own policy, if that is known."""
+    """One agent: the return law that it has learned, and the observed returns of its own policy, if there are any."""
 
     name: str
     law: ReturnLaw
-    came: SimulatedReturns | None = None
+    observed: SimulatedReturns | None = None
 
 
 def rows_height(count: int) -> int:
@@ -46,11 +46,11 @@ def rows_height(count: int) -> int:
 
 
 def returns_side_by_side(rows: Sequence[ReturnRow]) -> Figure:
-    """P(return at most x), a panel an agent: learned against what came, the area between them, which is W1, shaded.
+    """P(return at most x), a panel an agent: learned and observed, the area between them, which is W1, shaded.
 
-    The band around what came is two standard errors of a share of N.
+    The band around the observed law is two standard errors of a share of N.
     """
-    laws = [(row.law.locations, row.law.masses) for row in rows] + [row.came.law for row in rows if row.came]
+    laws = [(row.law.locations, row.law.masses) for row in rows] + [row.observed.law for row in rows if row.observed]
     low, high = _range(laws)
     height = rows_height(len(rows)) - _TOP - _BOTTOM
     traces, layout, words = [], {}, []
@@ -62,21 +62,21 @@ def returns_side_by_side(rows: Sequence[ReturnRow]) -> Figure:
                                         tickvals=[0, 0.5, 1])  # fmt: skip
         words.append({"text": f"<b>{row.name}</b>", "x": 0.0, "xref": "paper", "xanchor": "left", "y": top,
                       "yref": "paper", "yanchor": "bottom", "showarrow": False, "font": {"size": 12}})  # fmt: skip
-        if row.came is not None:
-            words.append({"text": f"W1 {row.came.distance(row.law):.3g}", "x": 1.0, "xref": "paper", "xanchor": "right",
-                          "y": top, "yref": "paper", "yanchor": "bottom", "showarrow": False,
+        if row.observed is not None:
+            words.append({"text": f"W1 {row.observed.distance(row.law):.3g}", "x": 1.0, "xref": "paper",
+                          "xanchor": "right", "y": top, "yref": "paper", "yanchor": "bottom", "showarrow": False,
                           "font": {"size": 12}})  # fmt: skip
-            traces += _came(row.came, low, high, place, first=first)
+            traces += _observed(row.observed, low, high, place, first=first)
         x, y = staircase(row.law.locations, row.law.masses, low, high)
-        fill = {"fill": "tonexty", "fillcolor": translucent(_LEARNED, 0.16)} if row.came is not None else {}
+        fill = {"fill": "tonexty", "fillcolor": translucent(_LEARNED, 0.16)} if row.observed is not None else {}
         traces.append({
             "type": "scatter", "x": x, "y": y, "mode": "lines", "name": "learned", "showlegend": first,
             "line": {"color": _LEARNED, "width": 2, "shape": "hv"}, **fill, **place,
             "hovertemplate": f"{row.name}<br>learned: return at most %{{x:.3g}}: %{{y:.0%}}<extra></extra>",
         })  # fmt: skip
         traces.append(_mean_mark(row.law.mean, _LEARNED, f"{row.name}<br>learned mean", place))
-        if row.came is not None:
-            traces.append(_mean_mark(row.came.mean[0], CAME, f"{row.name}<br>mean of what came", place))
+        if row.observed is not None:
+            traces.append(_mean_mark(row.observed.mean[0], OBSERVED, f"{row.name}<br>observed mean", place))
     return build(
         "",
         traces,
@@ -91,21 +91,21 @@ def returns_side_by_side(rows: Sequence[ReturnRow]) -> Figure:
     )  # fmt: skip
 
 
-def _came(came: SimulatedReturns, low: float, high: float, place: Trace, *, first: bool) -> list[Trace]:
-    """The band, and the law of what came; the next trace may fill up to it."""
-    x, y = staircase(*came.law, low, high)
-    count = len(came.returns)
+def _observed(observed: SimulatedReturns, low: float, high: float, place: Trace, *, first: bool) -> list[Trace]:
+    """The observed law and its band; the next trace may fill up to it."""
+    x, y = staircase(*observed.law, low, high)
+    count = len(observed.returns)
     error = 2.0 * np.sqrt(np.clip(y * (1.0 - y), 0.0, None) / count)
     common = {"type": "scatter", "x": x, "mode": "lines", **place}
     edge = {**common, "line": {"width": 0, "shape": "hv"}, "hoverinfo": "skip", "showlegend": False}
-    name = f"came ({count} times)" if count > 1 else "came (always)"
+    name = f"observed ({count} times)" if count > 1 else "observed (always)"
     band = [
         {**edge, "y": np.clip(y - error, 0.0, 1.0)},
-        {**edge, "y": np.clip(y + error, 0.0, 1.0), "fill": "tonexty", "fillcolor": translucent(CAME, 0.25)},
+        {**edge, "y": np.clip(y + error, 0.0, 1.0), "fill": "tonexty", "fillcolor": translucent(OBSERVED, 0.25)},
     ]
     line = {**common, "y": y, "name": name, "showlegend": first,
-            "line": {"color": CAME, "width": 1.6, "shape": "hv"},
-            "hovertemplate": "came: return at most %{x:.3g}: %{y:.0%}<extra></extra>"}  # fmt: skip
+            "line": {"color": OBSERVED, "width": 1.6, "shape": "hv"},
+            "hovertemplate": "observed: return at most %{x:.3g}: %{y:.0%}<extra></extra>"}  # fmt: skip
     return [*(band if count > 1 else []), line]
 
 
@@ -117,7 +117,7 @@ def _mean_mark(mean: float, colour: str, words: str, place: Trace) -> Trace:
 
 
 def _range(laws: Sequence[tuple[np.ndarray, np.ndarray]]) -> tuple[float, float]:
-    """What holds nearly all the mass of every law, and a little room."""
+    """A range that holds nearly all the mass of every law, and a little room."""
     ends = []
     for locations, masses in laws:
         below = np.cumsum(masses) / np.sum(masses)
@@ -128,15 +128,15 @@ def _range(laws: Sequence[tuple[np.ndarray, np.ndarray]]) -> tuple[float, float]
     return low - room, high + room
 
 
-def returns_of_actions(laws: Sequence[ReturnLaw], names: Sequence[str], shown: int) -> Figure:
-    """P(return at most x) after every action, as learned, with the means; the shown action is heavier."""
+def returns_of_actions(laws: Sequence[ReturnLaw], names: Sequence[str], highlighted: int) -> Figure:
+    """P(return at most x) after every action, as learned, with the means; the highlighted action is heavier."""
     low, high = _range([(law.locations, law.masses) for law in laws])
     traces = []
     for a, (law, name) in enumerate(zip(laws, names, strict=True)):
         x, y = staircase(law.locations, law.masses, low, high)
         traces.append({
             "type": "scatter", "x": x, "y": y, "mode": "lines", "name": name,
-            "line": {"color": action_colour(a), "width": 3 if a == shown else 1.6, "shape": "hv"},
+            "line": {"color": action_colour(a), "width": 3 if a == highlighted else 1.6, "shape": "hv"},
             "hovertemplate": f"{name}<br>return at most %{{x:.3g}}: %{{y:.0%}}<extra></extra>",
         })  # fmt: skip
     for a, (law, name) in enumerate(zip(laws, names, strict=True)):
@@ -150,9 +150,9 @@ def returns_of_actions(laws: Sequence[ReturnLaw], names: Sequence[str], shown: i
     )
 
 
-def values_of_actions(values: np.ndarray, names: Sequence[str], gamma: float, shown: int) -> Figure:
+def values_of_actions(values: np.ndarray, names: Sequence[str], gamma: float, highlighted: int) -> Figure:
     """A bar an action: ``values`` ``(A,)``, discounted returns."""
-    edges = [{"width": 2.5 if a == shown else 0, "color": NEUTRAL} for a in range(len(names))]
+    edges = [{"width": 2.5 if a == highlighted else 0, "color": NEUTRAL} for a in range(len(names))]
     bars = [
         {"type": "bar", "orientation": "h", "x": [value], "y": [name], "showlegend": False,
          "marker": {"color": action_colour(a), "line": edges[a]}, "text": [f"{value:.4g}"], "cliponaxis": False,
@@ -190,18 +190,24 @@ def values_over_time_to_go(values: np.ndarray, names: Sequence[str], gamma: floa
 
 
 def returns_over_episode(
-    received: np.ndarray, predicted: np.ndarray, quantiles: np.ndarray | None, step: int, *, gamma: float, cut: bool
+    observed: np.ndarray,
+    predicted: np.ndarray,
+    quantiles: np.ndarray | None,
+    step: int,
+    *,
+    gamma: float,
+    truncated: bool,
 ) -> Figure:
-    """What was expected of the action taken at each step, and the discounted return that came.
+    """Predicted and observed discounted return of the action taken at each step.
 
     Args:
-        received, predicted: ``(N,)``.
+        observed, predicted: ``(N,)``.
         quantiles: ``(N, 5)`` at 10, 25, 50, 75 and 90%, drawn as two bands; None for a mean alone.
         step: under the cursor.
-        cut: whether the episode was cut off, so that the agent's own value stands for what would have followed; where
-            that is more than ``OWN`` of the weight, what came is dashed.
+        truncated: whether the episode was truncated, so that observed returns are bootstrapped from the agent's value;
+            where that value has more than ``BOOTSTRAPPED`` of the weight, the line is dotted.
     """
-    steps, traces = np.arange(len(received)), []
+    steps, traces = np.arange(len(observed)), []
     for outer, share, opacity in ((0, 80, 0.14), (1, 50, 0.22)):
         if quantiles is None:
             break
@@ -211,10 +217,13 @@ def returns_over_episode(
             "fillcolor": translucent(_LEARNED, opacity), "line": {"width": 0}, "hoverinfo": "skip",
             "name": f"{share}%",
         })  # fmt: skip
-    own = cut & (gamma ** (len(received) - steps) > OWN)
-    lines = [("expected", steps, predicted, _LEARNED, "solid"), ("came", steps[~own], received[~own], CAME, "solid")]
-    if own.any():
-        lines.append(("came, then its own value", steps[own], received[own], CAME, "dot"))
+    bootstrapped = truncated & (gamma ** (len(observed) - steps) > BOOTSTRAPPED)
+    lines = [
+        ("predicted", steps, predicted, _LEARNED, "solid"),
+        ("observed", steps[~bootstrapped], observed[~bootstrapped], OBSERVED, "solid"),
+    ]
+    if bootstrapped.any():
+        lines.append(("observed, then bootstrap", steps[bootstrapped], observed[bootstrapped], OBSERVED, "dot"))
     for name, x, y, colour, dash in lines:
         traces.append({
             "type": "scatter", "x": x, "y": y, "mode": "lines", "name": name,

@@ -14,13 +14,13 @@ if TYPE_CHECKING:  # it brings torch along, which no figure needs
 _DECODED, _SIMULATED = ACTION_COLOURS[0], "#d6336c"
 
 
-def simulated_timeline(found: Confronted) -> Figure:
+def simulated_timeline(confronted: Confronted) -> Figure:
     """Expected reward, survival and how far tau-space is off, over future steps; bands of two standard errors."""
-    taus, simulated = np.arange(len(found.reward), dtype=float), found.simulated
+    taus, simulated = np.arange(len(confronted.reward), dtype=float), confronted.simulated
     traces = []
     for i, (name, decoded, mean, error) in enumerate((
-        ("E[r]", found.reward, simulated.reward, simulated.reward_error),
-        ("alive", found.survival, simulated.survival, simulated.survival_error),
+        ("E[r]", confronted.reward, simulated.reward, simulated.reward_error),
+        ("alive", confronted.survival, simulated.survival, simulated.survival_error),
     )):  # fmt: skip
         place, first = {"yaxis": "y" if i == 0 else "y2"}, i == 0
         edge = np.concatenate([mean + 2 * error, (mean - 2 * error)[::-1]])
@@ -35,11 +35,11 @@ def simulated_timeline(found: Confronted) -> Figure:
              "line": {"color": _DECODED, "width": 2.2}, "hovertemplate": hover, **place},
         ]  # fmt: skip
     traces.append(
-        {"type": "scatter", "x": taus, "y": found.distance, "mode": "lines", "yaxis": "y3", "showlegend": False,
+        {"type": "scatter", "x": taus, "y": confronted.distance, "mode": "lines", "yaxis": "y3", "showlegend": False,
          "line": {"color": NEUTRAL, "width": 1.8}, "hovertemplate": "W1 at tau %{x}: %{y:.3g}<extra></extra>"}
     )  # fmt: skip
     return build(
-        "what is decoded and what comes",
+        "decoded and simulated timeline",
         traces,
         margin={"l": 56, "t": 52},
         xaxis=axis("future step τ", anchor="y3"),
@@ -49,9 +49,9 @@ def simulated_timeline(found: Confronted) -> Figure:
     )
 
 
-def calibration_plot(found: Confronted) -> Figure:
+def calibration_plot(confronted: Confronted) -> Figure:
     """Predicted against observed probability that a reward exceeds a sensitivity; bars of two standard errors."""
-    c = found.calibration
+    c = confronted.calibration
     sizes = 5.0 + 2.0 * np.log10(c.counts)
     traces = [
         {"type": "scatter", "x": [0.0, 1.0], "y": [0.0, 1.0], "mode": "lines", "hoverinfo": "skip",
@@ -60,7 +60,7 @@ def calibration_plot(found: Confronted) -> Figure:
          "marker": {"color": _DECODED, "size": sizes}, "line": {"color": _DECODED, "width": 1.2},
          "customdata": c.counts,
          "error_y": {"type": "data", "array": 2.0 * c.errors, "color": _DECODED, "thickness": 1.2},
-         "hovertemplate": "said %{x:.3g}, came %{y:.3g}<br>%{customdata:,} predictions<extra></extra>"},
+         "hovertemplate": "predicted %{x:.3g}, observed %{y:.3g}<br>%{customdata:,} predictions<extra></extra>"},
     ]  # fmt: skip
     return build(
         "calibration of P(r > θ, alive)",

@@ -13,7 +13,7 @@ Figure = dict[str, Any]
 Trace = dict[str, Any]
 """One trace of a figure, or a part of its layout."""
 
-# Okabe and Ito's palette: told apart by all, on light and on dark.
+# Okabe and Ito's palette: distinct to all, also with colour blindness, on light and on dark.
 ACTION_COLOURS = ("#0072B2", "#E69F00", "#009E73", "#D55E00", "#CC79A7", "#56B4E9", "#8C6D31", "#7A7A7A")
 HEIGHT = 292
 NEUTRAL = "#8a8f98"

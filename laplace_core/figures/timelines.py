@@ -1,4 +1,4 @@
-"""What several learners of one world agree on: rewards and survival over tau, values over the horizon."""
+"""Ranges over several learners of one world: rewards and survival over tau, values over the horizon."""
 
 from __future__ import annotations
 
@@ -39,8 +39,8 @@ def rewards_and_survival(study: Study, action: int, bands: Bands) -> Figure:
     dots = {"color": NEUTRAL, "width": 2, "dash": "dot"}
     traces.append(line("decoded survival", decoded.survival, line=dots, yaxis="y2"))
     span = _least_span(study)
-    shown = np.concatenate([trace["y"] for trace in traces if trace.get("yaxis", "y") == "y"])
-    low, high = min(0.0, float(np.min(shown))), max(0.0, float(np.max(shown)))
+    values = np.concatenate([trace["y"] for trace in traces if trace.get("yaxis", "y") == "y"])
+    low, high = min(0.0, float(np.min(values))), max(0.0, float(np.max(values)))
     flat = {"range": [-span, span]} if high - low < span else {}
     return build(
         "rewards and survival over the seeds",
@@ -118,8 +118,8 @@ def _least_span(study: Study) -> float:
 
 
 def _value_range(study: Study) -> dict[str, list[float]]:
-    shown = [study.decoded.horizon_values] + ([study.truth.horizon_values] if study.truth is not None else [])
-    low, high = float(np.min(shown)), float(np.max(shown))
+    values = [study.decoded.horizon_values] + ([study.truth.horizon_values] if study.truth is not None else [])
+    low, high = float(np.min(values)), float(np.max(values))
     return {} if high - low >= _least_span(study) else {"range": [low - 1.0, high + 1.0]}
 
 

@@ -1,4 +1,4 @@
-"""What training looks like: returns over steps, run beside run, and the values of every discount against what came."""
+"""Figures of training: returns over steps, run beside run, and predicted and observed returns at every discount."""
 
 from __future__ import annotations
 
@@ -135,11 +135,11 @@ def score_curve(curves: Sequence[Scored], step: int) -> Figure:
     """
     traces = []
     for i, curve in reversed(list(enumerate(curves))):
-        shown = i == 0
+        main = i == 0
         traces.append({
             "type": "scatter", "x": curve.steps, "y": curve.scores, "mode": "lines", "showlegend": False,
-            "line": {"color": "#0b7285" if shown else translucent(NEUTRAL, 0.45), "width": 2 if shown else 1},
-            **({"error_y": {"type": "data", "array": curve.errors, "thickness": 1, "width": 0}} if shown else {}),
+            "line": {"color": "#0b7285" if main else translucent(NEUTRAL, 0.45), "width": 2 if main else 1},
+            **({"error_y": {"type": "data", "array": curve.errors, "thickness": 1, "width": 0}} if main else {}),
             "hovertemplate": f"seed {curve.seed}, step %{{x:,.0f}}<br>return %{{y:.4g}}<extra></extra>",
         })  # fmt: skip
     first = curves[0]
@@ -160,18 +160,18 @@ def score_curve(curves: Sequence[Scored], step: int) -> Figure:
 
 
 def discount_errors(curves: Curves, gammas: np.ndarray, steps: int, first: int) -> Figure:
-    """How far the values at the start lie from the returns that came, a line a discount, in reward a step.
+    """Predicted minus observed discounted return at the start, a line a discount, in reward a step.
 
     Args:
         gammas: ``(G,)``.
         steps: of the whole run.
         first: step of the first evaluation, for as long as there is none.
     """
-    told = curves.values.shape == (len(curves.steps), len(gammas)) and len(curves.steps) > 0
+    has_values = curves.values.shape == (len(curves.steps), len(gammas)) and len(curves.steps) > 0
     traces = []
-    for index, gamma in enumerate(gammas if told else ()):
+    for index, gamma in enumerate(gammas if has_values else ()):
         error = (curves.values[:, index] - curves.discounted[:, index]) * (1.0 - gamma)
-        there = np.isfinite(error)  # an older part of the run may have told nothing
+        there = np.isfinite(error)  # an older part of the run may have no values
         traces.append({
             "type": "scatter", "x": curves.steps[there], "y": error[there], "mode": "lines+markers",
             "showlegend": False,
@@ -193,36 +193,36 @@ def discount_errors(curves: Curves, gammas: np.ndarray, steps: int, first: int) 
 
 
 def values_by_discount(curves: Curves, gammas: np.ndarray, colour: str, first: int) -> Figure:
-    """The last evaluation: expected and real discounted return from the start, over the discounts."""
-    told = curves.values.shape[1] == len(gammas) and len(curves.steps) > 0
+    """The last evaluation: predicted and observed discounted return from the start, over the discounts."""
+    has_values = curves.values.shape[1] == len(gammas) and len(curves.steps) > 0
     traces = []
-    if told:
+    if has_values:
         reach = 1.0 / (1.0 - gammas)
         hover = "gamma %{customdata:.3g}<br>%{y:.4g}<extra>"
         common = {"type": "scatter", "x": reach, "customdata": gammas}
         traces = [
-            {**common, "y": curves.discounted[-1], "mode": "lines", "name": "what came",
+            {**common, "y": curves.discounted[-1], "mode": "lines", "name": "observed",
              "error_y": {"type": "data", "array": curves.discounted_errors[-1], "thickness": 1, "width": 3},
              "line": {"color": NEUTRAL, "width": 5},
-             "hovertemplate": "gamma %{customdata:.3g}<br>%{y:.4g} +- %{error_y.array:.2g}<extra>what came</extra>"},
-            {**common, "y": curves.values[-1], "mode": "lines+markers", "name": "what was expected",
+             "hovertemplate": "gamma %{customdata:.3g}<br>%{y:.4g} +- %{error_y.array:.2g}<extra>observed</extra>"},
+            {**common, "y": curves.values[-1], "mode": "lines+markers", "name": "predicted",
              "line": {"color": colour, "width": 1.5}, "marker": {"size": 6},
-             "hovertemplate": f"{hover}what was expected</extra>"},
+             "hovertemplate": f"{hover}predicted</extra>"},
         ]  # fmt: skip
     return build(
-        f"value at the start, step {curves.steps[-1]:,.0f}" if told else "value at the start",
+        f"value at the start, step {curves.steps[-1]:,.0f}" if has_values else "value at the start",
         traces,
         margin={"l": 52, "t": 58},
         height=TALL,
-        xaxis=axis("1 / (1 - gamma), steps", type="log", dtick=1, **({} if told else _BARE)),
-        yaxis=axis("discounted return", **({} if told else _BARE)),
-        annotations=[] if told else _note(_coming(curves, first)),
+        xaxis=axis("1 / (1 - gamma), steps", type="log", dtick=1, **({} if has_values else _BARE)),
+        yaxis=axis("discounted return", **({} if has_values else _BARE)),
+        annotations=[] if has_values else _note(_coming(curves, first)),
     )
 
 
 def _coming(curves: Curves, first: int) -> str:
     if len(curves.steps):
-        return "the evaluations of this run tell no values"
+        return "the evaluations of this run have no values"
     return f"after the first evaluation, at step {first:,}"
 
 
@@ -240,7 +240,7 @@ def _shade(index: int, of: int) -> str:
 
 
 def _colour_bar(gammas: np.ndarray) -> Trace:
-    """No points, only the scale that tells which colour is which discount."""
+    """No points, only the colour scale of the discounts."""
     last = len(gammas) - 1
     ticks = sorted({round(last * share) for share in (0.0, 1 / 3, 2 / 3, 1.0)})
     return {

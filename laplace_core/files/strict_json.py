@@ -24,11 +24,11 @@ def parse_json(text: bytes | str, what: str) -> Any:
         raise InputError(f"{what} contains {constant}; every number must be finite.")
 
     def refuse_duplicates(pairs: list[tuple[str, object]]) -> dict[str, object]:
-        found = dict(pairs)
-        if len(found) < len(pairs):
+        entries = dict(pairs)
+        if len(entries) < len(pairs):
             twice = Counter(name for name, _ in pairs).most_common(1)[0][0]
             raise InputError(f"the entry {twice[:40]!r} stands twice in one object of {what}.")
-        return found
+        return entries
 
     try:
         return json.loads(text, parse_constant=refuse_constant, object_pairs_hook=refuse_duplicates)

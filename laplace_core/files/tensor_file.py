@@ -25,7 +25,7 @@ _KEY = "laplace"
 
 
 def write_tensors(path: Path, arrays: dict[str, np.ndarray], about: dict[str, Any]) -> None:
-    """Write arrays and what they are about."""
+    """Write arrays and the JSON object about them."""
     arrays = {name: np.asarray(array, order="C") for name, array in arrays.items()}
     write_whole(path, safetensors.numpy.save(arrays, {_KEY: json.dumps(about, allow_nan=False)}))
 

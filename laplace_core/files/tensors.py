@@ -72,12 +72,12 @@ class TensorFile:
             ) from None
 
 
-def _check_names(found: Collection[str], wanted: Collection[str]) -> None:
-    for key in found:
+def _check_names(names: Collection[str], wanted: Collection[str]) -> None:
+    for key in names:
         if key not in wanted:
             raise InputError(f"there is an unknown tensor {key[:40]!r}; known are {', '.join(wanted)}.")
     for key in wanted:
-        if key not in found:
+        if key not in names:
             raise InputError(f"the tensor {key!r} is missing.")
 
 
@@ -125,13 +125,13 @@ def read_bytes(path: str | Path, name: str, *, most_bytes: int) -> bytes:
     except ValueError:  # a zero byte in the name
         raise InputError(f"{Path(path).name!r} cannot be the name of a file.") from None
     try:
-        found = os.fstat(handle)
-        if not stat.S_ISREG(found.st_mode):
-            raise InputError(f"{name} is {'a directory' if stat.S_ISDIR(found.st_mode) else 'no plain file'}.")
-        if found.st_size > most_bytes:
-            raise InputError(f"{name} is larger than {most_bytes:,} bytes: it has {found.st_size:,}.")
+        status = os.fstat(handle)
+        if not stat.S_ISREG(status.st_mode):
+            raise InputError(f"{name} is {'a directory' if stat.S_ISDIR(status.st_mode) else 'no plain file'}.")
+        if status.st_size > most_bytes:
+            raise InputError(f"{name} is larger than {most_bytes:,} bytes: it has {status.st_size:,}.")
         with os.fdopen(handle, "rb", closefd=False) as file:
-            return file.read(most_bytes + 1)[: found.st_size]
+            return file.read(most_bytes + 1)[: status.st_size]
     except OSError as error:
         raise InputError(f"{name} cannot be read: {(error.strerror or 'unknown error').lower()}.") from None
     finally:

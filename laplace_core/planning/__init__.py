@@ -1,5 +1,5 @@
-"""Dynamic programming in a tabular world: its policies, its gamma-space, and the truth that a decoded tau-space is held
-against."""
+"""Dynamic programming in a tabular world: its policies, its gamma-space, and the truth that a decoded tau-space
+is compared with."""
 
 from laplace_core.planning.exact import proxy_gamma_space, reward_indicator_basis
 from laplace_core.planning.policies import (

@@ -65,8 +65,8 @@ def _closure(moves: sparse.csr_array, states: np.ndarray) -> np.ndarray:
     seen = np.zeros(moves.shape[0], dtype=bool)
     while states.size:
         seen[states] = True
-        found = np.unique(moves[states].indices)
-        states = found[~seen[found]]
+        reached = np.unique(moves[states].indices)
+        states = reached[~seen[reached]]
     return np.flatnonzero(seen)
 
 

@@ -1,4 +1,4 @@
-"""What really happens in a tabular world: reward timelines and the finite-horizon optimum."""
+"""The truth of a tabular world: reward timelines and the finite-horizon optimum."""
 
 from __future__ import annotations
 
@@ -33,12 +33,12 @@ def finite_horizon_optimum(world: World, steps: int, gamma: float, state: int | 
     Returns:
         ``(steps, S, A)``, or ``(steps, A)`` for one ``state``, without ever holding the rest.
     """
-    kept = slice(None) if state is None else state
-    values = np.empty((steps, *world.expected_reward[kept].shape))
+    rows = slice(None) if state is None else state
+    values = np.empty((steps, *world.expected_reward[rows].shape))
     best = np.zeros(world.n_states)
     for horizon in range(steps):
         now = action_values(world, best, gamma)
-        values[horizon] = now[kept]
+        values[horizon] = now[rows]
         best = now.max(axis=1)
     return values
 

@@ -1,6 +1,6 @@
 """Two studies side by side: where their pictures differ, and where their choices do.
 
-A is the one that was kept, B the one at hand; every difference is B - A, on the grid of B.
+A is the pinned study, B the current one; every difference is B - A, on the grid of B.
 """
 
 from __future__ import annotations
@@ -134,8 +134,8 @@ def _action(study: Study, action: str | int, which: str) -> int:
     if isinstance(action, str) and action in study.action_names:
         return study.action_names.index(action)
     if isinstance(action, str) or not 0 <= action < len(study.action_names):
-        shown = ", ".join(study.action_names[:6]) + (", ..." if len(study.action_names) > 6 else "")
-        raise InputError(f"{which} has no action {str(action)[:40]!r}; choose one of {shown}.")
+        names = ", ".join(study.action_names[:6]) + (", ..." if len(study.action_names) > 6 else "")
+        raise InputError(f"{which} has no action {str(action)[:40]!r}; choose one of {names}.")
     return int(action)
 
 
@@ -238,23 +238,23 @@ def _sentence(notes: list[str]) -> str:
     return f"{text[0].upper()}{text[1:]}." if text else ""
 
 
-def _largest(found: Difference) -> str:
-    name = found.what.replace("_", "-")
-    change = found.difference
+def _largest(difference: Difference) -> str:
+    name = difference.what.replace("_", "-")
+    change = difference.difference
     row, column = np.unravel_index(np.argmax(np.abs(change)), change.shape)
-    largest, scale = change[row, column], max(1.0, float(np.abs(found.b).max()))
+    largest, scale = change[row, column], max(1.0, float(np.abs(difference.b).max()))
     if abs(largest) <= SAME * scale:
         return f"A and B show the same {name}"
-    if found.what == "tau_space":
-        place, unit = f"tau = {found.rows[row]:g}, reward {found.columns[column]:.3g}", "in probability"
+    if difference.what == "tau_space":
+        place, unit = f"tau = {difference.rows[row]:g}, reward {difference.columns[column]:.3g}", "in probability"
     else:
-        place = f"gamma = {found.rows[row]:.3g}, theta = {found.columns[column]:.3g}"
+        place = f"gamma = {difference.rows[row]:.3g}, theta = {difference.columns[column]:.3g}"
         unit = "rewards above theta, discounted"
-    values = f"A {found.a[row, column]:.3g}, B {found.b[row, column]:.3g}"
+    values = f"A {difference.a[row, column]:.3g}, B {difference.b[row, column]:.3g}"
     return f"the largest change of the {name} is {largest:+.3g} {unit}, at {place} ({values})"
 
 
-def _choices(values: ValueDifference, shown: int = 3) -> str:
+def _choices(values: ValueDifference, most: int = 3) -> str:
     """Where the chosen names differ, as runs of horizons."""
     pairs = list(zip(values.chosen_a, values.chosen_b, strict=True))
     runs: list[tuple[int, int]] = []
@@ -266,10 +266,10 @@ def _choices(values: ValueDifference, shown: int = 3) -> str:
     apart = [run for run in runs if pairs[run[0]][0] != pairs[run[0]][1]]
     if not apart:
         return f"both choose the same action at {_span(values.horizons, 0, len(pairs) - 1)}"
-    told = [
-        f"at {_span(values.horizons, *run)} A chooses {pairs[run[0]][0]}, B {pairs[run[0]][1]}" for run in apart[:shown]
+    parts = [
+        f"at {_span(values.horizons, *run)} A chooses {pairs[run[0]][0]}, B {pairs[run[0]][1]}" for run in apart[:most]
     ]
-    return ", ".join(told) + (", and so on" if len(apart) > shown else "")
+    return ", ".join(parts) + (", and so on" if len(apart) > most else "")
 
 
 def _span(horizons: np.ndarray, first: int, last: int) -> str:

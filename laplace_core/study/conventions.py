@@ -1,4 +1,4 @@
-"""Gamma-spaces of other conventions, recognised by what no gamma-space of ours can hold.
+"""Gamma-spaces of other conventions, recognised by values that no gamma-space of ours can have.
 
 Facts that hold whatever the policies of the discounts are, for q = (1 - gamma) Q, which is a probability:
 
@@ -59,13 +59,13 @@ def check_convention(values: np.ndarray, constant: np.ndarray | None, gammas: np
         )
     if facts.largest > _MOST:
         action, g = np.unravel_index(facts.sized.argmax(), facts.sized.shape)
-        told = f"{facts.sized[action, g] / sizes[g]:.4g} at gamma {gammas[g]:.4g}, well above 1 / (1 - gamma)"
+        excess = f"{facts.sized[action, g] / sizes[g]:.4g} at gamma {gammas[g]:.4g}, well above 1 / (1 - gamma)"
         if _score(values[:, ::-1], None, sizes) < 0.5 * _score(values, None, sizes):
             raise InputError(
-                f"'gamma_space' holds {told}: its discounts seem to be in the reverse order of 'gammas'; "
+                f"'gamma_space' holds {excess}: its discounts seem to be in the reverse order of 'gammas'; "
                 "reverse one of them."
             )
-        raise InputError(f"'gamma_space' holds {told}: give discounted sums of probabilities, not of rewards.")
+        raise InputError(f"'gamma_space' holds {excess}: give discounted sums of probabilities, not of rewards.")
     if facts.below:
         raise InputError(
             "'constant_channel' lies below the lowest tail of 'gamma_space': it must be the sum of gamma^tau over all "
@@ -180,7 +180,7 @@ def _errors(values: np.ndarray, sizes: np.ndarray) -> np.ndarray:
     values of a normal number are below .3186 standard deviations; a second difference has sqrt(6) of them.
     """
     q = (values * sizes[:, None]).transpose(1, 0, 2)
-    count, found = len(q), np.full(len(q), USUAL_NOISE)
+    count, errors = len(q), np.full(len(q), USUAL_NOISE)
     along_gamma = np.abs(np.diff(q, n=2, axis=0))[np.clip(np.arange(count) - 1, 0, count - 3)] if count > 2 else q[:0]
     for bends in (np.abs(np.diff(q, n=2, axis=2)), along_gamma):
         quarter = np.inf
@@ -188,8 +188,8 @@ def _errors(values: np.ndarray, sizes: np.ndarray) -> np.ndarray:
             quarter = np.quantile(bends.reshape(count, -1), 0.25, axis=1)
         elif bends.size >= 16:
             quarter = np.quantile(bends, 0.25)
-        found = np.minimum(found, 1.3 * quarter / (0.3186 * np.sqrt(6.0)))
-    return found + 1e-6
+        errors = np.minimum(errors, 1.3 * quarter / (0.3186 * np.sqrt(6.0)))
+    return errors + 1e-6
 
 
 def _score(values: np.ndarray, constant: np.ndarray | None, sizes: np.ndarray) -> float:
@@ -228,7 +228,7 @@ def _listed(order: tuple[int, ...]) -> str:
 
 
 def order_of_axes(shape: tuple[int, ...], gammas: int, thetas: int) -> str | None:
-    """What the axes of a misshapen gamma-space seem to be, in words; None where its shape tells nothing."""
+    """What the axes of a misshapen gamma-space seem to be, in words; None where its shape does not show it."""
     for order in permutations(range(len(shape))) if len(shape) in (2, 3) else ():
         if tuple(shape[axis] for axis in order)[-2:] == (gammas, thetas):
             names = _AXES[-len(shape) :]

@@ -1,7 +1,7 @@
 """How good a view is, in numbers: its choice, its values and its timeline, each graded by itself.
 
-A view is a study and one of its horizons. Nothing here says why something is wrong; that is found by running
-the view again under other settings (:mod:`laplace_core.study.trials`) and said by :mod:`laplace_core.study.verdict`.
+A view is a study and one of its horizons. Grades do not say why something is wrong: :mod:`laplace_core.study.trials`
+searches for the cause by running the view again under other settings, and :mod:`laplace_core.study.verdict` words it.
 """
 
 from __future__ import annotations
@@ -96,7 +96,7 @@ def timeline_error(study: WorldStudy, action: int, decoded: Decoded | None = Non
     Half the sum of |decoded - true| over steps and rewards, by the sum of the true ones: 0 for a perfect inverse, 1
     where nothing lies where it should, more where probability is invented. Each bin counts for the world's nearest
     reward, and with a ``time_step`` below 1 each row for the nearest step, so that a finer picture is not a worse one.
-    Rows given survival are held against true rows given survival. A picture whose sensitivities hold less than
+    Rows given survival are compared with true rows given survival. A picture whose sensitivities hold less than
     ``LEAST_SHOWN`` of what truly comes counts as wholly misplaced.
     """
     decoded = study.decoded if decoded is None else decoded

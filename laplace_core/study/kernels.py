@@ -1,4 +1,4 @@
-"""What a reading really weighs: the discount kernel of its value, and the averaging kernel of a row.
+"""The kernels of a reading: the discount kernel of its value, and the averaging kernel of a row.
 
 Both are rows of F^T times weights over the discounts: what the values of gamma-space are multiplied by.
 """

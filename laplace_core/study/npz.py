@@ -211,7 +211,7 @@ def _read_arrays(archive: zipfile.ZipFile) -> dict[str, np.ndarray]:
 
 
 def _checked_shape(archive: zipfile.ZipFile, name: str, room: int) -> tuple[int, ...]:
-    """The shape in an array's header, held against the bytes that are really there and the ``room`` left."""
+    """The shape in an array's header, compared with the bytes that the file has and the ``room`` left."""
     member = f"{name}.npy"
     with archive.open(member) as file:
         version = np.lib.format.read_magic(file)

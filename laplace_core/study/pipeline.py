@@ -267,8 +267,10 @@ def inverted(values: np.ndarray, gammas: np.ndarray, settings: Resolved, row: in
     Rows that are not decoded, because the horizon of ``row`` has fewer, are 0.
     """
     s, rows = settings, rows_decoded(settings, row)
-    found = decode(shifted(values) if s.shift else values, gammas, rows, s.alpha, s.time_step)
-    return found if rows == s.steps else np.pad(found, [(0, 0)] * (found.ndim - 2) + [(0, s.steps - rows), (0, 0)])
+    decoded = decode(shifted(values) if s.shift else values, gammas, rows, s.alpha, s.time_step)
+    return (
+        decoded if rows == s.steps else np.pad(decoded, [(0, 0)] * (decoded.ndim - 2) + [(0, s.steps - rows), (0, 0)])
+    )
 
 
 def decode_and_read(gamma_space: GammaSpace, settings: Resolved, row: int | None = None) -> Decoded:
@@ -311,13 +313,13 @@ def reading(settings: Resolved, horizon: float) -> tuple[int, int]:
 
 
 def read_study(gamma_space: GammaSpace, settings: Resolved) -> Decoded:
-    """What a study shows: the rows that the horizon of its settings has, and the value of every horizon."""
+    """The decoded part of a study: the rows that the horizon of its settings has, and the value of every horizon."""
     s = settings
     row = reading(s, float(row_horizons(s.steps, s.time_step)[-1]) if s.horizon is None else s.horizon)[0]
-    found = decode_and_read(gamma_space, s, row)
+    decoded = decode_and_read(gamma_space, s, row)
     if not s.fold:
-        return found
-    return replace(found, horizon_values=folded_values(lambda each: rewards_of(gamma_space, s, each), s))
+        return decoded
+    return replace(decoded, horizon_values=folded_values(lambda each: rewards_of(gamma_space, s, each), s))
 
 
 def folded_values(rewards_at: Callable[[int], np.ndarray], settings: Resolved) -> np.ndarray:

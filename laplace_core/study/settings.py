@@ -245,18 +245,18 @@ def _script(
     imports: list[str], source: str, function: str, argument: str, *, words: list[str], truth: bool
 ) -> str:  # fmt: skip
     """The lines of a script; long settings take a line each."""
-    line = f"found = {function}({argument}, Settings({', '.join(words)}))"
+    line = f"result = {function}({argument}, Settings({', '.join(words)}))"
     if len(line) > 100:
         listed = "".join(f"    {word},\n" for word in words)
-        line = f"settings = Settings(\n{listed})\nfound = {function}({argument}, settings)"
-    looks = [
-        "found.decoded.tau_space  # (actions, steps, sensitivities - 1): how likely each reward is at each future step",
-        "found.decoded.horizon_values  # (actions, steps): the value of each action for the horizon T = 1, 2, ...",
-        "found.decoded.actions  # (steps,): the action chosen for each horizon",
+        line = f"settings = Settings(\n{listed})\nresult = {function}({argument}, settings)"
+    outputs = [
+        "result.decoded.tau_space  # (actions, steps, sensitivities - 1): how likely each reward is at each step",
+        "result.decoded.horizon_values  # (actions, steps): the value of each action for the horizon T = 1, 2, ...",
+        "result.decoded.actions  # (steps,): the action chosen for each horizon",
     ]
     if truth:
-        looks.append("found.truth.optimal_action  # (steps,): the best one")
-    return "\n".join([*imports, "", source, line, "", *looks, ""])
+        outputs.append("result.truth.optimal_action  # (steps,): the best one")
+    return "\n".join([*imports, "", source, line, "", *outputs, ""])
 
 
 def flag(parameter: Parameter) -> str:
@@ -273,7 +273,7 @@ def parse_settings(world: str, params: Mapping[str, object], given: Mapping[str,
 
 
 def check_paper_grid(given: Mapping[str, object]) -> None:
-    """Refuse a discount grid of one's own beside the paper's fifteen discounts, which would not be heard.
+    """Refuse a discount grid of one's own beside the paper's fifteen discounts, which would change nothing.
 
     Args:
         given: values by the name of the setting, those that were given explicitly; None was not.

@@ -7,7 +7,7 @@ A *change* is one setting of the picture put otherwise, everything else kept. It
 - a timeline that was not sound under a right choice and right values becomes sound, both staying right;
 
 and, where gamma-space keeps its noise, if the first two also hold under fresh noise. ``acting_gamma``, ``state``, the
-horizon and ``deadline`` are what is asked and not how it is answered: they are never tried, but for a constant horizon
+horizon and ``deadline`` are the question and not how it is answered: they are never tried, but for a constant horizon
 after some steps of an episode, when it no longer is what is left.
 """
 
@@ -234,8 +234,8 @@ class Trials:
             return ()
         if s.paper_grid:
             return (Remedy("Leave the paper's grid", {"paper_grid": False}, "discount grid"),)
-        found: list[dict[str, Any]] = [{"spacing": other} for other in GAMMA_SPACINGS if other != s.spacing]
-        labels = [f"Space the discounts as {each['spacing']}" for each in found]
+        changes: list[dict[str, Any]] = [{"spacing": other} for other in GAMMA_SPACINGS if other != s.spacing]
+        labels = [f"Space the discounts as {each['spacing']}" for each in changes]
         if s.spacing != "paper":
             more: list[dict[str, Any]] = [{"gammas": s.gammas * n} for n in (2, 4) if s.gammas * n <= MOST_GAMMAS]
             ends = [{"gamma_min": low} for low in (0.01, 0.1, 0.3) if low != s.gamma_min]
@@ -243,8 +243,8 @@ class Trials:
             labels += [f"Use {each['gammas']} discounts" for each in more]
             which = {"gamma_min": "smallest", "gamma_max": "largest"}
             labels += [f"Put the {which[name]} discount at {value:g}" for each in ends for name, value in each.items()]
-            found += more + ends
-        return tuple(Remedy(label, each, "discount grid") for label, each in zip(labels, found, strict=True))
+            changes += more + ends
+        return tuple(Remedy(label, each, "discount grid") for label, each in zip(labels, changes, strict=True))
 
     def alpha_change(self, alpha: float) -> Remedy:
         """The change to another alpha."""
@@ -265,13 +265,13 @@ class Trials:
             world = self.study.world
             if change.changes_world:
                 world = load_world(world.source, dict(settings.params))
-            found = study(world, settings, self.study.policy, self.study.learned)
+            result = study(world, settings, self.study.policy, self.study.learned)
         except InputError:  # a change may ask for more than a study may hold
             return None
-        if found.horizons[-1] < self.horizon - 1e-9:
+        if result.horizons[-1] < self.horizon - 1e-9:
             return None
-        row = found.row_at(self.horizon)
-        return Trial(found, row, grade(found, row))
+        row = result.row_at(self.horizon)
+        return Trial(result, row, grade(result, row))
 
     def repairs(self, change: Remedy, trial: Trial | None = None) -> bool:
         """Whether a change repairs the view, also under fresh noise."""
@@ -293,8 +293,8 @@ class Trials:
         """Whether the exact values of the world, in place of what was learned, repair the view; any noise stays."""
         if self.study.learned is None:
             return False
-        found = study(self.study.world, self.settings, self.study.policy)
-        return self.repairs(Remedy("", {}), Trial(found, self.row, grade(found, self.row)))
+        result = study(self.study.world, self.settings, self.study.policy)
+        return self.repairs(Remedy("", {}), Trial(result, self.row, grade(result, self.row)))
 
     def _repaired(self, after: Grade, timeline: Callable[[], float]) -> bool:
         before = self.grade
@@ -370,14 +370,14 @@ class Trials:
     @cached_property
     def _repairing(self) -> dict[float, Grade]:
         """Every alpha tried that repairs the view, with the grade under it."""
-        own, found = Part.of(self.study.gamma_space, self.settings), dict[float, Grade]()
+        own, grades = Part.of(self.study.gamma_space, self.settings), dict[float, Grade]()
         for alpha in ALPHAS:
             if alpha == self.settings.alpha:
                 continue
             after = self._grade_of(self._here, own.rewards(self.settings, alpha, self._read))
             if self._repaired_by(alpha, after):
-                found[alpha] = after
-        return found
+                grades[alpha] = after
+        return grades
 
     def _repaired_by(self, alpha: float, after: Grade) -> bool:
         """Whether an alpha, under which the view has this grade, repairs it, also under fresh noise."""
@@ -413,9 +413,10 @@ class Trials:
 
 @dataclass(frozen=True, eq=False)
 class Part:
-    """What expected rewards need of a gamma-space: all of it where rows are rescaled, else two numbers a discount."""
+    """The part of a gamma-space that expected rewards need: all of it where rows are rescaled, else two numbers a
+    discount."""
 
-    kept: GammaSpace | np.ndarray
+    source: GammaSpace | np.ndarray
     gammas: np.ndarray
 
     @classmethod
@@ -427,16 +428,16 @@ class Part:
     def rewards(self, settings: Resolved, alpha: float, row: int) -> np.ndarray:
         """Decoded E[r_tau] at an alpha, ``(A, K)``, for the horizon of a row."""
         s = replace(settings, alpha=alpha)
-        if isinstance(self.kept, GammaSpace):
-            return rewards_of(self.kept, s, row)
-        return rewards_of_parts(self.kept, self.gammas, s, row)
+        if isinstance(self.source, GammaSpace):
+            return rewards_of(self.source, s, row)
+        return rewards_of_parts(self.source, self.gammas, s, row)
 
 
 class _Fresh:
     """A study's gamma-space under other noise of the same level, made once a seed."""
 
-    MOST_KEPT = 100_000_000
-    """Bytes of noisy gamma-spaces that are kept; beyond it they are made anew."""
+    MOST_BYTES = 100_000_000
+    """Bytes of noisy gamma-spaces that are cached; beyond it they are made anew."""
 
     def __init__(self, study: WorldStudy, row: int):
         self._study, self._read = study, study.reading(row)[0]
@@ -452,7 +453,7 @@ class _Fresh:
         part = self._made.get(seed)
         if part is None:
             part = Part.of(with_noise(self._clean, s.noise, seed), s)
-            if not isinstance(part.kept, GammaSpace) or FRESH_SEEDS * part.kept.values.nbytes <= self.MOST_KEPT:
+            if not isinstance(part.source, GammaSpace) or FRESH_SEEDS * part.source.values.nbytes <= self.MOST_BYTES:
                 self._made[seed] = part
         return part.rewards(s, s.alpha if alpha is None else alpha, self._read)
 
@@ -500,8 +501,8 @@ def steepened_slope(s: ResolvedForWorld, gap: float) -> dict[str, object]:
     return {"slope": slope, "thetas": min(MOST_THETAS, max(s.thetas, thetas))}
 
 
-def _can_add_auxiliary(found: WorldStudy) -> bool:
+def _can_add_auxiliary(result: WorldStudy) -> bool:
     """Whether the world is a preset that can be built with auxiliary states and has none."""
-    known = any(parameter.name == "auxiliary" for parameter in parameters_of(found.world.source))
-    off = not dict(found.world.params).get("auxiliary", False)
-    return known and off and found.learned is None and found.policy is None
+    known = any(parameter.name == "auxiliary" for parameter in parameters_of(result.world.source))
+    off = not dict(result.world.params).get("auxiliary", False)
+    return known and off and result.learned is None and result.policy is None

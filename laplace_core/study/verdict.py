@@ -28,7 +28,7 @@ MOST_REMEDIES = 3
 
 @dataclass(frozen=True)
 class Verdict:
-    """What is right in a view and what is not.
+    """The grades of a view's choice, values and timeline, and the cause of a fault.
 
     Attributes:
         choice: ``right``: the best action, on values that hold. ``lucky``: the best action, on values that do not, or
@@ -92,7 +92,7 @@ def judge(
         return Verdict("unknown", None, f"{at} {words}.", chosen)
     looked_at = chosen if action is None else action
     graded, misplaced = grade(study, row), timeline_error(study, looked_at, decoded)
-    found = Verdict(
+    verdict = Verdict(
         "wrong" if graded.wrong else "lucky" if graded.off else "right",
         timeline_grade(misplaced),
         "",
@@ -103,43 +103,43 @@ def judge(
         graded.value_error,
         misplaced,
     )
-    first = _first_words(study, row, graded, found, choice=f"{at} the decoded values choose {names[chosen]}{numbers}")
-    last = ("" if graded.wrong else _wrong_elsewhere(study, row)) + _timeline_words(found, names[looked_at])
-    if found.choice == "right" and study.settings.deadline == "constant":
+    first = _first_words(study, row, graded, verdict, choice=f"{at} the decoded values choose {names[chosen]}{numbers}")
+    last = ("" if graded.wrong else _wrong_elsewhere(study, row)) + _timeline_words(verdict, names[looked_at])
+    if verdict.choice == "right" and study.settings.deadline == "constant":
         constant = constant_horizon(Look(study, chosen, study.horizons[row]))
         if constant is not None:
             change = replace(constant.remedies[0], name=constant.name)
             later = f" But with the same T at every step, {constant.shown}. Cause: {constant.name}. {constant.sentence}"
             sentence = first + later + last
             return replace(
-                found, choice="lucky", sentence=sentence, cause=change, where=names[chosen], remedies=(change,)
+                verdict, choice="lucky", sentence=sentence, cause=change, where=names[chosen], remedies=(change,)
             )
-    if found.faultless:
-        return replace(found, sentence=first + last)
+    if verdict.faultless:
+        return replace(verdict, sentence=first + last)
     if not explain:
-        return replace(found, sentence=first + last, searched=False)
-    explained, why = _explained(trials or Trials(study, row, action), found)
-    if found.choice == "right":  # the cause is one of the timeline
+        return replace(verdict, sentence=first + last, searched=False)
+    explained, why = _explained(trials or Trials(study, row, action), verdict)
+    if verdict.choice == "right":  # the cause is one of the timeline
         return replace(explained, sentence=f"{first}{last}{why}")
     return replace(explained, sentence=f"{first}{why}{last}")
 
 
-def _first_words(study: WorldStudy, row: int, graded: Grade, found: Verdict, *, choice: str) -> str:
-    """What the values choose, and whether that and they are right."""
+def _first_words(study: WorldStudy, row: int, graded: Grade, verdict: Verdict, *, choice: str) -> str:
+    """The chosen action in words, and whether the choice and the values are right."""
     read, left = study.reading(row)
     decoded, names = study.at(row), study.action_names
     values, true = decoded.horizon_values[:, read], study.truth.horizon_values[:, left]
-    if found.choice == "wrong":
+    if verdict.choice == "wrong":
         return f"{choice}; the best is {names[graded.best]}."
     off, scale = int(np.argmax(np.abs(values - true))), decoded.scale
     if len(names) == 1:
-        shown, truly = in_words((values[0], true[0]), scale)
-        return f"{_where_read(study, row)} the decoded value is {shown}; the true one is {truly}."
+        decoded_value, truly = in_words((values[0], true[0]), scale)
+        return f"{_where_read(study, row)} the decoded value is {decoded_value}; the true one is {truly}."
     sentence = f"{choice}, and no action is better."
-    if found.choice == "right":
+    if verdict.choice == "right":
         return sentence
-    shown, truly = in_words((values[off], true[off]), scale, apart=True)
-    return f"{sentence} But {names[off]} is worth {truly}, not {shown}."
+    decoded_value, truly = in_words((values[off], true[off]), scale, apart=True)
+    return f"{sentence} But {names[off]} is worth {truly}, not {decoded_value}."
 
 
 def _where_read(study: Study, row: int) -> str:
@@ -151,24 +151,24 @@ def _where_read(study: Study, row: int) -> str:
     )
 
 
-def _timeline_words(found: Verdict, name: str) -> str:
-    size = found.timeline_error
-    if found.timeline == "sound" or size is None:
+def _timeline_words(verdict: Verdict, name: str) -> str:
+    size = verdict.timeline_error
+    if verdict.timeline == "sound" or size is None:
         return ""
     if size <= 1.0:
-        return f" Timeline of {name}: {found.timeline}, {100 * size:.0f}% misplaced."
+        return f" Timeline of {name}: {verdict.timeline}, {100 * size:.0f}% misplaced."
     return f" Timeline of {name}: ruined, off by {size:.3g} times all that truly comes."
 
 
-def _explained(trials: Trials, found: Verdict) -> tuple[Verdict, str]:
+def _explained(trials: Trials, verdict: Verdict) -> tuple[Verdict, str]:
     """The verdict with its cause, and the cause in words."""
     if not trials.affordable:
-        return replace(found, searched=False), " Its cause was not searched for: the view is too large."
+        return replace(verdict, searched=False), " Its cause was not searched for: the view is too large."
     repairing = [change for change in trials.switches if trials.repairs(change)]
     repairing = _one_each(repairing)
     if trials.learned_wrong:
         cause = Remedy("", {}, "not learned yet")
-        return replace(found, cause=cause, remedies=tuple(repairing[:MOST_REMEDIES])), _blame(cause, None)
+        return replace(verdict, cause=cause, remedies=tuple(repairing[:MOST_REMEDIES])), _blame(cause, None)
     alpha = trials.alpha
     if alpha is not None:
         repairing.append(trials.alpha_change(alpha))
@@ -177,13 +177,13 @@ def _explained(trials: Trials, found: Verdict) -> tuple[Verdict, str]:
     if repairing:
         cause = repairing[0]
         names = trials.study.action_names
-        where = names[trials.action] if found.choice == "right" else _where(trials, cause)
-        found = replace(found, cause=cause, where=where, remedies=tuple(repairing[:MOST_REMEDIES]))
-        return found, _blame(cause, where if len(names) > 1 else None)
+        where = names[trials.action] if verdict.choice == "right" else _where(trials, cause)
+        verdict = replace(verdict, cause=cause, where=where, remedies=tuple(repairing[:MOST_REMEDIES]))
+        return verdict, _blame(cause, where if len(names) > 1 else None)
     if trials.doubtful:
         words = " Some single setting repairs it under this noise, but none under most other noise: none is named."
-        return found, words
-    return replace(found, exhausted=True), _exhausted(trials, found)
+        return verdict, words
+    return replace(verdict, exhausted=True), _exhausted(trials, verdict)
 
 
 def _one_each(changes: Sequence[Remedy]) -> list[Remedy]:
@@ -213,11 +213,11 @@ def _blame(cause: Remedy, where: str | None) -> str:
     return f" Cause: {cause.name}{f', in {where}' if where else ''}. {WHY[cause.name]}"
 
 
-def _exhausted(trials: Trials, found: Verdict) -> str:
+def _exhausted(trials: Trials, verdict: Verdict) -> str:
     study, row = trials.study, trials.row
-    if found.choice == "right":
+    if verdict.choice == "right":
         return " No single setting makes it sound."
-    if found.choice == "lucky":
+    if verdict.choice == "lucky":
         return f" No single setting brings the values within {100 * VALUE_TOLERANCE:.0f}%."
     left = study.reading(row)[1]
     optimum = study.truth.optimum[:, left]
@@ -231,7 +231,7 @@ def _exhausted(trials: Trials, found: Verdict) -> str:
 
 
 def _numbers(values: np.ndarray, scale: float, chosen: int, names: tuple[str, ...]) -> str:
-    """The chosen value against the next best, with the digits that tell them apart."""
+    """The chosen value against the next best, with as many digits as they differ in."""
     if len(values) < 2:
         return ""
     others = np.where(np.arange(len(values)) == chosen, -np.inf, values)
@@ -252,12 +252,12 @@ def in_words(values: Sequence[float], scale: float, *, apart: bool = False) -> t
     largest = max(abs(float(value)) for value in values)
     kind = "g" if ROUNDING * scale < largest < 0.01 else "f"
 
-    def shown(digits: int) -> tuple[str, ...]:
+    def rounded(digits: int) -> tuple[str, ...]:
         numbers = (float(value) if kind == "g" else round(float(value), digits) for value in values)
         return tuple(f"{number + 0.0:.{digits}{kind}}" for number in numbers)
 
-    enough = (n for n in (2, 3, 4, 6) if len(set(shown(n))) == len(values))
-    return shown(next(enough, 2) if apart else 2)
+    enough = (n for n in (2, 3, 4, 6) if len(set(rounded(n))) == len(values))
+    return rounded(next(enough, 2) if apart else 2)
 
 
 def _wrong_elsewhere(study: WorldStudy, row: int) -> str:
@@ -271,8 +271,8 @@ def _wrong_elsewhere(study: WorldStudy, row: int) -> str:
         f"{study.horizons[first]:g}" + (f" to {study.horizons[last - 1]:g}" if last - first > 1 else "")
         for first, last in zip(edges[::2], edges[1::2], strict=True)
     ]
-    shown = ", ".join(ranges[:4]) + (", ..." if len(ranges) > 4 else "")
-    return f" The choice is wrong at T = {shown}."
+    listed = ", ".join(ranges[:4]) + (", ..." if len(ranges) > 4 else "")
+    return f" The choice is wrong at T = {listed}."
 
 
 def wrong_rows(study: WorldStudy) -> np.ndarray:

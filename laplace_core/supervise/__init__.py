@@ -1,4 +1,4 @@
-"""Processes that learn or train beside the application: how they begin, are known again, and end."""
+"""Processes that learn or train beside the application: how they start, are identified, and end."""
 
 from laplace_core.supervise.note import FILE, PLAIN, last_line, read_process, read_small, refusal_in, write_process
 from laplace_core.supervise.process import ONE_THREAD, Process, start

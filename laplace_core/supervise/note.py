@@ -1,4 +1,4 @@
-"""What lies in the folder of a process: a note of which one it is, and what it complained about."""
+"""Notes in the folder of a process: which process it is, and its error messages."""
 
 from __future__ import annotations
 
@@ -26,12 +26,12 @@ _MOST_ERRORS = 1_000_000
 
 
 def write_process(folder: Path, process: Process) -> None:
-    """Note who works on this folder."""
+    """Record the process that works on this folder."""
     write_whole(folder / FILE, json.dumps(asdict(process)).encode())
 
 
 def read_process(folder: Path) -> Process | None:
-    """Who worked on it last; None if nobody has, or the note is none."""
+    """The process that worked on it last; None if none has, or the note is not one."""
     text = read_small(folder / FILE, _MOST_BYTES)
     try:
         about = parse_json(text or "", FILE)
@@ -71,7 +71,7 @@ def read_small(path: Path, most: int) -> str | None:
 
 
 def last_line(errors: Path) -> str:
-    """The last line of what a process complained about, of at most 300 characters; empty if it did not."""
+    """The last line of a process's error messages, at most 300 characters; empty if there are none."""
     lines = (read_small(errors, _MOST_ERRORS) or "").strip().splitlines()
     return " ".join(lines[-1].split())[:300] if lines else ""
 

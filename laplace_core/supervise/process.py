@@ -1,4 +1,4 @@
-"""A process of this machine: its number and when it began, so that a number given out anew is not taken for it."""
+"""A process of this machine: its number and start time, so that another process with a reused number differs."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ import psutil
 import laplace_core
 
 ONE_THREAD = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"), "1")
-"""Environment of a process that leaves the other cores to the others."""
+"""Environment variables of a process that uses one core and leaves the others free."""
 PATIENCE = 1.5
 """Seconds that a process is given to end when it is asked to, before it is killed."""
 _SAME = 2.0
@@ -24,10 +24,10 @@ _SAME = 2.0
 
 @dataclass(frozen=True)
 class Process:
-    """A process, over or not.
+    """A process, running or ended.
 
     Attributes:
-        started: when it began, in seconds since 1970; 0 if it was over when it was looked for.
+        started: when it began, in seconds since 1970; 0 if it was already over when this object was made.
     """
 
     pid: int
@@ -40,12 +40,12 @@ class Process:
 
     @property
     def alive(self) -> bool:
-        """Whether it still runs; one that is over but not yet waited for by its parent does not."""
-        return self._found() is not None
+        """Whether it still runs; a zombie, which its parent has not waited for yet, does not."""
+        return self._running_process() is not None
 
-    def _found(self) -> psutil.Process | None:
-        found = _running(self.pid)
-        return found if found is not None and abs(_began(found) - self.started) < _SAME else None
+    def _running_process(self) -> psutil.Process | None:
+        process = _running(self.pid)
+        return process if process is not None and abs(_began(process) - self.started) < _SAME else None
 
     def same(self, other: Process | None) -> bool:
         """Whether both are one process."""
@@ -72,17 +72,17 @@ class Process:
 
     def _family(self) -> list[psutil.Process]:
         """The process and those that it has started, and they in turn; none if it is over."""
-        found = self._found()
-        if found is None:
+        process = self._running_process()
+        if process is None:
             return []
         try:
-            return [found, *found.children(recursive=True)]
+            return [process, *process.children(recursive=True)]
         except psutil.Error:
-            return [found]
+            return [process]
 
 
 def start(words: Sequence[str], errors: Path) -> subprocess.Popen[bytes]:
-    """Begin a process that uses one thread, hears nothing, and writes what it complains about to ``errors``.
+    """Begin a process that uses one thread, has no input, and writes its error messages to ``errors``.
 
     It belongs to no terminal, so that Ctrl-C at the server does not reach it.
 
@@ -104,22 +104,22 @@ def start(words: Sequence[str], errors: Path) -> subprocess.Popen[bytes]:
 
 def _running(pid: int) -> psutil.Process | None:
     try:
-        found = psutil.Process(pid)
+        process = psutil.Process(pid)
     except psutil.Error:
         return None
-    return found if _runs(found) else None
+    return process if _runs(process) else None
 
 
-def _began(found: psutil.Process | None) -> float:
+def _began(process: psutil.Process | None) -> float:
     """When a process began, 0 if there is none."""
     try:
-        return 0.0 if found is None else float(found.create_time())
+        return 0.0 if process is None else float(process.create_time())
     except psutil.Error:
         return 0.0
 
 
-def _runs(found: psutil.Process) -> bool:
+def _runs(process: psutil.Process) -> bool:
     try:
-        return bool(found.is_running()) and found.status() not in (psutil.STATUS_ZOMBIE, psutil.STATUS_DEAD)
+        return bool(process.is_running()) and process.status() not in (psutil.STATUS_ZOMBIE, psutil.STATUS_DEAD)
     except psutil.Error:
         return False

@@ -1,4 +1,4 @@
-"""A process at work in a folder of its own: begun, noted there, asked to end, and the reason why it ended."""
+"""A process at work in a folder of its own: its start, its note there, its end and the reason for it."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from laplace_core.supervise.note import last_line, read_process, refusal_in, wri
 from laplace_core.supervise.process import PATIENCE, Process, start
 
 ERRORS = "errors.txt"
-"""The file in the folder of a worker that holds what its process complained about."""
+"""The file in the folder of a worker that holds the error messages of its process."""
 _ASKED_TO_END = (-signal.SIGTERM, -signal.SIGINT, 128 + signal.SIGTERM, 128 + signal.SIGINT)
 
 
@@ -27,7 +27,7 @@ class End:
     Attributes:
         status: its exit status, minus the number of the signal that killed it; None if it was not our child, so that
             nobody saw it.
-        line: the last line of what it complained about; empty if it did not.
+        line: the last line of its error messages; empty if there are none.
     """
 
     status: int | None

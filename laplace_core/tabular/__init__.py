@@ -1,4 +1,4 @@
-"""Agents that learned the Laplace code: how they learn, what they hold, and how it is read, saved and watched."""
+"""Tabular agents that learn the Laplace code: learning, tables, reading, saving and watching them."""
 
 from laplace_core.tabular.files import learned_bytes, parse_learned, read_learned, save_learned
 from laplace_core.tabular.learner import Learning

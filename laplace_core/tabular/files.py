@@ -1,4 +1,4 @@
-"""Learned agents as .safetensors files: written whole or not at all, read with suspicion.
+"""Learned agents as .safetensors files: written whole or not at all, validated before use.
 
 Tensors: ``table_shapes`` names them; tables are float32, values float64. Metadata, all JSON: ``kind``, ``version``,
 ``world`` (preset and parameters, or the text of a world file), ``settings``, ``curves`` and ``finished``.
@@ -132,16 +132,16 @@ def parse_learned(content: bytes, name: str = "the file", limit: int = MAX_BYTES
     return Learned(world, settings, basis, acting_values, curves, metadata["finished"], peers)
 
 
-def _metadata(found: Mapping[str, str], name: str) -> dict[str, object]:
-    if parse_json(found.get("kind", "null"), "'kind'") != KIND:
+def _metadata(entries: Mapping[str, str], name: str) -> dict[str, object]:
+    if parse_json(entries.get("kind", "null"), "'kind'") != KIND:
         raise InputError(f"{name} holds no agent learned here: its 'kind' is not {KIND!r}.")
     for key in _KEYS:
-        if key not in found:
+        if key not in entries:
             raise InputError(f"the metadata of {name} lacks {key!r}.")
-    for key in found:
+    for key in entries:
         if key not in _KEYS:
             raise InputError(f"the metadata of {name} has an unknown entry {key[:40]!r}.")
-    metadata = {key: parse_json(found[key], f"the metadata entry {key!r}") for key in _KEYS}
+    metadata = {key: parse_json(entries[key], f"the metadata entry {key!r}") for key in _KEYS}
     if metadata["version"] != VERSION or isinstance(metadata["version"], bool):
         raise InputError(f"{name} was saved in version {str(metadata['version'])[:20]}; this reads {VERSION}.")
     return metadata
@@ -196,7 +196,7 @@ def _curves(entry: object, settings: ResolvedLearning) -> tuple[Mapping[str, np.
 def _check_ranges(
     tensors: Mapping[str, np.ndarray], world: World, settings: ResolvedLearning, *, low: float, high: float
 ) -> None:
-    """Refuse what no learner can hold: every update is an average, and so stays within the bounds of what it learns."""
+    """Refuse values that no learner can reach: every update is an average, within the bounds of what it averages."""
     for name, array in tensors.items():
         if not np.all(np.isfinite(array)):
             raise InputError(f"the tensor {name!r} holds a value that is not a finite number.")

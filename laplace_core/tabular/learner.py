@@ -58,7 +58,7 @@ class Learning:
 
     @property
     def progress(self) -> dict[str, object]:
-        """Where learning stands, in plain numbers: what a line of the progress file holds.
+        """The progress of learning in plain numbers: a line of the progress file.
 
         ``return`` and ``error`` are means over the seeds of what ``CURVE_NAMES`` says, None before the first event.
         """
@@ -80,7 +80,7 @@ class Learning:
         }
 
     def snapshot(self) -> Learned:
-        """A copy of what has been learned so far."""
+        """A copy of the tables learned so far."""
         each = self._learners
         return Learned(
             world=self.world,
@@ -115,7 +115,7 @@ class Learning:
             learner.note(self._error(learner))
 
     def _curve(self, learner: _Learner) -> dict[str, np.ndarray]:
-        """What was noted, and where the learner stands now."""
+        """The points of the curve so far, and the present one."""
         points = learner.points
         if learner.episode > learner.noted:
             points = [*points, learner.now(self._error(learner))]

@@ -42,8 +42,8 @@ def _tilted(chances: np.ndarray, totals: np.ndarray, means: np.ndarray, midpoint
     totals = np.clip(np.maximum(totals, least), 0.0, 1.0)
 
     def rows(tilt: np.ndarray) -> np.ndarray:
-        found = chances * np.exp(tilt[:, None] * places)
-        return found * (totals / np.maximum(found.sum(axis=1), 1e-300))[:, None]
+        weights = chances * np.exp(tilt[:, None] * places)
+        return weights * (totals / np.maximum(weights.sum(axis=1), 1e-300))[:, None]
 
     low, high = np.full(len(chances), -_STEEPEST), np.full(len(chances), _STEEPEST)
     for _ in range(_HALVINGS):

@@ -1,4 +1,4 @@
-"""What was learned: the tables and curves of every learner of one run."""
+"""Learned tables and curves of every learner of one run."""
 
 from __future__ import annotations
 

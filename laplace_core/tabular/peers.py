@@ -21,7 +21,7 @@ _RATE = Decay()
 
 
 class _Peer(ABC):
-    """What the peers share: the target policy, the learning rate and the mean of every state and action.
+    """The base of the peers: the target policy, the learning rate and the mean of every state and action.
 
     Args:
         gamma: the one discount of the return.
@@ -314,5 +314,5 @@ def _merge(
     totals = np.bincount(index, masses)
     means = np.bincount(index, masses * values) / np.where(totals > 0, totals, 1.0)
     moved = float(masses @ (values - means[index]) ** 2)
-    kept = totals > 0
-    return groups[order][np.append(True, new)][kept], means[kept], totals[kept], moved, cell
+    positive = totals > 0
+    return groups[order][np.append(True, new)][positive], means[positive], totals[positive], moved, cell

@@ -32,7 +32,7 @@ def start(world: World | str, settings: LearnSettings, folder: str | Path) -> Ru
         folder: an existing one, for this run alone.
 
     Raises:
-        InputError: what the command would refuse, said before a process is started; or a folder that cannot be used.
+        InputError: what the command would refuse, raised before a process is started; or a folder that cannot be used.
     """
     world = parse_world(world) if isinstance(world, str) else world
     settings = resolve_learning(settings, world)

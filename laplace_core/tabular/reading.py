@@ -1,4 +1,4 @@
-"""Reading what was learned: one learner's tau-space, bands over all, and its return beside the other codes."""
+"""Reading learned tables: one learner's tau-space, bands over all, and its return beside the other codes."""
 
 from __future__ import annotations
 
@@ -18,12 +18,12 @@ from laplace_core.worlds import World
 
 QUANTILE_LEVELS = (0.1, 0.25, 0.5, 0.75, 0.9)
 CODES = ("laplace", "independent_steps", "categorical", "quantile", "expectile", "plain")
-"""What is held against the true distribution of the return; ``independent_steps`` is no code of its own but what the
-Laplace code's tau-space would say IF STEPS WERE INDEPENDENT, and has to be labelled so."""
+"""Codes that are compared with the true distribution of the return. ``independent_steps`` is no code of its own: it is
+the distribution that the Laplace code's tau-space gives IF STEPS WERE INDEPENDENT, and has to be labelled so."""
 
 
 def study_settings(learning: ResolvedLearning, settings: Settings | None = None) -> Settings:
-    """Settings of a study with the discounts, target policy and acting gamma of the learner, whatever they said."""
+    """Settings of a study, with the learner's own discounts, target policy and acting gamma in place of theirs."""
     decided = {name: getattr(learning, name) for name in DECIDED_NAMES}
     return replace(settings or Settings(), **decided)
 
@@ -61,7 +61,7 @@ class Band:
 
 @dataclass(frozen=True, eq=False)
 class Bands:
-    """What all learners see from one state.
+    """Studies of one state by all learners, and the spread over them.
 
     Attributes:
         tau_space: over ``(A, K, H-1)``; survival, expected_reward, horizon_values over ``(A, K)``.
@@ -80,9 +80,9 @@ class Bands:
 def bands(learned: Learned, settings: Settings | None = None) -> Bands:
     """Decode one state from every learner's table and take the spread over the learners."""
     studies = tuple(study_of(learned, settings, i) for i in range(len(learned.basis)))
-    actions = np.stack([found.decoded.actions for found in studies])
+    actions = np.stack([each.decoded.actions for each in studies])
     share = np.stack([(actions == a).mean(axis=0) for a in range(learned.world.n_actions)])
-    decoded = [found.decoded for found in studies]
+    decoded = [each.decoded for each in studies]
     return Bands(
         _band([each.tau_space for each in decoded]),
         _band([each.survival for each in decoded]),
@@ -132,13 +132,13 @@ def return_distributions(
     if not 0 <= action < world.n_actions:
         raise InputError(f"action {action} is not there: use 0 to {world.n_actions - 1}.")
     pair = index, at, action
-    found = study_of(learned, replace(settings or Settings(), state=str(at)), index)
-    tau_space = found.decoded.tau_space[action]
+    result = study_of(learned, replace(settings or Settings(), state=str(at)), index)
+    tau_space = result.decoded.tau_space[action]
     quantiles, expectiles = (table[pair].astype(float) for table in (peers.quantile, peers.expectile))
     levels = np.arange(1, expectiles.size + 1) / (expectiles.size + 1)
     codes = {
         "laplace": _point(peers.laplace_values[pair]),
-        "independent_steps": independent_steps_return(tau_space, found.midpoints, s.peer_gamma**found.taus),
+        "independent_steps": independent_steps_return(tau_space, result.midpoints, s.peer_gamma**result.taus),
         "categorical": (peers.atoms, peers.categorical[pair].astype(float)),
         "quantile": (np.sort(quantiles), np.full(quantiles.size, 1.0 / quantiles.size)),
         "expectile": impute(expectiles, levels, peers.low, peers.high),

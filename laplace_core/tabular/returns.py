@@ -1,4 +1,4 @@
-"""Distributions of the return: bounds, a distance, and what a tau-space would say if its steps were independent."""
+"""Distributions of the return: bounds, a distance, and the return of a tau-space if its steps were independent."""
 
 from __future__ import annotations
 
@@ -67,11 +67,11 @@ def independent_steps_return(
     discounts = discounts[discounts != 0]
     locations, masses = np.zeros(1), np.ones(1)
     for row, discount in zip(chances, discounts, strict=True):
-        kept = row > 0
-        if not kept.any():
+        positive = row > 0
+        if not positive.any():
             continue
-        paid = np.append(0.0, discount * midpoints[kept])
-        row = np.append(max(0.0, 1.0 - row.sum()), row[kept])
+        paid = np.append(0.0, discount * midpoints[positive])
+        row = np.append(max(0.0, 1.0 - row.sum()), row[positive])
         locations, masses = _merged((locations[:, None] + paid).ravel(), np.outer(masses, row).ravel())
         if locations.size > most:
             return _merged(*_summed_on_a_grid(chances, discounts[:, None] * midpoints), most)
@@ -105,8 +105,8 @@ def _summed_on_a_grid(chances: np.ndarray, paid: np.ndarray) -> tuple[np.ndarray
         product *= np.fft.rfft(law, axis=1).prod(axis=0)
     masses, first = np.fft.irfft(product, _CELLS), round(float(means.sum()) / cell) - _CELLS // 2
     masses = np.roll(masses, -(first % _CELLS))
-    kept = masses > 1e-12
-    return cell * (first + np.arange(_CELLS))[kept], masses[kept] / masses[kept].sum()
+    positive = masses > 1e-12
+    return cell * (first + np.arange(_CELLS))[positive], masses[positive] / masses[positive].sum()
 
 
 def _merged(locations: np.ndarray, masses: np.ndarray, most: int | None = None) -> tuple[np.ndarray, np.ndarray]:
@@ -116,5 +116,5 @@ def _merged(locations: np.ndarray, masses: np.ndarray, most: int | None = None) 
     if most is not None and cells.max() >= most:
         cells = np.floor((locations - low) * ((most - 1) / span) + 0.5).astype(np.int64)
     totals = np.bincount(cells, masses)
-    kept = totals > 0
-    return np.bincount(cells, masses * locations)[kept] / totals[kept], totals[kept]
+    positive = totals > 0
+    return np.bincount(cells, masses * locations)[positive] / totals[positive], totals[positive]

@@ -66,7 +66,7 @@ class Decay:
 
 @dataclass(frozen=True)
 class Schedule:
-    """How experience is gathered.
+    """Settings by which experience is gathered.
 
     Attributes:
         epsilon: chance of a uniformly random action, by the number of earlier episodes.
@@ -91,7 +91,7 @@ class Schedule:
 
 @dataclass(frozen=True)
 class Progress:
-    """Where learning stands after an episode.
+    """The state of learning after an episode.
 
     Attributes:
         episode, steps: episodes and transitions so far.

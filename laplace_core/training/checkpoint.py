@@ -1,4 +1,4 @@
-"""Checkpoints: a trained agent as one ``.safetensors`` file that says what it is and is believed in nothing."""
+"""Checkpoints: a trained agent as one self-describing ``.safetensors`` file, of which every field is validated."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ _FIELDS: dict[str, type | tuple[type, ...]] = {
 
 @dataclass(frozen=True, eq=False)
 class Loaded:
-    """An agent and what its checkpoint says of it.
+    """An agent and the metadata of its checkpoint.
 
     Attributes:
         score: mean return of the evaluation that it was saved after, over ``episodes``; None if there was none.
@@ -73,10 +73,10 @@ def save_checkpoint(path: str | Path, agent: Agent, step: int, score: float | No
 
 
 def load_checkpoint(path: str | Path) -> Loaded:
-    """Read a checkpoint that anybody may have written.
+    """Read a checkpoint from an untrusted source.
 
-    Size, header, metadata, names, shapes, types and finiteness are held against a network built from the settings,
-    and the settings against their ranges and the bytes that are there, before anything is used.
+    Before anything is used, names, shapes, types and finiteness of the arrays are compared with a network built from
+    the settings, and the settings with their ranges and with the size of the file.
 
     Raises:
         InputError: one sentence for whatever is wrong first.
@@ -118,12 +118,12 @@ def _settings(kind: type[LoopSettings], given: dict[str, Any], name: str) -> Loo
 def _agent(settings: LoopSettings, arrays: dict[str, np.ndarray], name: str) -> Agent:
     spec, kind = vector.spec(settings.environment), AGENTS[settings.ALGORITHM]
     # Counted before anything is built, so that a small file cannot ask for a large network.
-    numbers, found = (
+    numbers, held = (
         kind.network_numbers(settings, spec.observation, spec.actions),
         sum(a.size for a in arrays.values()),
     )
-    if numbers != found:
-        raise InputError(f"the settings in {name!r} ask for {numbers:,} weights, the file holds {found:,}.")
+    if numbers != held:
+        raise InputError(f"the settings in {name!r} ask for {numbers:,} weights, the file holds {held:,}.")
     agent = kind(settings, spec.observation, spec.actions, spec.time_limit)
     check_tensors(arrays, {key: tensor.numpy() for key, tensor in agent.target.state_dict().items()}, name)
     weights = {key: torch.from_numpy(array) for key, array in arrays.items()}
@@ -133,7 +133,7 @@ def _agent(settings: LoopSettings, arrays: dict[str, np.ndarray], name: str) -> 
 
 
 def check_tensors(
-    found: dict[str, np.ndarray], wanted: dict[str, np.ndarray], name: str, largest: float = LARGEST_WEIGHT
+    arrays: dict[str, np.ndarray], wanted: dict[str, np.ndarray], name: str, largest: float = LARGEST_WEIGHT
 ) -> None:
     """Refuse arrays that differ from those wanted in name, shape or type, or that hold no sensible numbers.
 
@@ -144,12 +144,12 @@ def check_tensors(
         InputError: naming the first of them.
     """
     for key in wanted:
-        if key not in found:
+        if key not in arrays:
             raise InputError(f"{name!r} lacks the array {key!r}.")
-    for key in found:
+    for key in arrays:
         if key not in wanted:
             raise InputError(f"{name!r} holds an array {key[:60]!r} that its settings have no place for.")
-    for key, array in found.items():
+    for key, array in arrays.items():
         if array.shape != wanted[key].shape or array.dtype != wanted[key].dtype:
             is_, should = (f"{one.dtype} {one.shape}" for one in (array, wanted[key]))
             raise InputError(f"array {key!r} in {name!r} is {is_}, not {should}.")

@@ -1,6 +1,6 @@
 """The metrics of a run as curves, read while they are written: only what is new, thinned to a bounded number of points.
 
-A file of any length costs a look a bounded number of bytes; what is still ahead comes with the next look.
+Each call of :meth:`Reader.look` reads a bounded number of bytes, however long the file; the next call reads on.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ MOST_POINTS = 1024
 MOST_EVALUATIONS = 512
 _AT_ONCE = 4_000_000  # bytes in one look
 _LONGEST_LINE = 200_000
-_MARK = 64  # bytes before the place read to, by which a file that was cut back and grew anew is told
+_MARK = 64  # last bytes read, compared with the file to notice that it was cut back and has grown again
 _BY_DISCOUNT = ("values", "discounted", "discounted_errors")
 _SMOOTHING = 0.02  # of all episodes, on either side
 _LEAST_SMOOTHING = 5
@@ -33,14 +33,14 @@ _Numbers = tuple[float, ...]
 
 @dataclass(frozen=True, eq=False)
 class Curves:
-    """What is drawn of a run.
+    """The curves of a run.
 
     Attributes:
         episode_steps, returns: ``(E,)``; thinned, each return a mean over neighbouring episodes.
         smooth: ``(E,)``, their moving average.
         steps, scores, errors: ``(N,)`` of the evaluations; the errors are standard errors.
-        values, discounted, discounted_errors: ``(N, G)``, expected and real discounted returns of the evaluations and
-            the standard errors of the latter; G = 0 without any.
+        values, discounted, discounted_errors: ``(N, G)``, predicted and observed discounted returns of the evaluations
+            and the standard errors of the observed ones; G = 0 without any.
         episodes: how many have ended.
         best: index of the best evaluation; None before the first.
     """
@@ -92,8 +92,8 @@ class Reader:
         except OSError:  # not there yet, or removed
             self._restart()
             return b""
-        found = os.fstat(handle)
-        if not stat.S_ISREG(found.st_mode):
+        status = os.fstat(handle)
+        if not stat.S_ISREG(status.st_mode):
             os.close(handle)
             return b""
         with os.fdopen(handle, "rb") as file:
@@ -108,7 +108,7 @@ class Reader:
                 self._skipping, end = True, len(data)
             self._offset += end
             self._mark = (self._mark + data[:end])[-_MARK:]
-            self.behind = found.st_size > self._offset and len(data) == _AT_ONCE
+            self.behind = status.st_size > self._offset and len(data) == _AT_ONCE
         data = data[:end]
         if self._skipping and b"\n" in data:
             self._skipping, data = False, data.partition(b"\n")[2]
@@ -151,19 +151,20 @@ class Reader:
         steps, sums, counts = bins.T
         width = max(_LEAST_SMOOTHING, round(_SMOOTHING * len(bins)))
         smooth, around = _sum_around(sums, width), _sum_around(counts, width)
-        told = self._evaluations
-        heads = len(told[-1][3]) if told else 0
+        evaluations = self._evaluations
+        heads = len(evaluations[-1][3]) if evaluations else 0
         missing = (math.nan,) * heads
         lists = (
             [each if len(each) == heads else missing for each in some]
-            for some in ([e[3] for e in told], [e[4] for e in told], [e[5] for e in told])
+            for some in ([e[3] for e in evaluations], [e[4] for e in evaluations], [e[5] for e in evaluations])
         )
-        by_discount = [np.array(part, dtype=float).reshape(len(told), heads) for part in lists]
-        scores = np.array([e[1] for e in told])
+        by_discount = [np.array(part, dtype=float).reshape(len(evaluations), heads) for part in lists]
+        scores = np.array([e[1] for e in evaluations])
         return Curves(
-            steps, sums / np.maximum(counts, 1), smooth / np.maximum(around, 1), np.array([e[0] for e in told]), scores,
-            np.array([e[2] for e in told]), by_discount[0], by_discount[1], by_discount[2],
-            int(counts.sum()), len(scores) - 1 - int(scores[::-1].argmax()) if told else None,
+            steps, sums / np.maximum(counts, 1), smooth / np.maximum(around, 1),
+            np.array([e[0] for e in evaluations]), scores,
+            np.array([e[2] for e in evaluations]), by_discount[0], by_discount[1], by_discount[2],
+            int(counts.sum()), len(scores) - 1 - int(scores[::-1].argmax()) if evaluations else None,
         )  # fmt: skip
 
 

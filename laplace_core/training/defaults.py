@@ -15,7 +15,7 @@ from laplace_core.study.settings import flag
 
 
 def tuned_settings(algorithm: str, environment: str) -> dict[str, Any]:
-    """What the file of this pair says, by name; nothing if there is none."""
+    """Settings in the file of this pair, by name; empty if there is no file."""
     file = resources.files("laplace_core.training") / "settings" / algorithm / f"{environment}.json"
     return json.loads(file.read_text(encoding="utf-8")) if file.is_file() else {}
 
@@ -26,12 +26,12 @@ def name_of(settings: LoopSettings) -> str:
 
 
 def command_of(settings: LoopSettings, folder: str) -> list[str]:
-    """The words after ``laplace`` that train with these settings: only what its files do not say already."""
+    """The words after ``laplace`` that train with these settings: only those that differ from its files' settings."""
     usual = settings_of(settings.ALGORITHM, settings.environment, {}).as_dict()
     words = ["train", settings.ALGORITHM, settings.environment]
     for parameter in settings.SCHEMA:
         value = getattr(settings, parameter.name)
-        if value != usual[parameter.name] and parameter.name not in settings.unheard():
+        if value != usual[parameter.name] and parameter.name not in settings.ignored():
             words += [flag(parameter), as_text(value)]
     return [*words, "--run", folder]
 
@@ -54,7 +54,7 @@ def settings_of(algorithm: str | None, environment: str | None, given: dict[str,
     if not suits and environment not in GYMNASIUM:
         suits = kind.suited_to(environment)
     settings = kind.parse(suits | given | {"environment": environment})
-    for name, reason in settings.unheard().items():
+    for name, reason in settings.ignored().items():
         if name in given:
             raise InputError(f"{name} changes nothing {reason}: leave it out.")
     return settings

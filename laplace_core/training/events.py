@@ -1,4 +1,4 @@
-"""What a training run tells whoever listens: one small dataclass for each kind of news. No torch here."""
+"""Events of a training run: one small dataclass for each kind. No torch here."""
 
 from __future__ import annotations
 
@@ -36,11 +36,11 @@ class Episode:
 
 @dataclass(frozen=True)
 class Evaluation:
-    """The averaged network has acted greedily from start seeds that are never trained on.
+    """The averaged network has acted greedily from held-out start seeds.
 
     Attributes:
         values: of the actions taken at the starts, a mean at every discount, ``(G,)``; None for an agent without many.
-        discounted: the discounted returns that really came, likewise; rewards beyond the time limit are not in them.
+        discounted: mean observed discounted returns, likewise; they omit rewards beyond the time limit.
         discounted_errors: standard errors of these means.
     """
 

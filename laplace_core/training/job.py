@@ -1,4 +1,4 @@
-"""What is noted of a run in its folder besides its files: whether it is to be trained, and why it broke off."""
+"""The queue's note in the folder of a run: whether it is to be trained, and why it failed."""
 
 from __future__ import annotations
 

@@ -41,7 +41,7 @@ def train(
 
     Args:
         settings: may be None to resume.
-        stop: asked between two steps; where it says so, the run ends with a resume point of that very step, which
+        stop: called between two steps; when it returns True, the run ends with a resume point of that very step, which
             leaves no trace in its metrics.
 
     Raises:
@@ -115,7 +115,7 @@ class _Run:
     def _seconds(self) -> float:
         return round(perf_counter() - self.started, 3)
 
-    def _told(self, event: Event) -> Event:
+    def _recorded(self, event: Event) -> Event:
         self.folder.write(event)
         return event
 
@@ -126,7 +126,7 @@ class _Run:
         return s.epsilon_first + faded * (s.epsilon_final - s.epsilon_first)
 
     def _act(self) -> Any:
-        """One step of all environments, stored; returns what came of it."""
+        """Step all environments once and store the transitions; returns them."""
         s, envs, random = self.settings, self.envs, self.random
         self._choose_heads()
         observations, uniform = envs.observations, random.random(envs.count) < self.epsilon
@@ -159,7 +159,7 @@ class _Run:
             self.episodes += 1
             total, count = self.losses
             self.losses = [0.0, 0]
-            yield self._told(
+            yield self._recorded(
                 Episode(
                     self.step, self.episodes, int(self.heads[i]), float(self.returns[i]), int(stepped.elapsed[i]),
                     bool(stepped.truncated[i] and not stepped.terminated[i]), round(self.epsilon, 6),
@@ -203,18 +203,18 @@ class _Run:
             save_checkpoint(self.folder.best, self.agent, self.step, scores.mean, episodes=s.evaluate_episodes)
         if last:
             save_checkpoint(self.folder.last, self.agent, self.step, scores.mean, episodes=s.evaluate_episodes)
-        expected = self._expected(scores) if gammas.size else ()
-        yield self._told(
+        by_discount = self._predicted_and_observed(scores) if gammas.size else ()
+        yield self._recorded(
             Evaluation(
                 self.step, scores.mean, scores.standard_error, s.evaluate_episodes, best, self._seconds(),
-                *expected,
+                *by_discount,
             )
         )  # fmt: skip
         if best:
-            yield self._told(Checkpoint(self.step, self.folder.best.name, self._seconds()))
+            yield self._recorded(Checkpoint(self.step, self.folder.best.name, self._seconds()))
 
-    def _expected(self, scores: Scores) -> Iterator[tuple[float, ...]]:
-        """Values of the actions taken at the starts, what came of them and its standard error, ``(G,)`` each."""
+    def _predicted_and_observed(self, scores: Scores) -> Iterator[tuple[float, ...]]:
+        """Predicted and observed mean discounted returns of the starts, and the latter's error, ``(G,)`` each."""
         values, actions = self.agent.action_values(scores.starts), self.agent.greedy(scores.starts)
         taken = values[np.arange(len(actions)), :, actions]
         for means in (taken.mean(axis=0), scores.discounted.mean(axis=0), scores.discounted_errors):
@@ -222,7 +222,7 @@ class _Run:
 
     def _save(self) -> Iterator[Event]:
         # The event is written first: the metrics of a resume point are complete.
-        event = self._told(Checkpoint(self.step, self.folder.resume_point.name, self._seconds()))
+        event = self._recorded(Checkpoint(self.step, self.folder.resume_point.name, self._seconds()))
         self._write_resume_point()
         yield event
 

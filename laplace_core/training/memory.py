@@ -1,4 +1,4 @@
-"""How the C library serves a training, and what it gives back to the system.
+"""Memory settings of the C library while training, and the return of free memory to the system.
 
 An update makes dozens of tensors of about a megabyte. By default the C library may fetch each from the system and hand
 it back, to be cleared page by page the next time. Kept instead, they leave gaps, as batches have groups of another size
@@ -26,6 +26,6 @@ def keep() -> None:
 
 
 def give_back() -> None:
-    """Return what is free; nothing happens where the C library is not glibc."""
+    """Return free memory to the system; nothing happens where the C library is not glibc."""
     with contextlib.suppress(OSError, AttributeError, TypeError):
         ctypes.CDLL(None).malloc_trim(0)

@@ -1,4 +1,4 @@
-"""How far a run is: one small file in its folder, replaced every moment by the process that trains it."""
+"""Progress of a run: one small file in its folder, which the training process replaces every half second."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ _WINDOW = 60  # notes over which the speed is measured
 
 @dataclass(frozen=True)
 class Progress:
-    """What the file holds.
+    """The content of the file.
 
     Attributes:
         pid: of the process that wrote it.
@@ -66,11 +66,11 @@ def read_progress(folder: Path) -> Progress | None:
     """The last note; None if there is none, or if the file is not one."""
     try:
         about = parse_json(read_small(folder / FILE, 10_000) or "", FILE)
-        found = Progress(**about)
+        progress = Progress(**about)
     except (InputError, TypeError):
         return None
-    rate = found.steps_per_second
-    sane = all(type(value) is int and 0 <= value < 2**53 for value in (found.pid, found.step, found.of))
+    rate = progress.steps_per_second
+    sane = all(type(value) is int and 0 <= value < 2**53 for value in (progress.pid, progress.step, progress.of))
     if not sane or not (rate is None or (type(rate) in (int, float) and math.isfinite(rate) and rate >= 0)):
         return None
-    return found
+    return progress

@@ -1,4 +1,4 @@
-"""Runs of one folder, each trained by a process of its own: a few at a time, the others wait.
+"""The queue of training runs in one folder: a few train at a time, each in a process of its own, and others wait.
 
 All that matters is on disk, so that another queue on the same folder, after a restart or beside this one, sees the
 same: who waits and in which order (``job.json`` in the folder of each run), who trains (``process.json``), why one
@@ -41,7 +41,7 @@ class Run:
 
     Attributes:
         settings: None if its folder holds none that can be read.
-        place: in the waiting line, from 1; 0 if it does not wait.
+        place: in the queue, from 1; 0 if it does not wait.
         error: one sentence if it failed.
         born: when it was made, in seconds.
     """
@@ -103,10 +103,10 @@ class Queue:
 
     def runs(self) -> list[Run]:
         """Every run, the newest first."""
-        found = [self._look(path) for path in run_folders(self.folder)]
-        line = sorted((job.ticket, run.name) for run, job in found if run.state == WAITING)
-        places = {name: place for place, (_, name) in enumerate(line, 1)}
-        runs = [replace(run, place=places.get(run.name, 0)) for run, _ in found]
+        pairs = [self._look(path) for path in run_folders(self.folder)]
+        queued = sorted((job.ticket, run.name) for run, job in pairs if run.state == WAITING)
+        places = {name: place for place, (_, name) in enumerate(queued, 1)}
+        runs = [replace(run, place=places.get(run.name, 0)) for run, _ in pairs]
         return sorted(runs, key=lambda run: (-run.born, run.name))
 
     def get(self, name: str) -> Run:
@@ -166,7 +166,7 @@ class Queue:
         self.wake()
 
     def stop(self, name: str) -> None:
-        """End a run within some two seconds, or take it out of the line; it stays and can be resumed."""
+        """End a run within some two seconds, or take it out of the queue; it stays and can be resumed."""
         with self._locked():
             run = self.get(name)
             if run.going:
@@ -193,7 +193,7 @@ class Queue:
             shutil.rmtree(away, ignore_errors=True)
 
     def wake(self) -> None:
-        """See to it that runs begin as places become free, until none waits or trains any more."""
+        """Start the thread that begins runs as places become free, until none waits or trains any more."""
         with self._turn:
             if self._thread is None or not self._thread.is_alive():
                 self._thread = threading.Thread(target=self._attend, name="training queue", daemon=True)
@@ -212,21 +212,21 @@ class Queue:
             time.sleep(EVERY)
 
     def tick(self) -> bool:
-        """Note who has ended, and start who is next; whether anything is left to attend to."""
+        """Record which runs have ended and start the next ones; returns whether any run still trains or waits."""
         with self._locked():
             for path in run_folders(self.folder):
                 self._settle(path)
             self._new = False
             runs = self.runs()
             free = self._most - sum(run.state == TRAINING for run in runs)
-            line = sorted((run for run in runs if run.state == WAITING), key=lambda run: run.place)
-            for run in line[: max(0, free)]:
+            queued = sorted((run for run in runs if run.state == WAITING), key=lambda run: run.place)
+            for run in queued[: max(0, free)]:
                 if not read_job(run.folder).begun:  # else its process is ending, and the next look settles it
                     self._start(run)
         return any(run.going for run in runs)
 
     def _settle(self, path: Path) -> None:
-        """Note the end of a process: failed by itself, or, where nobody watched, cut off and to be begun again."""
+        """Record the end of a process: a failure, or, if nobody watched it end, an interruption to resume from."""
         worker = self._workers.get(path.name)
         end = None if worker is None else worker.end
         if end is not None:

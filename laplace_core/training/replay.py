@@ -120,7 +120,7 @@ class Replay:
         )
 
     def cut(self) -> None:
-        """What is added next belongs to other episodes than those that are stored."""
+        """End the stored episodes here: transitions that are added next belong to other episodes."""
         rings = np.flatnonzero(self.sizes)
         self.ended[rings, (self.heads[rings] - 1) % self.length] = True
 
@@ -133,10 +133,10 @@ class Replay:
 
     def arrays(self) -> dict[str, np.ndarray]:
         """All that is stored, by name, for a resume point."""
-        kept = {name: getattr(self, name) for name in (*_ARRAYS, "sizes", "heads")}
+        arrays = {name: getattr(self, name) for name in (*_ARRAYS, "sizes", "heads")}
         if self.tree is not None:
-            kept |= {"priorities": self.tree.leaves(), "top": np.array([self.top])}
-        return kept
+            arrays |= {"priorities": self.tree.leaves(), "top": np.array([self.top])}
+        return arrays
 
     def restore(self, arrays: dict[str, np.ndarray]) -> None:
         for name in (*_ARRAYS, "sizes", "heads"):

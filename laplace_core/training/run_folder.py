@@ -72,7 +72,7 @@ class RunFolder:
         return read_tensors(self.resume_point, MAX_RESUME_BYTES)
 
     def open_metrics(self, length: int) -> None:
-        """Cut the metrics to their length at the resume point, 0 for a new run, and go on behind it."""
+        """Cut the metrics to their length at the resume point, 0 for a new run, and append from there."""
         self.metrics.touch()
         if self.metrics.stat().st_size < length:
             raise InputError(f"{self.metrics.name} is shorter than it was at the resume point: it was changed by hand.")
@@ -81,13 +81,13 @@ class RunFolder:
 
     def write(self, event: Event) -> None:
         """Append an event to the metrics."""
-        assert self._file is not None  # :meth:`open_metrics` came first
+        assert self._file is not None  # :meth:`open_metrics` is called first
         self._file.write(json.dumps({"event": type(event).__name__, **asdict(event)}) + "\n")
         self._file.flush()
 
     def save(self, arrays: dict[str, np.ndarray], about: dict[str, Any]) -> None:
         """Replace the resume point; the metrics so far belong to it."""
-        assert self._file is not None  # :meth:`open_metrics` came first
+        assert self._file is not None  # :meth:`open_metrics` is called first
         os.fsync(self._file.fileno())
         about = about | {"metrics_bytes": self.metrics.stat().st_size}
         write_tensors(self.resume_point, arrays, about)

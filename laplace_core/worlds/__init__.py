@@ -43,7 +43,7 @@ __all__ = [
 
 
 def parameters_of(source: str) -> tuple[Parameter, ...]:
-    """What can be set in a preset or a ``gym:`` environment; files have no parameters."""
+    """Parameters of a preset or of a ``gym:`` environment; files have none."""
     if source.startswith("gym:"):
         return TOY_TEXT[toy_text_name(source.removeprefix("gym:"))]
     return PRESETS[source].parameters if source in PRESETS else ()
@@ -77,7 +77,7 @@ def _from_file(source: str, params: Mapping[str, object] | None) -> World:
 
 @lru_cache(maxsize=32)
 def _built(source: str, params: tuple[tuple[str, object], ...]) -> World:
-    """The same world object for the same words, so that what is cached per world is found again."""
+    """The same world object for the same words, so that caches by world are hit again."""
     if source.startswith("gym:"):
         built = toy_text_world(source.removeprefix("gym:"), dict(params))
     else:

@@ -1,4 +1,4 @@
-"""World files: a tabular MDP as JSON, read with suspicion and written in full.
+"""World files: a tabular MDP as JSON, validated before use and written in full.
 
 The format is shown in the README. A file is refused with one sentence that names the entry at fault.
 """
@@ -150,10 +150,12 @@ def _probability(value: object, where: str) -> float:
 def _distribution(table: object, where: str) -> dict[str, float]:
     if not isinstance(table, dict) or not table:
         raise InputError(f"{where} must be an object of probabilities, such as {{...: 1.0}}.")
-    found = {key: _probability(value, f"{where}, {key[:40]!r}") for key, value in table.items()}
-    if abs(sum(found.values()) - 1.0) > PROBABILITY_TOLERANCE:
-        raise InputError(f"the probabilities of {where} add up to {sum(found.values()):.9g}; they must add up to 1.")
-    return found
+    probabilities = {key: _probability(value, f"{where}, {key[:40]!r}") for key, value in table.items()}
+    if abs(sum(probabilities.values()) - 1.0) > PROBABILITY_TOLERANCE:
+        raise InputError(
+            f"the probabilities of {where} add up to {sum(probabilities.values()):.9g}; they must add up to 1."
+        )
+    return probabilities
 
 
 def _state(name: object, index: dict[str, int], where: str) -> int:
@@ -230,13 +232,13 @@ def _parse_transitions(entries: list[object], states: list[str], actions: list[s
     size = 0
     for s, state in enumerate(states):
         for a, action in enumerate(actions):
-            found = covered.get((s, a), fillers.get(s))
-            if found is None:
+            outcomes = covered.get((s, a), fillers.get(s))
+            if outcomes is None:
                 raise InputError(f"no transition covers state {state!r}, action {action!r}; add it or use '*'.")
-            size += len(found)
+            size += len(outcomes)
             if size > MAX_OUTCOMES:
                 raise InputError(f"the world has more than {MAX_OUTCOMES:,} outcomes.")
-            yield from (Outcome(s, a, *row) for row in found)
+            yield from (Outcome(s, a, *row) for row in outcomes)
 
 
 def _independent(entry: dict[str, Any], state_index: dict[str, int], where: str) -> list[tuple[float, int, float]]:

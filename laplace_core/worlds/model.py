@@ -23,7 +23,7 @@ PROBABILITY_TOLERANCE = 1e-6
 
 
 class Outcome(NamedTuple):
-    """One thing that may happen after a state and an action (all indices; ``next_state`` may be END)."""
+    """One possible outcome of a state and an action (all indices; ``next_state`` may be END)."""
 
     state: int
     action: int
@@ -202,7 +202,7 @@ class World:
         return (self.reward_probabilities @ self.reward_values).reshape(self.n_states, self.n_actions)
 
     def outcomes(self, state: int, action: int) -> list[Outcome]:
-        """What may happen after one state and action (indices), absorbing next states by their own index."""
+        """Outcomes of one state and action (indices), absorbing next states by their own index."""
         first, last = np.searchsorted(
             self._pair, [state * self.n_actions + action, state * self.n_actions + action + 1]
         )
@@ -222,9 +222,9 @@ class World:
         except ValueError:
             index = -1
         if not 0 <= index < self.n_states:
-            shown = ", ".join(self.states[:6]) + (", ..." if self.n_states > 6 else "")
+            listed = ", ".join(self.states[:6]) + (", ..." if self.n_states > 6 else "")
             given, last = str(state)[:40], self.n_states - 1
-            raise InputError(f"state {given!r} is not in world {self.name!r}: use 0 to {last} or a name ({shown}).")
+            raise InputError(f"state {given!r} is not in world {self.name!r}: use 0 to {last} or a name ({listed}).")
         return index
 
     @cached_property

@@ -19,7 +19,7 @@ from laplace_core.worlds.model import END, MAX_STATES, Outcome, World
 
 @dataclass(frozen=True)
 class Preset:
-    """A named world: what it shows, what can be set, and how to build it."""
+    """A named world: its summary, its parameters, and how to build it."""
 
     name: str
     title: str

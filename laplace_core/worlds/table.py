@@ -220,16 +220,16 @@ def _start(start: Mapping[str, float] | np.ndarray | None, states: Mapping[str, 
     """P(first state) over all states, ``(S,)``."""
     if start is None:
         return None
-    found = np.zeros(len(states))
+    probabilities = np.zeros(len(states))
     if not isinstance(start, Mapping):
         if np.shape(start) != (known,):
             raise InputError(f"the start has {np.size(start)} probabilities for {known} states; give one a state.")
-        found[:known] = start
-        return found
+        probabilities[:known] = start
+        return probabilities
     for name, probability in start.items():
         if name not in states:
             raise InputError(
                 f"the start names the state {str(name)[:40]!r}, which has no row: add one or start elsewhere."
             )
-        found[states[name]] = probability
-    return found
+        probabilities[states[name]] = probability
+    return probabilities

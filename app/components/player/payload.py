@@ -24,7 +24,7 @@ def payload(rollout: Rollout, said: Mapping[str, np.ndarray] | None = None) -> b
     """A length, a header as JSON, and blocks, each on a multiple of 8 bytes after the header.
 
     Args:
-        said: what a peer said at every step, from :func:`laplace_core.acting.return_laws.said_along`.
+        said: what a peer said at every step, from :func:`laplace_core.acting.return_laws.outputs_along`.
 
     Blocks by name, with N steps, A actions, O numbers in an observation, G discounts and H sensitivities:
         of an agent with a gamma-space ``differences`` ``(N, A, G, H+1)``: 16-bit changes, low bytes and then high ones;

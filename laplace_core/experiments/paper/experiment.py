@@ -1,4 +1,4 @@
-"""What an experiment is: cells, which are settings that are trained with several seeds. No torch here."""
+"""Experiments as lists of cells, which are settings that are trained with several seeds. No torch here."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Train what experiments need, one training after another, and keep what each one found."""
+"""Train what experiments need, one training after another, and save the result of each."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from laplace_core.training.progress import ProgressFile
 
 @dataclass(frozen=True)
 class Done:
-    """What became of one training.
+    """The outcome of one training.
 
     Attributes:
         row: its result; None where there is none.
@@ -38,15 +38,15 @@ def reproduce(
     begins: Callable[[Training], None],
     collect: bool = False,
 ) -> Iterator[Done]:
-    """Finish every training of the experiments; the file of each experiment always holds what is known.
+    """Finish every training of the experiments; the file of each experiment always holds the results so far.
 
     A training that another process is at is left to that one; one that fails does not keep the others from theirs.
 
     Args:
         trainings: by the name of the experiment.
         out: the folder of the experiments' files.
-        stop: asked between two steps; where it says so, the training at hand keeps where it is and all ends.
-        begins: hears of every training before it is trained, or gone on with.
+        stop: called between two steps; when it returns True, the present training writes a resume point and all ends.
+        begins: called with every training before it is started or resumed.
         collect: train nothing, and score what is finished.
     """
     for experiment in experiments:  # what other experiments have trained already
@@ -65,7 +65,7 @@ def reproduce(
                 _train(training, stop)
                 if stop():
                     return
-            known = results.kept_row(training) is not None
+            known = results.saved_row(training) is not None
             done = Done(training, results.row_of(training))
             for experiment in experiments:
                 if not known and any(training.name == each.name for each in trainings[experiment.name]):

@@ -1,4 +1,4 @@
-"""The files that results are kept in: one of every run, one of every experiment. No torch here."""
+"""The files of results: one of every run, one of every experiment. No torch here."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from laplace_core.experiments.paper.experiment import Experiment
 from laplace_core.experiments.paper.runs import Training
 from laplace_core.files.strict_json import parse_json
 
-KEPT = "result.json"
+RESULT = "result.json"
 """In the folder of a run: its row, so that an experiment which needs the run as well evaluates nothing again."""
 _MOST_BYTES = 50_000_000
 
@@ -58,7 +58,7 @@ def measured_speeds(
     rows = list(recorded_rows(experiments, folder).values())
     for training in trainings:
         with contextlib.suppress(OSError, ValueError):  # not finished yet
-            rows.append(json.loads((training.folder / KEPT).read_text()))
+            rows.append(json.loads((training.folder / RESULT).read_text()))
     planned, speeds = {training.name: training.settings for training in trainings}, {}
     for row in rows:
         with contextlib.suppress(KeyError, TypeError, ZeroDivisionError):

@@ -1,4 +1,4 @@
-"""What is kept of a finished training, and the small file of every experiment that it goes into."""
+"""The saved results of finished trainings, and the small file of every experiment that they are part of."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ import numpy as np
 
 from laplace_core.errors import InputError
 from laplace_core.experiments.paper.experiment import Experiment, train_command
-from laplace_core.experiments.paper.result_files import KEPT, as_json, cells_in, result_file
+from laplace_core.experiments.paper.result_files import RESULT, as_json, cells_in, result_file
 from laplace_core.experiments.paper.runs import Training
 from laplace_core.experiments.search import EPISODES, START_SEEDS
 from laplace_core.experiments.training import evaluated, seconds_behind
@@ -31,25 +31,25 @@ _LEAST_SMOOTHING = 5
 
 
 def row_of(training: Training) -> dict[str, Any]:
-    """The row of a finished training; evaluated once, then kept in its folder.
+    """The row of a finished training; evaluated once, then saved in its folder.
 
     Raises:
         InputError: a checkpoint that cannot be read, as that of a training whose weights are not finite any more.
     """
-    row = kept_row(training)
+    row = saved_row(training)
     if row is None:
         row = _measured(training, EPISODES, START_SEEDS + training.settings.seed)
-        write_whole(training.folder / KEPT, as_json(row))
+        write_whole(training.folder / RESULT, as_json(row))
     return row
 
 
-def kept_row(training: Training) -> dict[str, Any] | None:
+def saved_row(training: Training) -> dict[str, Any] | None:
     """The row of a training: in its run folder, if that has one of these start seeds, else in a file of results."""
     asked = {"episodes": EPISODES, "start_seed": START_SEEDS + training.settings.seed}
     with contextlib.suppress(OSError, ValueError, KeyError, TypeError):  # not there, or not to be used
-        kept = json.loads((training.folder / KEPT).read_text())
-        if kept["run"] == training.name and {name: kept["best"][name] for name in asked} == asked:
-            return kept
+        row = json.loads((training.folder / RESULT).read_text())
+        if row["run"] == training.name and {name: row["best"][name] for name in asked} == asked:
+            return row
     return None if training.recorded is None else dict(training.recorded)
 
 
@@ -60,7 +60,7 @@ def write(experiment: Experiment, trainings: Sequence[Training], folder: Path) -
     """
     path = result_file(folder, experiment)
     rows = {row["run"]: row for cell in cells_in(path) for row in cell["trainings"]}
-    rows |= {training.name: row for training in trainings if (row := kept_row(training)) is not None}
+    rows |= {training.name: row for training in trainings if (row := saved_row(training)) is not None}
     cells = []
     for cell in experiment.cells:
         planned = [training for training in trainings if training.cell is cell]
@@ -94,11 +94,11 @@ def write(experiment: Experiment, trainings: Sequence[Training], folder: Path) -
 
 
 def _measured(training: Training, episodes: int, start_seed: int) -> dict[str, Any]:
-    """What docs/paper/README.md describes, entry by entry."""
+    """The row of one training, with the entries that docs/paper/README.md describes."""
     settings, events = training.settings, training.events
     best = load_checkpoint(training.folder / "best.safetensors")
     scores, error = evaluated(best.agent, settings.environment, episodes, start_seed)
-    told = [event for event in events if event["event"] == "Evaluation"]
+    evaluations = [event for event in events if event["event"] == "Evaluation"]
     ended = [event for event in events if event["event"] == "Episode"]
     acting = [event for event in ended if event["head"] == best.agent.acting_head]
     made = datetime.fromtimestamp((training.folder / "last.safetensors").stat().st_mtime, UTC)
@@ -113,7 +113,7 @@ def _measured(training: Training, episodes: int, start_seed: int) -> dict[str, A
         "seconds": round(seconds_behind(events)[-1], 1),
         "inexact_resumes": sum(event["event"] == "Resumed" for event in events),
         "best": {
-            "step": max((event["step"] for event in told if event["best"]), default=None),
+            "step": max((event["step"] for event in evaluations if event["best"]), default=None),
             "episodes": episodes,
             "start_seed": start_seed,
             "score": round(scores.mean, 3),
@@ -121,8 +121,8 @@ def _measured(training: Training, episodes: int, start_seed: int) -> dict[str, A
             "returns": np.round(scores.returns, 2).tolist(),
             "value_error": None if error is None else round(error, 3),
         },
-        "last": {to: round(told[-1][of], 3) for to, of in (("step", "step"), *_LAST)},
-        "evaluations": {to: [round(event[of], 3) for event in told] for to, of in columns.items()},
+        "last": {to: round(evaluations[-1][of], 3) for to, of in (("step", "step"), *_LAST)},
+        "evaluations": {to: [round(event[of], 3) for event in evaluations] for to, of in columns.items()},
         "episodes": len(ended),
         **curves([event["episode_return"] for event in acting], [event["step"] for event in acting]),
     }
@@ -161,9 +161,9 @@ def curves(returns: Sequence[float], steps: Sequence[int]) -> dict[str, Any]:
 
 
 def versions() -> dict[str, str]:
-    """Of Python and of what decides the numbers."""
-    found = {"python": platform.python_version(), "machine": f"{sys.platform} {platform.machine()}"}
+    """Versions of Python, of the machine and of the packages that decide the numbers."""
+    listed = {"python": platform.python_version(), "machine": f"{sys.platform} {platform.machine()}"}
     for name in PACKAGES:
         with contextlib.suppress(PackageNotFoundError):
-            found[name] = version(name)
-    return found
+            listed[name] = version(name)
+    return listed

@@ -42,7 +42,7 @@ class Training:
 
     @property
     def events(self) -> list[dict[str, Any]]:
-        """All that the run has told so far; nothing where there is no run."""
+        """The events of the run so far; empty where there is no run."""
         return read_metrics(self.folder) if (self.folder / "metrics.jsonl").exists() else []
 
     @property
@@ -79,11 +79,11 @@ class Training:
 
     @property
     def step(self) -> int:
-        """How far it is."""
+        """Steps trained so far."""
         if self.recorded is not None:
             return self.settings.steps
-        told = read_progress(self.folder)
-        step = max([0 if told is None else told.step, *(event["step"] for event in self.events[-1:])])
+        progress = read_progress(self.folder)
+        step = max([0 if progress is None else progress.step, *(event["step"] for event in self.events[-1:])])
         return min(step, self.settings.steps)
 
 
@@ -98,27 +98,27 @@ def trainings_of(
         steps: shortens every training to so many.
         recorded: rows of results by the name of their run; what has one needs no training.
     """
-    found, known = {}, recorded or {}
+    trainings, known = {}, recorded or {}
     for experiment in experiments:
-        found[experiment.name] = [
+        trainings[experiment.name] = [
             Training(cell, short, runs / run_name(short), known.get(run_name(short)))
             for cell in experiment.cells
             for settings in cell.trainings()
             for short in [settings if steps is None else shortened(settings, steps)]
         ]
-    return found
+    return trainings
 
 
 def once_each(trainings: dict[str, list[Training]]) -> list[Training]:
     """Every run once, in the order of the experiments."""
-    found: dict[str, Training] = {}
+    once: dict[str, Training] = {}
     for training in (each for several in trainings.values() for each in several):
-        found.setdefault(training.name, training)
-    return list(found.values())
+        once.setdefault(training.name, training)
+    return list(once.values())
 
 
 class Speeds:
-    """Steps a second of trainings that are finished, to tell how long others will take.
+    """Steps a second of finished trainings, by which the time that others will take is estimated.
 
     Args:
         measured: settings, steps and seconds of finished trainings.
@@ -148,7 +148,7 @@ def _without_seed(settings: LoopSettings) -> dict[str, Any]:
 
 @dataclass(frozen=True)
 class Budget:
-    """What trainings still cost.
+    """The cost of the trainings that are left.
 
     Attributes:
         finished: how many of them are.

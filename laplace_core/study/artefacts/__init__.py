@@ -1,4 +1,4 @@
-"""Names, measures and explains what in a tau-space is not real.
+"""Artefacts of a tau-space: their names, measures and explanations.
 
 An artefact is measured for one action, from what was decoded and how, and carries the change of settings that
 removes it. Each size has the unit that its name suggests and is listed from one level on, :data:`VISIBLE`.
@@ -33,7 +33,7 @@ MEASURES: dict[str, Callable[[Look], Artefact | None]] = {
     "soft deadline": soft_deadline,
     "constant horizon": constant_horizon,
 }
-"""Every artefact that has to be found, by name, the gravest kinds first."""
+"""The measure of every artefact that studies are searched for, by name, the gravest kinds first."""
 LISTED: dict[str, Callable[[Look], Artefact | None]] = {"shifted index": shifted_index, **MEASURES}
 """These, and an error of the decoder that is there only if it was switched on."""
 
@@ -43,7 +43,7 @@ def find_artefacts(
 ) -> list[Artefact]:  # fmt: skip
     """Every artefact present in the tau-space of one action, the gravest kinds first.
 
-    A gamma-space without a world has no truth to measure against; only what shows in the data is found.
+    A gamma-space without a world has no truth to measure against; only artefacts that show in the data are listed.
 
     Args:
         horizon: the T of the view, at which remedies are tried and a constant horizon is judged; default: the longest,
@@ -57,12 +57,12 @@ def find_artefacts(
     """
     study.check_view(action=action)
     look = Look(study, action, horizon, searching=searching)
-    found = [artefact for measure in LISTED.values() if (artefact := measure(look)) is not None]
+    artefacts = [artefact for measure in LISTED.values() if (artefact := measure(look)) is not None]
     if not searching:
-        return found
+        return artefacts
     if trials is None and isinstance(study, WorldStudy):
         trials = Trials(study, len(study.horizons) - 1 if horizon is None else study.row_at(horizon), action)
-    return offered(found, look, LISTED, trials)
+    return offered(artefacts, look, LISTED, trials)
 
 
 __all__ = ["LISTED", "MEASURES", "VISIBLE", "Artefact", "Remedy", "find_artefacts"]

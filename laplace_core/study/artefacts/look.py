@@ -28,7 +28,7 @@ from laplace_core.study.pipeline import Study, WorldStudy, basis_of, rows_decode
 
 @dataclass(frozen=True, eq=False)
 class Drawn:
-    """What is drawn of one action: tau-space ``(n, B)``, survival ``(n,)`` and expected reward ``(n,)``."""
+    """The drawn rows of one action: tau-space ``(n, B)``, survival ``(n,)`` and expected reward ``(n,)``."""
 
     tau_space: np.ndarray
     survival: np.ndarray
@@ -36,7 +36,7 @@ class Drawn:
 
 
 class Look:
-    """The parts of one action's picture, each computed when first asked for and then kept.
+    """The parts of one action's picture, each computed when first asked for and then cached.
 
     ``alpha`` and ``steps`` default to those of the picture everywhere, which under ``fold`` has as many rows as the
     horizon.
@@ -57,7 +57,7 @@ class Look:
 
     @property
     def of_world(self) -> WorldStudy:
-        """The study, where it is of a world: whoever asks has looked at :attr:`has_truth`."""
+        """The study as one of a world; check :attr:`has_truth` first."""
         assert isinstance(self.study, WorldStudy)
         return self.study
 
@@ -90,11 +90,11 @@ class Look:
     @cached_property
     def drawn(self) -> Drawn:
         """The rows of this action that are drawn."""
-        found, rows = self._decoded, slice(self.steps)
+        decoded, rows = self._decoded, slice(self.steps)
         return Drawn(
-            found.tau_space[self.action, rows],
-            found.survival[self.action, rows],
-            found.expected_reward[self.action, rows],
+            decoded.tau_space[self.action, rows],
+            decoded.survival[self.action, rows],
+            decoded.expected_reward[self.action, rows],
         )
 
     @cached_property

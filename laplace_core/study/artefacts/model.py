@@ -1,4 +1,4 @@
-"""What an artefact and a remedy are, and from where on an artefact is worth a word."""
+"""Artefacts and remedies, and the size from which an artefact is listed."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ that the artefact's size names."""
 
 @dataclass(frozen=True)
 class Artefact:
-    """One thing in the picture that is not in the world.
+    """One feature of the picture that is not in the world.
 
     Attributes:
         size: the measure, in the unit that ``shown`` names.

@@ -79,7 +79,7 @@ def _from_violations(look: Look) -> Artefact | None:
 
 
 def _mixed(look: Look, size: float) -> Artefact | None:
-    """What falls with gamma and does not look random. What it is cannot be known, so that both are said."""
+    """Values that fall with gamma and do not look random. Their cause cannot be known, so that both are named."""
     if size < VISIBLE:
         return None
     return Artefact(

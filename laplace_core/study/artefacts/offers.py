@@ -25,7 +25,7 @@ _NO_WORSE = 1e-3
 
 
 def offered(
-    found: Sequence[Artefact], look: Look, measures: Mapping[str, Measure], trials: Trials | None
+    artefacts: Sequence[Artefact], look: Look, measures: Mapping[str, Measure], trials: Trials | None
 ) -> list[Artefact]:
     """The same artefacts with those of their remedies that are offered.
 
@@ -34,14 +34,14 @@ def offered(
     """
     with_others = [
         replace(each, remedies=tuple(r for r in each.remedies if _is_offered(each, r, look, measures, trials=trials)))
-        for each in found
+        for each in artefacts
     ]
-    alpha = _alpha(found, look, measures, trials)
+    alpha = _alpha(artefacts, look, measures, trials)
     if alpha is None:
         return with_others
     return [
         _with_alpha(offer, alpha, look, measures) if any("alpha" in r.changes for r in each.remedies) else offer
-        for each, offer in zip(found, with_others, strict=True)
+        for each, offer in zip(artefacts, with_others, strict=True)
     ]
 
 
@@ -64,10 +64,10 @@ def _is_offered(
 
 
 def _alpha(
-    found: Sequence[Artefact], look: Look, measures: Mapping[str, Measure], trials: Trials | None
+    artefacts: Sequence[Artefact], look: Look, measures: Mapping[str, Measure], trials: Trials | None
 ) -> float | None:
     """The one alpha that is suggested for a view; None where none is."""
-    changes: list[Mapping[str, Any]] = [r.changes for each in found for r in each.remedies if "alpha" in r.changes]
+    changes: list[Mapping[str, Any]] = [r.changes for each in artefacts for r in each.remedies if "alpha" in r.changes]
     wished = list(dict.fromkeys(each["alpha"] for each in changes))
     if not wished:
         return None

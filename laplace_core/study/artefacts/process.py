@@ -18,7 +18,7 @@ def repeated_reward(look: Look) -> Artefact | None:
 
     Whether the episode is over or idles on zero reward makes no difference: a step counts as far as the rescaled rows
     exceed the true chances of its rewards by more than the rows do as they were decoded. Without a truth, by which no
-    reward can be told from its residue, what exceeds the decoded survival counts.
+    reward is distinguishable from its residue, the excess over the decoded survival counts.
     """
     s = look.settings
     if s.normalise != "paper":
