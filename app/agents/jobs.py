@@ -43,7 +43,7 @@ class RolledOut:
 
     Attributes:
         packed: the same for the player.
-        along: what a peer has learned of the return along it; see :func:`laplace_core.acting.return_laws.outputs_along`.
+        along: outputs of a peer along it, from :func:`laplace_core.acting.return_laws.outputs_along`.
         artefacts: searches in it, of some kilobytes each, which go when it goes.
     """
 
