@@ -12,12 +12,13 @@ import pytest
 import torch
 from hypothesis import given
 from hypothesis import strategies as st
+from PIL import Image, ImageSequence
 
 from laplace_core import load_world
 from laplace_core.acting.bootstrap import interval, mean_interval
 from laplace_core.acting.evaluation import FIRST_SEED
 from laplace_core.acting.race import FIRST_START, MOST_RACES, MOST_START, Entrant, Race, Races, race, races
-from laplace_core.acting.race_file import race_npz, races_csv, races_npz
+from laplace_core.acting.race_file import race_gif, race_npz, races_csv, races_npz
 from laplace_core.acting.rollout import MOST_SEED
 from laplace_core.agents import LaplaceSettings
 from laplace_core.errors import InputError
@@ -163,6 +164,19 @@ def test_what_makes_no_race_is_refused(agent, given_, said):
     if "count" not in given_:
         with pytest.raises(InputError, match=said):
             race("CartPole-v1", *sides, given_.get("first", 0), horizon=given_.get("horizon", 5))
+
+
+def test_a_race_becomes_an_animation_of_both_sides(agent):
+    """Every picture of the longer side lasts 50 ms; those that are alike are one that lasts longer."""
+    one = race("CartPole-v1", Entrant(agent), Entrant(agent, "fading"), 1, horizon=12, pictures=True)
+    film = Image.open(io.BytesIO(race_gif(one, ("greedy (γ 0.9)", "fading"), 0.05)))
+    single = Image.open(io.BytesIO(one.left.frames[0]))
+    assert film.width > 2 * single.width
+    assert film.height > single.height
+    shown = sum(frame.info["duration"] for frame in ImageSequence.Iterator(film))
+    assert shown == 50 * max(len(one.left.frames), len(one.right.frames))
+    with pytest.raises(InputError, match="no pictures"):
+        race_gif(race("CartPole-v1", Entrant(agent), Entrant(agent), 1, horizon=5), ("left", "right"), 0.05)
 
 
 def test_files_hold_every_return(agent):

@@ -63,7 +63,7 @@ def observation_at(rollout: Rollout, step: int) -> tuple[float, ...]:
 def followed(rollout: Rollout, step: int) -> dict[str, Any]:
     """What the lens draws on the timeline: rewards from a step on, the action there, and how it went on.
 
-    ``over`` is how many steps were left if the episode then was over, None if it was only cut off.
+    ``over`` is how many steps were left if the episode then was over, None if it was truncated.
     """
     rewards = np.asarray(rollout.rewards[step:], dtype=float)
     over = len(rollout) - step if rollout.terminated else None

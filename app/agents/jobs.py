@@ -85,10 +85,8 @@ def rolling(loaded: Loaded, control: Control) -> Rolling:
 def artefacts(rolled: RolledOut, view: View) -> Work[Flags]:
     """The search for artefacts at every step under the settings of a view: the one there is, or a new one."""
     # Without a truth no artefact depends on how values are read.
-    settings, added = replace(view.settings, softness=0.0, deadline="time_to_go"), view.subject.added
-    return rolled.artefacts.take(
-        (settings, added), lambda progress: flag_steps(rolled.rollout, settings, added, progress)
-    )
+    key = replace(view.settings, softness=0.0, deadline="time_to_go"), view.subject.added
+    return rolled.artefacts.take(key, lambda progress: flag_steps(rolled.rollout, *key, progress))
 
 
 def truth(loaded: Loaded, rollout: Rollout, step: int, action: int, *, own: bool) -> Job[Continuations | Outcomes]:
@@ -97,15 +95,20 @@ def truth(loaded: Loaded, rollout: Rollout, step: int, action: int, *, own: bool
     Args:
         own: under the rollout's own rule.
     """
-    agent, environment = loaded.agent, loaded.environment
-    if vector.chance(environment):
-        return Job(_truths, (agent, rollout, step, action, own), lambda progress: continue_from(
-            agent, rollout, step, action=action, count=COUNT, steps=STEPS, own=own, progress=progress
-        ))  # fmt: skip
-    like, rule = (rollout, (rollout.rule, rollout.horizon, rollout.gamma)) if own else (None, None)
-    return Job(_truths, (agent, rule), lambda progress: outcomes_of_states(
-        agent, environment, episodes=EPISODES, each=EACH, steps=STEPS, like=like, progress=progress
-    ))  # fmt: skip
+    agent, environment, chance = loaded.agent, loaded.environment, vector.chance(loaded.environment)
+
+    def make(progress: Progress) -> Continuations | Outcomes:
+        if chance:
+            return continue_from(
+                agent, rollout, step, action=action, count=COUNT, steps=STEPS, own=own, progress=progress
+            )
+        like = rollout if own else None
+        return outcomes_of_states(
+            agent, environment, episodes=EPISODES, each=EACH, steps=STEPS, like=like, progress=progress
+        )
+
+    rule = (rollout.rule, rollout.horizon, rollout.gamma) if own else None
+    return Job(_truths, (agent, rollout, step, action, own) if chance else (agent, rule), make)
 
 
 def returns(agents: Sequence[Loaded], rollout: Rollout, step: int, action: int) -> Job[tuple[SimulatedReturns, ...]]:

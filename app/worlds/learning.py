@@ -10,6 +10,7 @@ from streamlit.delta_generator import DeltaGenerator
 from app import session
 from app.catalogue import tabular
 from app.components.chart import chart
+from app.components.waiting import attempt
 from app.components.widgets import download, field, select
 from app.session import store
 from app.session.url import by_name
@@ -52,21 +53,17 @@ def source_group(world: World) -> None:
         st.caption(f"Learned before, in {agent_title(str(store.chosen()['agent']))}.")
         st.button("Learn anew instead", on_click=store.choose, args=("agent", None), width="stretch")
         return
-    refused = None
-    try:
-        wanted = learning_of(world)
-    except InputError as error:
-        refused, wanted = str(error), LEARN_DEFAULTS  # what was set by hand is shown, and can be set right
-        st.error(refused)
+    wanted = attempt(lambda: learning_of(world))
+    shown = wanted or LEARN_DEFAULTS  # what was set by hand is shown, and can be set right
     box = st.expander("How it learns", key="how", on_change="rerun")
     if box.open:
         with box:
             columns, known = st.columns(2), by_name(*LEARN_SCHEMA)
             for i, (name, title) in enumerate(_SHOWN.items()):
                 place = st if known[name].type is bool else columns[i % 2]
-                field(known[name], getattr(wanted, name), title, key=LEARN + name, place=place)
-    going = None if refused else _runs().get(_key(world, wanted))
-    busy = bool(refused) or (going is not None and going.running)
+                field(known[name], getattr(shown, name), title, key=LEARN + name, place=place)
+    going = None if wanted is None else _runs().get(_key(world, wanted))
+    busy = wanted is None or (going is not None and going.running)
     st.button("Learn", on_click=_begin, args=(world,), type="primary", width="stretch", disabled=busy)
 
 
