@@ -46,7 +46,7 @@ def ask(view: View, loaded: Loaded, rollout: Rollout, step: int) -> Simulated | 
             return None
         words.caption(_words(view, loaded, rollout, step))
         begun = work is not None
-        button.button("Simulate", width="stretch", disabled=begun, on_click=job.begin, help=_HELP)
+        button.button("Simulate", key="simulate", width="stretch", disabled=begun, on_click=job.begin, help=_HELP)
     if work is None or not vector.chance(loaded.environment):
         return None
     simulated = attempt(work.result)
