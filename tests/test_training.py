@@ -34,7 +34,7 @@ ROOT = Path(__file__).resolve().parents[1]
 CHILD = """
 import json, sys
 from laplace_core.agents import LaplaceSettings
-from laplace_core.training.evaluation import evaluate
+from laplace_core.acting.evaluation import evaluate
 from laplace_core.training.events import Step
 from laplace_core.training.loop import train
 from laplace_core.supervise import Process, read_process
