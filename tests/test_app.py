@@ -5,11 +5,11 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from app.compute import study_for
-from app.lens import payload, structure
-from app.lens.payload import unpacked
-from app.query import LINK
-from app.sources import WORLDS, view_of
+from app.components.lens import payload, structure
+from app.components.lens.payload import unpacked
+from app.view.compute import study_for
+from app.worlds.schema import LINK
+from app.worlds.sources import WORLDS, view_of
 from laplace_core import study
 from tests.pages import choose, handed, opened, press, verdict
 

@@ -137,7 +137,7 @@ def test_a_file_that_is_no_checkpoint_is_refused_in_one_sentence(data):
 def test_every_environment_has_its_words(subtests):
     for environment in ENVIRONMENTS:
         with subtests.test(environment):
-            scene, spec = scene_of(environment), environments.spec(environment)
+            scene, spec = scene_of(environment), vector.spec(environment)
             assert len(scene.actions) == spec.actions
             assert len(scene.states or scene.components) == spec.observation
             for part in scene.components:

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from app.query import LINK, OPENING
-from app.sources import WORLDS
-from laplace_core.settings import BY_NAME, SCHEMA
+from app.worlds.schema import LINK, OPENING
+from app.worlds.sources import WORLDS
+from laplace_core.study.settings import BY_NAME, SCHEMA
 
 
 def test_a_good_link_is_read_in_full():
