@@ -85,3 +85,15 @@ def test_modules_that_moved_are_where_the_changelog_says():
             names = [f"{names[0]}.{name.rpartition('.')[2]}" for name in re.findall(r"`([^`]+)`", old)]
         for name in names:
             assert exists(name), name
+
+
+def test_every_reference_in_a_docstring_is_there():
+    references = [
+        (path, name)
+        for folder in ("app", "laplace_core", "tests", "bench")
+        for path in (ROOT / folder).rglob("*.py")
+        for name in re.findall(r":(?:mod|func|class|data|meth|attr):`~?([\w.]+)`", path.read_text(encoding="utf-8"))
+        if is_name(name)
+    ]
+    assert len(references) > 30
+    assert [(path, name) for path, name in references if not exists(name)] == []
