@@ -36,22 +36,24 @@ def effects(world: World, **settings) -> dict[str, float]:
 # --- the base configuration ---
 
 
-@pytest.mark.parametrize("number", range(25))
-def test_the_base_has_no_artefact_by_either_account(number):
-    case = draw_case(np.random.default_rng([3, number]), NEVER)
-    assert case.settings == case.base
-    assert find_artefacts(study(case.world, case.settings), case.action) == []
-    assert max(Effects(case).all().values()) < 1e-2
+def test_the_base_has_no_artefact_by_either_account(subtests):
+    for number in range(25):
+        with subtests.test(number=number):
+            case = draw_case(np.random.default_rng([3, number]), NEVER)
+            assert case.settings == case.base
+            assert find_artefacts(study(case.world, case.settings), case.action) == []
+            assert max(Effects(case).all().values()) < 1e-2
 
 
-@pytest.mark.parametrize("number", range(8))
-def test_the_base_of_a_lasting_world_has_what_no_setting_avoids(number):
-    # What comes after the last row is folded, and a long timeline that is sharp rings.
-    case = draw_case(np.random.default_rng([3, number]), NEVER, "lasting")
-    assert case.settings == case.base
-    found = find_artefacts(study(case.world, case.settings), case.action, searching=False)
-    there = {name for name, effect in Effects(case).all().items() if effect > VISIBLE}
-    assert {artefact.name for artefact in found} == there <= {"folding", "negative mass"}
+def test_the_base_of_a_lasting_world_has_what_no_setting_avoids(subtests):
+    for number in range(8):
+        with subtests.test(number=number):
+            # What comes after the last row is folded, and a long timeline that is sharp rings.
+            case = draw_case(np.random.default_rng([3, number]), NEVER, "lasting")
+            assert case.settings == case.base
+            found = find_artefacts(study(case.world, case.settings), case.action, searching=False)
+            there = {name for name, effect in Effects(case).all().items() if effect > VISIBLE}
+            assert {artefact.name for artefact in found} == there <= {"folding", "negative mass"}
 
 
 def test_lasting_worlds_have_cycles_hundreds_of_steps_and_no_end():
