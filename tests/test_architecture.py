@@ -68,7 +68,7 @@ def test_every_path_is_there(path):
 def test_names_that_are_not_there_are_noticed():
     assert exists("laplace_core.study.pipeline.Study.at")
     assert exists("app.session.PageState.chosen")
-    for name in ("laplace_core.study.nothing", "laplace_core.study.pipeline.Study.nothing", "laplace_core.tabular"):
+    for name in ("laplace_core.study.nothing", "laplace_core.study.pipeline.Study.nothing", "laplace_core.learned"):
         assert not exists(name)
 
 

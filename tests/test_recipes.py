@@ -308,22 +308,28 @@ def test_an_artefact(workshop):
     assert workshop.touched() == [labels, measures]
     assert_in_the_recipe("An artefact", workshop.touched())
 
-    # Listed by the command line where it is there, and not where it is not.
-    def listed(*words):
-        said = json.loads(workshop.laplace("decode", "two_branch", "--explain", "--json", *words))
-        return {each["name"]: each["size"] for each in said["verdict"]["artefacts"]}
+    decode = ("decode", "two_branch", "--explain", "--json")
+    (faulty, clean, report), (page,) = workshop.follow(
+        (*decode, "--value-gamma", "0.8"),
+        decode,
+        ("report", "detectors", "--cases", "8", "--json"),
+        pages=[("worlds", {"world": "two_branch", "action": "long", "value_gamma": "0.5"})],
+    )
 
-    # The long branch pays 10 at step 2: read at .8 that is 6.4, and 9.801 at .99.
-    assert listed("--value-gamma", "0.8")["discount of the values"] == pytest.approx(1 - 6.4 / 9.801)
-    assert "discount of the values" not in listed()
+    # Listed by the command line where it is there, and not where it is not: the long branch pays 10 at step 2, which
+    # is 6.4 when it is read at .8, and 9.801 at .99.
+    sizes, none = (
+        {each["name"]: each["size"] for each in json.loads(said)["verdict"]["artefacts"]} for said in (faulty, clean)
+    )
+    assert sizes["discount of the values"] == pytest.approx(1 - 6.4 / 9.801)
+    assert "discount of the values" not in none
 
     # On the page, with its sentence and, since it makes the choice wrong, its remedy.
-    (page,) = workshop.pages(("worlds", {"world": "two_branch", "action": "long", "value_gamma": "0.5"}))
     assert any("discount of the values" in words and "74% of the largest" in words for words in page["artefacts"])
     assert "Read values at the acting gamma" in page["buttons"]
 
-    # Held against the truth by the report, which brings it about in some cases and not in others.
-    report = json.loads(workshop.laplace("report", "detectors", "--cases", "8", "--json"))
+    # Compared with the truth by the report, which brings it about in some cases and not in others.
+    report = json.loads(report)
     (score,) = [each for each in report["artefacts"] if each["name"] == "discount of the values"]
     assert (score["precision"], score["recall"]) == (1.0, 1.0)
     assert score["true_positive"] > 0
