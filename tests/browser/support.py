@@ -231,7 +231,7 @@ def comes_to_differ(page: Any, before: np.ndarray) -> None:
 
 
 def grab(page: Any, name: str) -> Callable[[float], None]:
-    """Press the mouse in the middle of a slider; returns what moves it to a share of the track. Let go is ``mouse.up``."""
+    """Press the mouse in the middle of a slider; returns what moves it to a share of the track."""
     handle = page.locator(f"input[name={name}]")
     handle.scroll_into_view_if_needed()
     box = handle.bounding_box()

@@ -55,8 +55,7 @@ def test_a_run_moves_is_found_again_stops_goes_on_and_is_opened(page, address):
     expect(card(page)).to_contain_text("best evaluation")
     before = scores(plot)
     page.wait_for_function(
-        "(before) => document.querySelector(\".js-plotly-plot[data-name='training']\")._fullData.at(-1).x.length > before",
-        arg=max(1, before),
+        "([plot, before]) => plot._fullData.at(-1).x.length > before", arg=[plot.element_handle(), max(1, before)]
     )
     assert plot.evaluate("(p) => p.marked")  # the same element, updated
     second = later(page, first)
