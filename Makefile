@@ -13,8 +13,7 @@ app: .venv/.app
 
 test: .venv/.dev lint
 	$(BIN)/python -m pytest --ignore=tests/browser -n 2
-	# A browser on a busy machine may miss a key: what failed is tried once more, and then counts.
-	$(BIN)/python -m pytest tests/browser -n 2 -rs || $(BIN)/python -m pytest tests/browser -rs --last-failed
+	$(BIN)/python -m pytest tests/browser -n 2 --dist loadfile -rs
 
 lint: .venv/.dev
 	$(BIN)/ruff check .
