@@ -12,9 +12,8 @@ app: .venv/.app
 	$(BIN)/streamlit run app/main.py --server.port $(PORT)
 
 test: .venv/.dev lint
-	$(BIN)/python -m pytest --ignore=tests/browser -n 2 --dist worksteal
-	# A browser on a busy machine may miss a key: what failed is tried once more, and then counts.
-	$(BIN)/python -m pytest tests/browser -n 2 -rs || $(BIN)/python -m pytest tests/browser -rs --last-failed
+	$(BIN)/python -m pytest --ignore=tests/browser -n 2
+	$(BIN)/python -m pytest tests/browser -n 2 --dist loadfile -rs
 
 lint: .venv/.dev
 	$(BIN)/ruff check .
