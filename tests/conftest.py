@@ -4,6 +4,10 @@ import os
 import tempfile
 from functools import cache
 
+# A worker has one core. Threads of BLAS that wait for each other on a busy machine took some tests ten times as long.
+# NumPy reads it when it is imported: this stands above the imports.
+os.environ["OMP_NUM_THREADS"] = os.environ["OPENBLAS_NUM_THREADS"] = os.environ["MKL_NUM_THREADS"] = "1"
+
 import pytest
 from hypothesis import settings
 from streamlit.components.v2 import manifest_scanner

@@ -103,9 +103,8 @@ def test_a_tabular_agent_is_asked_about_a_state(shipped):
     assert schema.view_of(loaded, scene, {}).settings.steps == 3
 
 
-@pytest.mark.parametrize(
-    "query",
-    [
+def test_a_bad_link_opens_with_a_note(subtests, shipped):
+    for query in [
         {"checkpoint": "laplace_pong"},
         {"checkpoint": "../../etc/passwd"},
         {"o.2": "9e9"},
@@ -119,12 +118,11 @@ def test_a_tabular_agent_is_asked_about_a_state(shipped):
         {"added": "0.5"},
         {"slope_share": "0"},
         {"slope_share": "2"},
-    ],
-)
-def test_a_bad_link_opens_with_a_note(shipped, query):
-    page = opened(**query)
-    assert page.warning
-    assert not page.error
+    ]:
+        with subtests.test(query=query):
+            page = opened(**query)
+            assert page.warning
+            assert not page.error
 
 
 @pytest.mark.parametrize("data", [b"", b"\x80\x04pickle", b"PK\x03\x04" + b"\0" * 90, b"\xff" * 200])
@@ -134,13 +132,14 @@ def test_a_file_that_is_no_checkpoint_is_refused_in_one_sentence(data):
     assert "mine.safetensors" in str(refused.value)
 
 
-@pytest.mark.parametrize("environment", ENVIRONMENTS)
-def test_every_environment_has_its_words(environment):
-    scene, spec = scene_of(environment), vector.spec(environment)
-    assert len(scene.actions) == spec.actions
-    assert len(scene.states or scene.components) == spec.observation
-    for part in scene.components:
-        assert part.low <= part.start <= part.high
+def test_every_environment_has_its_words(subtests):
+    for environment in ENVIRONMENTS:
+        with subtests.test(environment):
+            scene, spec = scene_of(environment), vector.spec(environment)
+            assert len(scene.actions) == spec.actions
+            assert len(scene.states or scene.components) == spec.observation
+            for part in scene.components:
+                assert part.low <= part.start <= part.high
 
 
 def rolled_out(**query: str) -> AppTest:
@@ -190,15 +189,15 @@ def test_the_button_rolls_out_and_the_way_back_leads_to_sliders(shipped):
     assert "r.shown" not in page.query_params
 
 
-@pytest.mark.parametrize(
-    "query",
-    [{"r.seed": "-1"}, {"r.rule": "own"}, {"r.rule": "best"}, {"r.horizon": "0"}, {"r.at": "1e9"}, {"r.gamma": "2"},
-     {"r.shown": "perhaps"}, {"r.after": "always"}],
-)  # fmt: skip
-def test_a_bad_link_to_a_rollout_opens_with_a_note(shipped, query):
-    page = rolled_out(**{"r.shown": "yes"} | query)
-    assert page.warning
-    assert not page.error
+def test_a_bad_link_to_a_rollout_opens_with_a_note(subtests, shipped):
+    for query in [
+        {"r.seed": "-1"}, {"r.rule": "own"}, {"r.rule": "best"}, {"r.horizon": "0"}, {"r.at": "1e9"},
+        {"r.gamma": "2"}, {"r.shown": "perhaps"}, {"r.after": "always"},
+    ]:  # fmt: skip
+        with subtests.test(query=query):
+            page = rolled_out(**{"r.shown": "yes"} | query)
+            assert page.warning
+            assert not page.error
 
 
 def test_a_step_beyond_the_end_is_the_last_one(shipped):

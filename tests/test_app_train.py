@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-import pytest
 from streamlit.testing.v1 import AppTest
 
 from app.catalogue import training_runs
@@ -88,19 +87,19 @@ def test_another_environment_brings_its_own_settings_and_keeps_the_seed(runs):
     assert page.number_input(key="t.steps").value == settings_of("laplace", "CartPole-v1", {}).steps
 
 
-@pytest.mark.parametrize("environment", ENVIRONMENTS)
-@pytest.mark.parametrize("algorithm", SETTINGS)
-def test_every_pair_has_a_form_that_may_be_started_as_it_is(algorithm, environment):
-    assert wanted({"algorithm": algorithm, "environment": environment}).environment == environment
-    first, others = fields(algorithm)
-    named = [parameter.name for parameter in (*first, *others)]
-    assert sorted([*named, "seed", "environment"]) == sorted(p.name for p in SETTINGS[algorithm].SCHEMA)
-    assert {"steps", "learning_rate"} < {parameter.name for parameter in first}
+def test_every_pair_has_a_form_that_may_be_started_as_it_is(subtests):
+    for environment in ENVIRONMENTS:
+        for algorithm in SETTINGS:
+            with subtests.test(environment=environment, algorithm=algorithm):
+                assert wanted({"algorithm": algorithm, "environment": environment}).environment == environment
+                first, others = fields(algorithm)
+                named = [parameter.name for parameter in (*first, *others)]
+                assert sorted([*named, "seed", "environment"]) == sorted(p.name for p in SETTINGS[algorithm].SCHEMA)
+                assert {"steps", "learning_rate"} < {parameter.name for parameter in first}
 
 
-@pytest.mark.parametrize(
-    "query",
-    [
+def test_a_bad_link_opens_with_a_note(subtests, runs):
+    for query in [
         {"algorithm": "dreamer"},
         {"environment": "Pong-v5"},
         {"t.steps": "0"},
@@ -112,13 +111,12 @@ def test_every_pair_has_a_form_that_may_be_started_as_it_is(algorithm, environme
         {"beside": "a,../b"},
         {"ships": "c51,best"},
         {"nonsense": "1"},
-    ],
-)
-def test_a_bad_link_opens_with_a_note(runs, query):
-    page = opened(**query)
-    assert page.warning
-    assert not page.error
-    assert link(page) == {}
+    ]:
+        with subtests.test(query=query):
+            page = opened(**query)
+            assert page.warning
+            assert not page.error
+            assert link(page) == {}
 
 
 def test_settings_of_the_algorithm_are_known_whatever_the_order_of_the_link():

@@ -26,9 +26,10 @@ def refusal_of(values, constant, gammas, thetas) -> str:
     return ""
 
 
-def test_no_gamma_space_is_refused_for_being_what_it_is():
+@pytest.mark.parametrize("count", [80, pytest.param(250, marks=pytest.mark.long)])
+def test_no_gamma_space_is_refused_for_being_what_it_is(count):
     refused = []
-    for seed in range(250):
+    for seed in range(count):
         rng = np.random.default_rng([3, seed])
         exact = random_space(rng)
         for noise in (0.0, 0.005, 0.02):

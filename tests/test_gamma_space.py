@@ -39,9 +39,8 @@ def test_bins_of_closed_and_of_open_ends_by_hand():
     np.testing.assert_array_equal(opened.differences.sum(axis=-1), CONSTANT)  # every step is in some bin
 
 
-@pytest.mark.parametrize(
-    ("changes", "named"),
-    [
+def test_what_no_gamma_space_holds_is_refused_when_it_is_built(subtests):
+    for changes, named in [
         ({"values": VALUES[0]}, "'gamma_space'"),
         ({"values": VALUES[..., :2]}, "'gamma_space'"),
         ({"values": np.where(VALUES == 2.0, np.nan, VALUES)}, "'gamma_space'"),
@@ -62,12 +61,11 @@ def test_bins_of_closed_and_of_open_ends_by_hand():
         ({"thetas": [0.0, 0.0, 1.0]}, "'thetas'"),
         ({"thetas": [0.0, np.inf, 1.0]}, "'thetas'"),
         ({"thetas": [0.0]}, "'thetas'"),
-    ],
-)
-def test_what_no_gamma_space_holds_is_refused_when_it_is_built(changes, named):
-    with pytest.raises(InputError) as refused:
-        space(**changes)
-    assert_one_sentence(f"laplace: {refused.value}", named)
+    ]:
+        with subtests.test(named, changes=changes):
+            with pytest.raises(InputError) as refused:
+                space(**changes)
+            assert_one_sentence(f"laplace: {refused.value}", named)
 
 
 @pytest.mark.parametrize("open_ends", [False, True])

@@ -32,7 +32,7 @@ from tests.lens_reference import seen
 
 ROOT = Path(__file__).resolve().parent.parent
 NODE = Path(sysconfig.get_path("scripts")) / "node"
-VIEWS = int(os.environ.get("LENS_VIEWS", "150"))
+VIEWS = int(os.environ.get("LENS_VIEWS", "50"))
 """`make verify` asks for 1,000."""
 
 

@@ -172,16 +172,17 @@ def test_the_state_goes_to_the_page_and_back():
     assert state_of(settings, 3.0, action=1, added=2) == state
 
 
-@pytest.mark.parametrize("heard", [
-    None, 7, [], {"alpha": -1}, {"alpha": "x"}, {"alpha": float("nan")}, {"horizon": 1e9}, {"fold": "yes"},
-    {"normalise": "<b>"}, {"action": 99}, {"nonsense": 1}, {"noise_seed": 2.0**40}, {"alpha": True},
-    {"slope_share": 0.0}, {"slope_share": 1.5}, {"added": 4}, {"added": "2"},
-])  # fmt: skip
-def test_a_state_from_the_browser_is_not_trusted(heard):
-    found, _ = made("two_branch")
-    assert checked(heard, found) == state_of(found.settings, 3.0)
-    good = {**state_of(found.settings, 2.0), "alpha": 0.5, "fold": True}
-    assert checked(good, found) == good
+def test_a_state_from_the_browser_is_not_trusted(subtests):
+    for heard in [
+        None, 7, [], {"alpha": -1}, {"alpha": "x"}, {"alpha": float("nan")}, {"horizon": 1e9}, {"fold": "yes"},
+        {"normalise": "<b>"}, {"action": 99}, {"nonsense": 1}, {"noise_seed": 2.0**40}, {"alpha": True},
+        {"slope_share": 0.0}, {"slope_share": 1.5}, {"added": 4}, {"added": "2"},
+    ]:  # fmt: skip
+        with subtests.test(heard=heard):
+            found, _ = made("two_branch")
+            assert checked(heard, found) == state_of(found.settings, 3.0)
+            good = {**state_of(found.settings, 2.0), "alpha": 0.5, "fold": True}
+            assert checked(good, found) == good
 
 
 def test_every_preset_is_a_view():

@@ -48,11 +48,12 @@ DAMAGED = {
 }
 
 
-@pytest.mark.parametrize("kind", DAMAGED)
-def test_a_damaged_word_is_refused_in_one_sentence(kind):
-    with pytest.raises(InputError) as refused:
-        unpack(DAMAGED[kind])
-    assert_one_sentence(str(refused.value), "copy it again")
+def test_a_damaged_word_is_refused_in_one_sentence(subtests):
+    for kind in DAMAGED:
+        with subtests.test(kind):
+            with pytest.raises(InputError) as refused:
+                unpack(DAMAGED[kind])
+            assert_one_sentence(str(refused.value), "copy it again")
 
 
 @given(st.text(max_size=300))

@@ -77,10 +77,10 @@ def test_timelines():
     assert failures_of_worlds(timelines(), timeline_world, timeline_world(TIMELINE)) == []
 
 
-@pytest.mark.parametrize("rest", ["Zero", "ZERO", "end", "over", "ends", "", "none", "alive", "0", None, 0, True])
-def test_the_rest_of_a_timeline(rest):
-    with pytest.raises(InputError, match="rest must be one of zero, ended"):
-        timeline_world(TIMELINE, rest)
+def test_the_rest_of_a_timeline(subtests):
+    for rest in ["Zero", "ZERO", "end", "over", "ends", "", "none", "alive", "0", None, 0, True]:
+        with subtests.test(rest=rest), pytest.raises(InputError, match="rest must be one of zero, ended"):
+            timeline_world(TIMELINE, rest)
 
 
 def test_the_command_decode(capsys, tmp_path, monkeypatch):

@@ -81,7 +81,13 @@ def held(shown: dict[str, np.ndarray], rows: int, **others: np.ndarray) -> None:
         np.testing.assert_allclose(array, wanted, rtol=0, atol=1e-9 * max(1.0, np.abs(wanted).max()))
 
 
-@pytest.mark.parametrize(("made", "count"), [(of_a_world, 160), (of_a_network, 40)])
+@pytest.mark.parametrize(
+    ("made", "count"),
+    [
+        (of_a_world, 40), pytest.param(of_a_world, 160, marks=pytest.mark.long),
+        (of_a_network, 12), pytest.param(of_a_network, 40, marks=pytest.mark.long),
+    ],
+)  # fmt: skip
 def test_everything_gives_the_numbers_of_the_picture(made, count, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     switched = 0

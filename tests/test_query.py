@@ -58,10 +58,11 @@ def test_any_text_in_any_entry_is_read_or_left_out(query):
     assert_holds({name: value.encode("utf-8", "replace").decode() for name, value in query.items()})
 
 
-@pytest.mark.parametrize("name", [name for name in NAMES if name != "world"])
-@pytest.mark.parametrize("word", ["", "\x00", "9" * 400, "１", "' OR 1=1", FIRST_TIMELINE[:30], "[" * 3_000])
-def test_each_entry_survives_each_odd_word(name, word):
-    assert_holds({"world": "two_branch", name: word})
+def test_each_entry_survives_each_odd_word(subtests):
+    for name in [name for name in NAMES if name != "world"]:
+        for word in ["", "\x00", "9" * 400, "１", "' OR 1=1", FIRST_TIMELINE[:30], "[" * 3_000]:
+            with subtests.test(name, word=word):
+                assert_holds({"world": "two_branch", name: word})
 
 
 @given(JSON)

@@ -53,13 +53,14 @@ def test_an_interval_that_covers_nothing_is_said(files, capsys):
     assert "the interval covers 0" in told
 
 
-@pytest.mark.parametrize(
-    "words",
-    [["a"], ["a", "--horizon", "0"], ["a", "--horizon", "5", "--seeds", "1"], ["a", "--horizon", "5", "--seeds", "999"],
-     ["a", "--horizon", "5", "--start", "-1"], ["a", "--horizon", "5", "--rule", "best"],
-     ["a", "--horizon", "5", "--gamma", "2"], ["a", "--horizon", "5", "--against", "matched", "--gamma", ".5"],
-     ["a", "--horizon", "5", "--against-agent", "c"], ["a", "--horizon", "5", "--against", "own"],
-     ["nothing.safetensors", "--horizon", "5"], ["a", "--horizon", "9999", "--start", "0"]],
-)  # fmt: skip
-def test_bad_words_are_refused_in_one_line(files, capsys, words):
-    assert_refused(capsys, ["race", *(files.get(word, word) for word in words)])
+def test_bad_words_are_refused_in_one_line(subtests, files, capsys):
+    for words in [
+        ["a"], ["a", "--horizon", "0"], ["a", "--horizon", "5", "--seeds", "1"],
+        ["a", "--horizon", "5", "--seeds", "999"], ["a", "--horizon", "5", "--start", "-1"],
+        ["a", "--horizon", "5", "--rule", "best"], ["a", "--horizon", "5", "--gamma", "2"],
+        ["a", "--horizon", "5", "--against", "matched", "--gamma", ".5"],
+        ["a", "--horizon", "5", "--against-agent", "c"], ["a", "--horizon", "5", "--against", "own"],
+        ["nothing.safetensors", "--horizon", "5"], ["a", "--horizon", "9999", "--start", "0"],
+    ]:  # fmt: skip
+        with subtests.test(" ".join(words)):
+            assert_refused(capsys, ["race", *(files.get(word, word) for word in words)])

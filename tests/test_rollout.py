@@ -175,18 +175,16 @@ def test_what_hears_of_progress_may_end_it(agent):
     assert heard == [(1, 60), (2, 60), (3, 60), (4, 60)]
 
 
-@pytest.mark.parametrize(
-    "wrong",
-    [
-        {"environment": "Acrobot-v1"}, {"environment": "pong"}, {"seed": -1}, {"seed": 2**31}, {"rule": "best"},
-        {"horizon": 0}, {"horizon": 10**6}, {"gamma": 0.0}, {"gamma": 1.0}, {"rule": "readout", "gamma": 0.5},
-        {"rule": "own"},
-    ],
-)  # fmt: skip
-def test_what_does_not_fit_is_refused_in_one_sentence(agent, wrong):
-    with pytest.raises(InputError) as refused:
-        roll_out(agent, **{"environment": "CartPole-v1", "seed": 0} | wrong)
-    assert "\n" not in str(refused.value)
+def test_what_does_not_fit_is_refused_in_one_sentence(subtests, agent):
+    for wrong in [
+            {"environment": "Acrobot-v1"}, {"environment": "pong"}, {"seed": -1}, {"seed": 2**31}, {"rule": "best"},
+            {"horizon": 0}, {"horizon": 10**6}, {"gamma": 0.0}, {"gamma": 1.0}, {"rule": "readout", "gamma": 0.5},
+            {"rule": "own"},
+        ]:  # fmt: skip
+        with subtests.test(wrong=wrong):
+            with pytest.raises(InputError) as refused:
+                roll_out(agent, **{"environment": "CartPole-v1", "seed": 0} | wrong)
+            assert "\n" not in str(refused.value)
 
 
 def test_every_rule_has_a_name():

@@ -137,31 +137,33 @@ def test_a_study_that_cannot_be_written_leaves_the_old_file_and_no_other(tmp_pat
 # --- one's own data ---
 
 
-@pytest.mark.parametrize("with_constant", [True, False])
-@pytest.mark.parametrize("leading", [(), (1,), (2,), (5, 2), (1, 1)])
-def test_own_data_of_every_shape(own, leading, with_constant):
-    values, constant = own_values(leading), None
-    if with_constant:
-        constant = np.broadcast_to(np.array([1.0, 1.5, 5.0]), (*leading, 3))
-    path = own(with_arrays(gamma_space=values, constant_channel=constant))
-    expected_constant = values[..., 0] if constant is None else constant
-    if len(leading) < 2:
-        found = read_gamma_space(path)
-        np.testing.assert_array_equal(found.values, values.reshape(-1, 3, 4))
-        np.testing.assert_array_equal(found.constant, expected_constant.reshape(-1, 3))
-        assert_sound(read_gamma_space(path, "0"))
-    for state in range(leading[0]) if len(leading) == 2 else ():
-        found = read_gamma_space(path, str(state))
-        np.testing.assert_array_equal(found.values, values[state])
-        np.testing.assert_array_equal(found.constant, expected_constant[state])
+def test_own_data_of_every_shape(subtests, own):
+    for with_constant in [True, False]:
+        for leading in [(), (1,), (2,), (5, 2), (1, 1)]:
+            with subtests.test(with_constant=with_constant, leading=leading):
+                values, constant = own_values(leading), None
+                if with_constant:
+                    constant = np.broadcast_to(np.array([1.0, 1.5, 5.0]), (*leading, 3))
+                path = own(with_arrays(gamma_space=values, constant_channel=constant))
+                expected_constant = values[..., 0] if constant is None else constant
+                if len(leading) < 2:
+                    found = read_gamma_space(path)
+                    np.testing.assert_array_equal(found.values, values.reshape(-1, 3, 4))
+                    np.testing.assert_array_equal(found.constant, expected_constant.reshape(-1, 3))
+                    assert_sound(read_gamma_space(path, "0"))
+                for state in range(leading[0]) if len(leading) == 2 else ():
+                    found = read_gamma_space(path, str(state))
+                    np.testing.assert_array_equal(found.values, values[state])
+                    np.testing.assert_array_equal(found.constant, expected_constant[state])
 
 
-@pytest.mark.parametrize("kind", ["<f4", ">f8", "<f2", "<i4", "|i1", ">u2", "<f16"])
-def test_own_data_of_every_real_number_type(own, kind):
-    values = np.array([[[1, 1, 0, 0], [1, 1, 1, 0], [6, 4, 2, 0]], [[1, 0, 0, 0], [1, 1, 0, 0], [5, 4, 1, 1]]])
-    found = read_gamma_space(own(with_arrays(gamma_space=np.asfortranarray(values, dtype=kind))))
-    np.testing.assert_array_equal(found.values, values)
-    assert_sound(found)
+def test_own_data_of_every_real_number_type(subtests, own):
+    for kind in ["<f4", ">f8", "<f2", "<i4", "|i1", ">u2", "<f16"]:
+        with subtests.test(kind=kind):
+            values = np.array([[[1, 1, 0, 0], [1, 1, 1, 0], [6, 4, 2, 0]], [[1, 0, 0, 0], [1, 1, 0, 0], [5, 4, 1, 1]]])
+            found = read_gamma_space(own(with_arrays(gamma_space=np.asfortranarray(values, dtype=kind))))
+            np.testing.assert_array_equal(found.values, values)
+            assert_sound(found)
 
 
 @pytest.mark.parametrize("version", [(1, 0), (2, 0), (3, 0)])
@@ -183,11 +185,12 @@ def test_headers_of_old_files_are_read_without_remarks(own):
         np.testing.assert_array_equal(read_gamma_space(path).values, GOOD["gamma_space"])
 
 
-@pytest.mark.parametrize("state", ["2", "-1", "a", "1.5", "1e0", " 1", "0x1", "9" * 5000, "²", "None", "start"])
-def test_states_that_the_data_does_not_hold_are_refused(own, state):
-    one, two = with_arrays(), with_arrays(gamma_space=np.ones((2, 2, 3, 4)), constant_channel=None)
-    for content in (one, two):
-        assert_one_sentence(refusal(own(content), state), "state", state[:10])
+def test_states_that_the_data_does_not_hold_are_refused(subtests, own):
+    for state in ["2", "-1", "a", "1.5", "1e0", " 1", "0x1", "9" * 5000, "²", "None", "start"]:
+        with subtests.test(state=state):
+            one, two = with_arrays(), with_arrays(gamma_space=np.ones((2, 2, 3, 4)), constant_channel=None)
+            for content in (one, two):
+                assert_one_sentence(refusal(own(content), state), "state", state[:10])
 
 
 @pytest.mark.parametrize("leading", [(), (1,), (2,), (5, 2), (1, 1)])
@@ -220,27 +223,25 @@ def test_an_upload_is_called_by_its_name():
 # --- what is refused ---
 
 
-@pytest.mark.parametrize(("content", "named"), [case[1:] for case in CASES], ids=[case[0] for case in CASES])
-def test_a_malformed_file_is_refused_by_name(own, content, named):
-    path = own(content)
-    message = refusal(path)
-    assert_one_sentence(message, *named)
-    assert refusal(content) == refusal(io.BytesIO(content)) == message.replace("own.npz", "the file")
-    try:
-        assert 1 <= states_of(content) <= 10**6  # what the header shows may be sound all the same
-    except InputError as error:
-        assert_one_sentence(f"laplace: {error}")
+def test_a_malformed_file_is_refused_by_name(subtests, own):
+    assert CASES
+    assert_sound(read_gamma_space(own(with_arrays())))  # what the cases spoil is sound itself
+    for name, content, named in CASES:
+        with subtests.test(name):
+            path = own(content)
+            message = refusal(path)
+            assert_one_sentence(message, *named)
+            assert refusal(content) == refusal(io.BytesIO(content)) == message.replace("own.npz", "the file")
+            try:
+                assert 1 <= states_of(content) <= 10**6  # what the header shows may be sound all the same
+            except InputError as error:
+                assert_one_sentence(f"laplace: {error}")
 
 
-def test_the_catalogue_is_long_and_its_seed_is_valid(own):
-    assert len(CASES) >= 200
-    assert len({name for name, _, _ in CASES}) == len(CASES)
-    assert_sound(read_gamma_space(own(with_arrays())))
-
-
-@pytest.mark.parametrize(("content", "named"), [c[1:] for c in CASES[::11]], ids=[c[0] for c in CASES[::11]])
-def test_decode_refuses_a_malformed_file_and_writes_nothing(tmp_path, capsys, own, content, named):
-    assert_nothing_written(capsys, ["decode", str(own(content))], tmp_path, *named)
+def test_decode_refuses_a_malformed_file_and_writes_nothing(subtests, tmp_path, capsys, own):
+    for name, content, named in CASES[::11]:
+        with subtests.test(name):
+            assert_nothing_written(capsys, ["decode", str(own(content))], tmp_path, *named)
 
 
 def test_an_ending_in_capitals_is_as_good(tmp_path, capsys):

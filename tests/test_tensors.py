@@ -31,21 +31,19 @@ def test_tensors_come_back_as_arrays_that_can_be_changed(shapes):
     found["a"][0, 0] = 7
 
 
-@pytest.mark.parametrize(
-    ("shapes", "dtypes", "named"),
-    [
+def test_what_differs_from_the_schema_is_refused(subtests):
+    for shapes, dtypes, named in [
         ({"a": ("F32", (2, 3))}, DTYPES, "unknown tensor 'b'"),
         (SHAPES | {"c": ("F32", (1,))}, DTYPES, "'c' is missing"),
         (SHAPES | {"a": ("F64", (2, 3))}, DTYPES, "is F32; it must be F64"),
         (SHAPES | {"a": ("F32", (3, 2))}, DTYPES, "has shape [2, 3]; it must be [3, 2]"),
         (None, ("F64",), "is F32; it must be F64"),
         (None, ("I32", "I64"), "must be I32 or I64"),
-    ],
-)
-def test_what_differs_from_the_schema_is_refused(shapes, dtypes, named):
-    with pytest.raises(InputError) as refused:
-        read(GOOD, shapes, dtypes)
-    assert_one_sentence(str(refused.value), named)
+    ]:
+        with subtests.test(named):
+            with pytest.raises(InputError) as refused:
+                read(GOOD, shapes, dtypes)
+            assert_one_sentence(str(refused.value), named)
 
 
 def spoil(**changes) -> bytes:
@@ -54,20 +52,18 @@ def spoil(**changes) -> bytes:
     return joined(header, body)
 
 
-@pytest.mark.parametrize(
-    "content",
-    [
+def test_files_that_are_not_whole_are_refused(subtests):
+    for content in [
         b"", GOOD[:9], GOOD[:-1], GOOD + b"\0", joined({}, b"") + bytes(1000), joined(b"{" + b" " * 600 + b"}", b""),
         joined([], b""), spoil(data_offsets=[0, 8]), spoil(data_offsets=[8, 32]), spoil(dtype=["F32"]),
         spoil(dtype="OBJECT"), spoil(shape=[True, 6]), spoil(shape=[-2, -3]), spoil(shape=[2**62, 2**62]),
         spoil(shape=[2, 3] + [1] * 100), spoil(more=1), spoil(shape={}),
-    ],
-)  # fmt: skip
-@pytest.mark.parametrize("shapes", [SHAPES, None])
-def test_files_that_are_not_whole_are_refused(content, shapes):
-    with pytest.raises(InputError) as refused:
-        read(content, shapes)
-    assert_one_sentence(str(refused.value))
+    ]:  # fmt: skip
+        for shapes in [SHAPES, None]:
+            with subtests.test(content=content, shapes=shapes):
+                with pytest.raises(InputError) as refused:
+                    read(content, shapes)
+                assert_one_sentence(str(refused.value))
 
 
 @pytest.mark.parametrize("kind", ["missing", "folder", "pipe", "too large", "zero byte"])

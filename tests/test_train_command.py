@@ -59,12 +59,13 @@ def test_the_file_of_the_environment_is_used_and_what_is_given_comes_first():
     assert settings_of("laplace", "CartPole-v1", {"steps": "77"}).hidden == tuned.hidden
 
 
-@pytest.mark.parametrize("environment", ENVIRONMENTS)
-@pytest.mark.parametrize("algorithm", SETTINGS)
-def test_every_environment_has_valid_settings(algorithm, environment):
-    found = settings_of(algorithm, environment, {})
-    assert found.environment == environment
-    assert algorithm == found.ALGORITHM
+def test_every_environment_has_valid_settings(subtests):
+    for environment in ENVIRONMENTS:
+        for algorithm in SETTINGS:
+            with subtests.test(environment=environment, algorithm=algorithm):
+                found = settings_of(algorithm, environment, {})
+                assert found.environment == environment
+                assert algorithm == found.ALGORITHM
 
 
 def test_the_support_of_c51_holds_the_returns_of_a_world():
@@ -105,9 +106,8 @@ def test_evaluate_prints_what_the_library_finds(run, capsys):
     assert "fading, T = 2" in capsys.readouterr().out
 
 
-@pytest.mark.parametrize(
-    ("words", "named"),
-    [
+def test_bad_words_are_one_sentence(subtests, capsys, tmp_path, monkeypatch):
+    for words, named in [
         (["train"], "algorithm"),
         (["train", "dreamer", "CartPole-v1"], "dreamer"),
         (["train", "laplace"], "environment"),
@@ -123,12 +123,11 @@ def test_evaluate_prints_what_the_library_finds(run, capsys):
         (["evaluate", "nothing.safetensors", "--episodes", "0"], "episodes"),
         (["evaluate", "nothing.safetensors", "--horizon", "-1"], "horizon"),
         (["evaluate", "nothing.safetensors", "--softness", "x"], "softness"),
-    ],
-)
-def test_bad_words_are_one_sentence(words, named, capsys, tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    assert_refused(capsys, words, named)
-    assert not list(tmp_path.iterdir())
+    ]:
+        with subtests.test(" ".join(words)):
+            monkeypatch.chdir(tmp_path)
+            assert_refused(capsys, words, named)
+            assert not list(tmp_path.iterdir())
 
 
 def test_a_run_is_not_written_over(run, capsys):

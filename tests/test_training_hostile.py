@@ -26,16 +26,17 @@ def good(tmp_path_factory) -> bytes:
     return path.read_bytes()
 
 
-@pytest.mark.parametrize("name", HOSTILE)
-def test_spoiled_checkpoints_are_refused_in_one_sentence(tmp_path, good, name):
-    path = tmp_path / "spoiled.safetensors"
-    spoiled = HOSTILE[name](good)
-    assert spoiled != good
-    path.write_bytes(spoiled)
-    with pytest.raises(InputError) as refused:
-        load_checkpoint(path)
-    assert_one_sentence(str(refused.value))
-    assert not Path("/tmp/laplace-was-here").exists()
+def test_spoiled_checkpoints_are_refused_in_one_sentence(subtests, tmp_path, good):
+    for name, spoil in HOSTILE.items():
+        with subtests.test(name):
+            path = tmp_path / "spoiled.safetensors"
+            spoiled = spoil(good)
+            assert spoiled != good
+            path.write_bytes(spoiled)
+            with pytest.raises(InputError) as refused:
+                load_checkpoint(path)
+            assert_one_sentence(str(refused.value))
+            assert not Path("/tmp/laplace-was-here").exists()
 
 
 @pytest.mark.parametrize("kind", ["folder", "nothing", "dangling", "pipe", "device", "zero byte", "too large"])

@@ -365,7 +365,7 @@ def ended(world: World, judge: Judge) -> World:
     return World.from_outcomes(world.name, world.states, world.actions, rows, start=world.start)
 
 
-@pytest.mark.parametrize("first", range(0, 200, 50))
+@pytest.mark.parametrize("first", [0, *(pytest.param(first, marks=pytest.mark.long) for first in (50, 100, 150))])
 def test_the_library_gives_the_same_numbers(first):
     """At whole time steps; to 1e-6, of which nearly all is the rounding that a small alpha magnifies."""
     compared, number = 0, 100 * first

@@ -67,9 +67,8 @@ def test_states_are_found_by_name_index_and_index_as_text():
             world.state_index(wrong)
 
 
-@pytest.mark.parametrize(
-    ("changes", "named"),
-    [
+def test_what_is_no_mdp_is_refused(subtests):
+    for changes, named in [
         ({"rows": [Outcome(0, 0, 1.0, END, 0.0)]}, "'stay'"),  # an action without outcomes
         ({"rows": [Outcome(0, a, 0.9, END, 0.0) for a in (0, 1)]}, "total probability 0.9"),
         ({"rows": [Outcome(0, a, 1.0, 1, 0.0) for a in (0, 1)]}, "leads outside"),
@@ -81,11 +80,9 @@ def test_states_are_found_by_name_index_and_index_as_text():
         ({"states": ["END"]}, "'END'"),
         ({"actions": ["same", "same"]}, "twice"),
         ({"states": [f"s{i}" for i in range(5001)]}, "5,000"),
-    ],
-)
-def test_what_is_no_mdp_is_refused(changes, named):
-    with pytest.raises(InputError, match=named):
-        small_world(**changes)
+    ]:
+        with subtests.test(named, changes=changes), pytest.raises(InputError, match=named):
+            small_world(**changes)
 
 
 # --- absorbing states ---
@@ -199,9 +196,8 @@ def test_worlds_and_studies_pass_through_a_pool_of_processes():
     assert copy.deepcopy(here).truth.optimal_action.tolist() == here.truth.optimal_action.tolist()
 
 
-@pytest.mark.parametrize(
-    ("changes", "named"),
-    [
+def test_a_changed_world_is_checked_as_a_new_one(subtests):
+    for changes, named in [
         ({"reward": np.array([np.nan, 0.0, 0.0])}, "reward"),
         ({"reward": np.zeros(2)}, "as long"),
         ({"reward": np.array(["1", "2", "3"])}, "reward must be a list of numbers"),
@@ -214,11 +210,9 @@ def test_worlds_and_studies_pass_through_a_pool_of_processes():
         ({"start": np.array([np.nan])}, "start"),
         ({"positions": np.zeros((2, 2))}, "place"),
         ({"positions": np.array([[0.0, np.inf]])}, "place"),
-    ],
-)
-def test_a_changed_world_is_checked_as_a_new_one(changes, named):
-    with pytest.raises(InputError, match=named):
-        replace(small_world(), **changes)
+    ]:
+        with subtests.test(named, changes=changes), pytest.raises(InputError, match=named):
+            replace(small_world(), **changes)
 
 
 def test_outcomes_in_any_order_make_the_same_world():
@@ -413,22 +407,23 @@ TABLES = [
 ]
 
 
-@pytest.mark.parametrize(("name", "options"), TABLES, ids=str)
-def test_toy_text_worlds_hold_gymnasiums_own_table(name, options):
-    world = load_world(f"gym:{name}", options)
-    env = gymnasium.make(name, **options).unwrapped
-    assert (world.n_states, world.n_actions) == (env.observation_space.n, env.action_space.n)
-    np.testing.assert_allclose(world.start, env.initial_state_distrib)
-    moves, paid = dense_model(world)
-    values = list(world.reward_values)
-    for s in range(world.n_states):
-        for a in range(world.n_actions):
-            for p, successor, reward, ended in env.P[s][a]:
-                paid[s, a, values.index(reward)] -= p
-                if not ended:
-                    moves[s, a, successor] -= p
-    assert np.abs(paid).max() < 1e-12
-    assert np.abs(moves).max() < 1e-12
+def test_toy_text_worlds_hold_gymnasiums_own_table(subtests):
+    for name, options in TABLES:
+        with subtests.test(name=name, options=options):
+            world = load_world(f"gym:{name}", options)
+            env = gymnasium.make(name, **options).unwrapped
+            assert (world.n_states, world.n_actions) == (env.observation_space.n, env.action_space.n)
+            np.testing.assert_allclose(world.start, env.initial_state_distrib)
+            moves, paid = dense_model(world)
+            values = list(world.reward_values)
+            for s in range(world.n_states):
+                for a in range(world.n_actions):
+                    for p, successor, reward, ended in env.P[s][a]:
+                        paid[s, a, values.index(reward)] -= p
+                        if not ended:
+                            moves[s, a, successor] -= p
+            assert np.abs(paid).max() < 1e-12
+            assert np.abs(moves).max() < 1e-12
 
 
 @pytest.mark.parametrize("rain", [False, True])

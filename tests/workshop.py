@@ -11,21 +11,33 @@ import os
 import shutil
 import subprocess
 import sys
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
 ROOT = Path(__file__).resolve().parent.parent
 FOLDERS = ("app", "laplace_core")
 
-_PAGES = """
-import json, sys
+_FOLLOWED = """
+import contextlib, io, json, shutil, sys
 from pathlib import Path
 from streamlit.testing.v1 import AppTest
 import laplace_core
+from laplace_core.cli import main
 
 assert Path(laplace_core.__file__).is_relative_to(Path.cwd())
+commands, copies, asked = json.loads(sys.argv[1])
+printed = []
+for words in commands:
+    out = io.StringIO()
+    with contextlib.redirect_stdout(out):
+        assert main(words) == 0, words
+    printed.append(out.getvalue())
+for there, here in copies:
+    Path(here).parent.mkdir(exist_ok=True)
+    shutil.copy(there, here)
 shown = []
-for screen, query in json.loads(sys.argv[1]):
+for screen, query in asked:
     page = AppTest.from_file("app/main.py", default_timeout=120)
     page.switch_page(f"screens/{screen}.py")
     for name, value in query.items():
@@ -39,10 +51,12 @@ for screen, query in json.loads(sys.argv[1]):
         "options": {box.key: box.options for box in page.selectbox},
         "sliders": [slider.label for slider in page.slider],
         "numbers": {number.key: number.value for number in page.number_input},
+        "artefacts": [block.proto.body for block in page.get("html") if 'class="artefact"' in block.proto.body],
+        "buttons": [button.label for button in page.button],
         "verdict": [block.proto.body for block in page.get("html") if "race-verdict" in block.proto.body],
         "components": [block.proto.component_name for block in page.get("bidi_component")],
     })
-print(json.dumps(shown))
+print(json.dumps([printed, shown]))
 """
 
 
@@ -75,18 +89,27 @@ class Workshop:
             if not (ROOT / name).is_file() or not filecmp.cmp(ROOT / name, self.root / name, shallow=False)
         ]  # fmt: skip
 
-    def _run(self, *words: str) -> str:
+    def follow(
+        self,
+        *commands: tuple[str, ...],
+        pages: Sequence[tuple[str, dict[str, str]]],
+        copies: Sequence[tuple[str, str]] = (),
+    ) -> tuple[list[str], list[dict[str, Any]]]:
+        """Run commands, copy files, open pages: in this order, in one process that knows the copy only.
+
+        Args:
+            commands: words after ``laplace`` of each; one that fails ends the test.
+            pages: screen and link of each.
+            copies: from and to, within the copy of the project.
+
+        Returns:
+            What each command prints, and what each page shows.
+        """
         known = {"PYTHONPATH": f"{self.root}{os.pathsep}{self.packages}", "LAPLACE_RUNS": str(self.runs)}
         done = subprocess.run(
-            [sys.executable, *words], cwd=self.root, env=os.environ | known, capture_output=True, text=True, timeout=300
-        )
+            [sys.executable, "-c", _FOLLOWED, json.dumps([commands, copies, pages])], cwd=self.root,
+            env=os.environ | known, capture_output=True, text=True, timeout=300, check=False,
+        )  # fmt: skip
         assert done.returncode == 0, done.stderr
-        return done.stdout
-
-    def laplace(self, *words: str) -> str:
-        """What a command prints."""
-        return self._run("-m", "laplace_core", *words)
-
-    def pages(self, *asked: tuple[str, dict[str, str]]) -> list[dict[str, Any]]:
-        """What pages show: screen and link of each."""
-        return json.loads(self._run("-c", _PAGES, json.dumps(asked)))
+        printed, shown = json.loads(done.stdout)
+        return printed, shown

@@ -16,7 +16,7 @@ import { projections, rowAt } from './model.js';
 import { softened } from './network.js';
 
 const LEAST_SHOWN = 0.05; // a picture that holds a smaller share of the true timeline shows nothing of it
-export const FLOOR = 0.05; // below this decoded survival a conditional distribution is noise over noise
+const FLOOR = 0.05; // below this decoded survival a conditional distribution is noise over noise
 
 // ---- reading
 

@@ -1,7 +1,7 @@
 // Tools to draw with: pens that draw on a canvas or write an SVG, axes, colours, heat. Knows no lens.
 /** @import { Axes, Box, Colours, LineStyle, Pen, Range, Scale, SvgPen } from '../types.js' */
 
-export const ACTIONS = ['#0072B2', '#E69F00', '#009E73', '#D55E00', '#CC79A7', '#56B4E9', '#8C6D31', '#7A7A7A'];
+const ACTIONS = ['#0072B2', '#E69F00', '#009E73', '#D55E00', '#CC79A7', '#56B4E9', '#8C6D31', '#7A7A7A'];
 
 /**
  * The colour of an action.

@@ -12,7 +12,7 @@ import { SWITCHES, available } from '../core/maths.js';
  * @param {number} [perDecade]
  * @returns {Places}
  */
-export const logarithmic = (low, high, perDecade = 40) => {
+const logarithmic = (low, high, perDecade = 40) => {
   const count = Math.round(perDecade * Math.log10(high / low));
   const of = (value) => Math.round((count * Math.log10(Math.max(low, value) / low)) / Math.log10(high / low));
   return {

@@ -98,7 +98,7 @@ export async function savePng(lens) {
  * @param {Saved} lens
  * @returns {Promise<string>}
  */
-export async function svgOf(lens) {
+async function svgOf(lens) {
   const { colours } = lens.scene,
     measure = canvasPen(contextOf(document.createElement('canvas')), colours.font).width;
   const worlds = await worldOf(lens, 'svg'),

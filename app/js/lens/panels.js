@@ -9,7 +9,7 @@ import { gammaPanel, isAdded, tauPanel } from './spaces.js';
 import { valuesPanel } from './values.js';
 
 /** @type {Panel} */
-export const spectrumPanel = {
+const spectrumPanel = {
   name: 'spectrum',
   draw(pen, w, h, scene) {
     const { model, state, seen, hover, colours } = scene,
@@ -91,7 +91,7 @@ export const spectrumPanel = {
 };
 
 /** @type {Panel} */
-export const kernelPanel = {
+const kernelPanel = {
   name: 'kernel',
   draw(pen, w, h, scene) {
     const { model, seen, hover, colours, kernel } = scene,
@@ -158,7 +158,7 @@ const cameNote = ({ model, state }, followed) =>
   followed.action === state.action ? 'grey: observed' : `grey: observed after ${model.header.actions[followed.action]}`;
 
 /** @type {Panel} */
-export const rewardsPanel = {
+const rewardsPanel = {
   name: 'rewards',
   draw(pen, w, h, scene) {
     const { model, state, seen, hover, colours } = scene,
@@ -297,7 +297,7 @@ export const rewardsPanel = {
  * discount.
  * @type {Panel}
  */
-export const fitPanel = {
+const fitPanel = {
   name: 'fit',
   draw(pen, w, h, scene) {
     const { model, state, seen, hover, colours } = scene,

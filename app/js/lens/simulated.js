@@ -2,7 +2,7 @@
 /** @import { Box, Model, ModelAndState, Pen, Scale, Scene, Seen, Simulation } from '../types.js' */
 import { line, rounded, short } from '../draw/drawing.js';
 
-export const CAME_TRUE = '#d6336c';
+const CAME_TRUE = '#d6336c';
 const BAND = 'rgba(214,51,108,0.2)',
   TAIL = 65535; // levels of a probability
 

@@ -177,7 +177,7 @@ export const valuesPanel = {
  * @param {Seen} seen
  * @returns {number[][]} T and value at each crossing of two lines
  */
-export function crossings({ horizons, K }, { values, chosenAt }) {
+function crossings({ horizons, K }, { values, chosenAt }) {
   const found = [],
     rows = [...Array(K).keys()].filter((k) => Number.isFinite(values[0][k]));
   for (let i = 1; i < rows.length; i++) {
