@@ -13,7 +13,7 @@ from time import perf_counter, process_time
 import numpy as np
 import torch
 
-from app.player.payload import payload
+from app.components.player.payload import payload
 from bench.browser import opening
 from bench.lens import memory_of
 from bench.report import Figure, Goal
@@ -22,7 +22,6 @@ from bench.users import _GO
 from laplace_core.acting.rollout import roll_out
 from laplace_core.inverse import decode
 from laplace_core.training.checkpoint import Loaded, load_checkpoint
-from laplace_core.training.rollout import roll_out
 from tests.browser.support import FLAGS, MAIN, ROOT, find_chromium, module_of, served
 
 SUBJECT = "Trained agents"

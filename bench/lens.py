@@ -15,7 +15,7 @@ from pathlib import Path
 import numpy as np
 import plotly
 
-from app.lens import payload, structure
+from app.components.lens import payload, structure
 from laplace_core import PRESETS, Settings, load_world, study
 from tests.browser.support import DEMO, FLAGS, find_chromium, grab, runs_of_demo, served
 from tests.lens_agreement import FULL, compared_in, fixture, network, payloads, random_cases

@@ -21,7 +21,7 @@ from typing import IO, Any
 import numpy as np
 
 ROOT = Path(__file__).resolve().parents[2]
-MAIN, DEMO = ROOT / "app" / "main.py", ROOT / "app" / "demo.py"
+MAIN, DEMO = ROOT / "app" / "main.py", ROOT / "tests" / "browser" / "lens_demo.py"
 CHROMIUM = ("chromium", "chromium-browser", "google-chrome")
 FLAGS = ["--no-sandbox", "--disable-gpu", "--disable-background-networking", "--disable-component-update"]
 PATIENCE = 120_000

@@ -19,8 +19,6 @@ from laplace_core.inverse import decode
 from laplace_core.study.horizon import expected_rewards
 from laplace_core.study.settings import resolve_for_gamma_space
 from laplace_core.training.checkpoint import load_checkpoint
-from laplace_core.training.flags import flag_steps
-from laplace_core.training.rollout import roll_out
 from tests.browser.support import settled
 
 pytestmark = pytest.mark.browser

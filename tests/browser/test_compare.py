@@ -9,9 +9,9 @@ import pytest
 from playwright.sync_api import expect
 
 from laplace_core import Settings, load_world, study
-from laplace_core.compare import difference
-from laplace_core.saved import study_arrays
-from laplace_core.tables import gamma_space_csv, rewards_csv, tau_space_csv, values_csv
+from laplace_core.study.compare import difference
+from laplace_core.study.npz import study_arrays
+from laplace_core.study.tables import gamma_space_csv, rewards_csv, tau_space_csv, values_csv
 from tests.browser.support import open_at, settled
 
 pytestmark = pytest.mark.browser

@@ -15,8 +15,6 @@ from laplace_core.acting.return_laws import return_laws, simulate_returns
 from laplace_core.acting.rollout import roll_out
 from laplace_core.agents.settings import QrdqnSettings
 from laplace_core.training.checkpoint import new_agent, save_checkpoint
-from laplace_core.training.return_laws import return_laws, simulate_returns
-from laplace_core.training.rollout import roll_out
 from tests.browser.support import settled
 
 pytestmark = pytest.mark.browser

@@ -15,9 +15,6 @@ from laplace_core.acting.rollout import roll_out
 from laplace_core.acting.simulated_truth import empirical
 from laplace_core.inverse import decode
 from laplace_core.training.checkpoint import load_checkpoint
-from laplace_core.training.continuations import continue_from
-from laplace_core.training.rollout import roll_out
-from laplace_core.training.simulated_truth import empirical
 from tests.browser.support import settled
 from tests.browser.test_agents import saved, scrub
 
