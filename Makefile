@@ -1,20 +1,19 @@
 # make app: set up and open the workbench.  make test: set up and pass the tests.  make bench: ratios in one run.
-# make verify: what takes long.
+# make verify: what takes long.  make coverage: what no unit test comes by.
 PYTHON ?= python3
 PORT ?= 8501
 BIN = .venv/bin
 # Node comes into .venv with pip; npm and what it starts look for it on the path.
 NPM = PATH="$(CURDIR)/$(BIN):$$PATH" $(BIN)/npm
 
-.PHONY: app test verify bench lint clean
+.PHONY: app test coverage verify bench lint clean
 
 app: .venv/.app
 	$(BIN)/streamlit run app/main.py --server.port $(PORT)
 
 test: .venv/.dev lint
 	$(BIN)/python -m pytest --ignore=tests/browser -n 2
-	# A browser on a busy machine may miss a key: what failed is tried once more, and then counts.
-	$(BIN)/python -m pytest tests/browser -n 2 -rs || $(BIN)/python -m pytest tests/browser -rs --last-failed
+	$(BIN)/python -m pytest tests/browser -n 2 --dist loadfile -rs
 
 lint: .venv/.dev
 	$(BIN)/ruff check .
@@ -22,6 +21,10 @@ lint: .venv/.dev
 	$(BIN)/lint-imports
 	$(BIN)/mypy laplace_core app
 	$(NPM) run --silent lint
+
+# Lines and branches that no unit test comes by, file by file. The tests take longer while they are watched.
+coverage: .venv/.dev
+	$(BIN)/python -m pytest --ignore=tests/browser -n 2 --dist worksteal --cov --cov-report=term-missing:skip-covered
 
 # What takes long: random views against an independent judge, detectors against ground truth, the lens on 1,000 views.
 verify: .venv/.dev

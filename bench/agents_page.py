@@ -14,7 +14,7 @@ import numpy as np
 import torch
 
 from app.components.player.payload import payload
-from bench.browser import FLAGS, ROOT, find_chromium, module_of, opening, served
+from bench.browser import opening
 from bench.lens import memory_of
 from bench.report import Figure, Goal
 from bench.timing import Spread, interleaved, spread
@@ -22,6 +22,7 @@ from bench.users import _GO
 from laplace_core.acting.rollout import roll_out
 from laplace_core.inverse import decode
 from laplace_core.training.checkpoint import Loaded, load_checkpoint
+from tests.browser.support import FLAGS, MAIN, ROOT, find_chromium, module_of, served
 
 SUBJECT = "Trained agents"
 NAME = "laplace_LunarLander-v3"
@@ -64,7 +65,7 @@ def main() -> Iterator[Figure]:
         return
     from playwright.sync_api import sync_playwright
 
-    with served(ROOT / "app" / "main.py") as (address, server), sync_playwright() as playwright:
+    with served(MAIN) as (address, server), sync_playwright() as playwright:
         browser = playwright.chromium.launch(executable_path=chromium, args=FLAGS)
         with contextlib.closing(browser.new_context(viewport={"width": 1440, "height": 900})) as context:
             url = f"{address}/agents?checkpoint={NAME}"

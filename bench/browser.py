@@ -7,22 +7,10 @@ the link, which the server writes.
 
 from __future__ import annotations
 
-import contextlib
-import os
-import shutil
-import socket
 import statistics
-import subprocess
-import sys
-import tempfile
 import time
-import urllib.request
-from pathlib import Path
-from typing import IO
 
-ROOT = Path(__file__).resolve().parent.parent
-CHROMIUM = ("chromium", "chromium-browser", "google-chrome")
-FLAGS = ["--no-sandbox", "--disable-gpu", "--disable-background-networking", "--disable-component-update"]
+from tests.browser.support import FLAGS, MAIN, ROOT, find_chromium, served
 
 # Resolves with the milliseconds until the next redraw of the lens, and until the address bar, which the server writes,
 # has changed.
@@ -51,55 +39,9 @@ _ANSWERED = """
   requestAnimationFrame(tick);
 })
 """
-_ADDRESSES = "performance.getEntriesByType('resource').map(({ name }) => name)"
 _LENS = "() => document.querySelector('.laplace-lens')?.frames?.length > 0"
 _GRAPH = "() => document.querySelector('.laplace-lens .world .main-svg')"
 _PLOT = "() => document.querySelector('.js-plotly-plot .main-svg')"
-
-
-@contextlib.contextmanager
-def served(script: Path, log: IO[str] | None = None):
-    """A Streamlit server on a free port of this machine; yields its address and its process.
-
-    What it says goes to ``log``, or nowhere.
-    """
-    with socket.socket() as probe:
-        probe.bind(("127.0.0.1", 0))
-        port = probe.getsockname()[1]
-    command = [sys.executable, "-m", "streamlit", "run", str(script), "--server.port", str(port)]
-    command += ["--server.address", "127.0.0.1", "--server.headless", "true", "--server.fileWatcherType", "none"]
-    runs = tempfile.TemporaryDirectory(prefix="laplace_runs_", ignore_cleanup_errors=True)  # never somebody's own
-    process = subprocess.Popen(
-        command, cwd=ROOT, stdout=log or subprocess.DEVNULL, stderr=log or subprocess.DEVNULL,
-        env=os.environ | {"LAPLACE_RUNS": runs.name},
-    )  # fmt: skip
-    try:
-        for _ in range(300):
-            with (
-                contextlib.suppress(OSError),
-                urllib.request.urlopen(f"http://127.0.0.1:{port}/_stcore/health") as reply,
-            ):
-                if reply.status == 200:
-                    break
-            time.sleep(0.1)
-        else:
-            raise RuntimeError(f"{script.name} did not start")
-        yield f"http://127.0.0.1:{port}", process
-    finally:
-        process.terminate()
-        process.wait()
-        runs.cleanup()
-
-
-def find_chromium() -> str | None:
-    return next((path for name in CHROMIUM if (path := shutil.which(name))), None)
-
-
-def module_of(page, name: str):
-    """A handle of a module of ``app/js`` as the components of the page have it, by the address that they loaded."""
-    page.wait_for_function(f"() => ({_ADDRESSES}).some((address) => address.endsWith('/{name}'))")
-    found = f"({_ADDRESSES}).find((address) => address.endsWith('/{name}'))"
-    return page.evaluate_handle(f"() => import({found})")
 
 
 def opening(browser, url: str, *drawn: str) -> list[float]:
@@ -137,7 +79,7 @@ def main(opens: int = 7, moves: int = 24) -> dict[str, list[float]]:
 
     samples: dict[str, list[float]] = {}
     with (
-        served(ROOT / "app" / "main.py") as (app, _),
+        served(MAIN) as (app, _),
         served(ROOT / "bench" / "bare_app.py") as (bare, _),
         sync_playwright() as playwright,
     ):

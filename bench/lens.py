@@ -16,12 +16,10 @@ import numpy as np
 import plotly
 
 from app.components.lens.payload import payload, structure
-from bench.browser import FLAGS, find_chromium, served
 from laplace_core import PRESETS, Settings, load_world, study
+from tests.browser.support import DEMO, FLAGS, find_chromium, grab, runs_of_demo, served
 from tests.lens_agreement import FULL, compared_in, fixture, network, payloads, random_cases
 
-ROOT = Path(__file__).resolve().parent.parent
-PAGE = ROOT / "tests" / "browser" / "lens_demo.py"
 MOVES = 60
 GOALS = {"redraws": 50, "frame": 16.0, "bytes": 200_000, "difference": 1e-4}
 
@@ -49,30 +47,20 @@ def drag(page, name: str, end: float = 0.5) -> tuple[int, list[float], int, int]
 
     ``end`` is where the handle is let go, as a share of the track.
     """
-    handle = page.locator(f"input[name={name}]")
-    handle.scroll_into_view_if_needed()
-    box = handle.bounding_box()
-    y, low, high = box["y"] + box["height"] / 2, box["x"] + 8, box["x"] + box["width"] - 8
-    page.mouse.move((low + high) / 2, y)
-    page.mouse.down()
+    move = grab(page, name)
     time.sleep(0.5)
     host = page.locator(".laplace-lens")
     host.evaluate("(host) => { host.frames.length = 0; }")
-    runs = _runs(page)
+    runs = runs_of_demo(page)
     began = time.perf_counter()
     for i in range(MOVES):
-        share = end + 0.4 * np.sin(2 * np.pi * (i + 1) / MOVES)
-        page.mouse.move(low + share * (high - low), y)
+        move(end + 0.4 * np.sin(2 * np.pi * (i + 1) / MOVES))
         time.sleep(max(0.0, began + (i + 1) / MOVES - time.perf_counter()))
     frames = host.evaluate("(host) => host.frames.slice()")
-    during = _runs(page) - runs
+    during = runs_of_demo(page) - runs
     page.mouse.up()
     time.sleep(1.5)
-    return len(frames), frames, during, _runs(page) - runs - during
-
-
-def _runs(page) -> int:
-    return int(page.get_by_text("runs ").inner_text().split()[1].rstrip(","))
+    return len(frames), frames, during, runs_of_demo(page) - runs - during
 
 
 def memory_of(pid: int) -> float:
@@ -93,7 +81,7 @@ def releases(page, pid: int, count: int) -> Iterator[tuple[int, float, float]]:
             yield i, heap, memory_of(pid)
         if i == count:
             break
-        runs = _runs(page)
+        runs = runs_of_demo(page)
         page.keyboard.press("ArrowLeft" if i % 2 else "ArrowRight")
         page.wait_for_function(f"() => document.body.innerText.includes('runs {runs + 1},')", polling=20)
 
@@ -144,7 +132,7 @@ def main() -> None:
     from playwright.sync_api import sync_playwright
 
     print(f"load {os.getloadavg()[0]:.2f}")
-    with served(PAGE) as (address, server), sync_playwright() as playwright:
+    with served(DEMO) as (address, server), sync_playwright() as playwright:
         flags = [*FLAGS, "--enable-precise-memory-info"]
         browser = playwright.chromium.launch(executable_path=chromium, args=flags)
         if options.only in (None, "agreement"):

@@ -25,10 +25,10 @@ from app.session.link import pack
 from app.session.url import query_of
 from app.worlds.schema import LINK
 from app.worlds.sources import packed_timeline, view_of
-from bench.browser import FLAGS, ROOT, find_chromium, served
 from laplace_core import load_world, study
 from laplace_core.study.verdict import judge
 from laplace_core.worlds import dump_world
+from tests.browser.support import FLAGS, MAIN, find_chromium, served
 
 WARM = 10
 """Users whose changes warm the server up before its memory is looked at."""
@@ -290,7 +290,7 @@ def main() -> int:
         print("users skipped: no Chromium on the path")
         return 0
     began = time.perf_counter()
-    with tempfile.TemporaryFile("w+") as log, served(ROOT / "app" / "main.py", log) as (address, process):
+    with tempfile.TemporaryFile("w+") as log, served(MAIN, log) as (address, process):
         everyone, told = asyncio.run(session(address, process, options.users, options.changes, seed=options.seed))
         log.seek(0)
         server = log.read()

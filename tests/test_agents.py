@@ -49,21 +49,24 @@ def batch_of(count: int = 6, *, columns: int = 1, n_step: int = 1, observation: 
 # Networks
 
 
-@pytest.mark.parametrize("network", NETWORKS)
-@pytest.mark.parametrize("dueling", [False, True])
-@pytest.mark.parametrize("columns", [1, 7])
-def test_partial_evaluations_equal_the_whole(network, dueling, columns):
-    agent = small(network=network, dueling=dueling, gammas=7, gamma_min=0.3)
-    batch = batch_of(5, columns=columns)
-    whole = agent.network(batch.observations)
-    assert whole.shape == (5, 7, 2, agent.code.channels)
-    actions = batch.actions.expand(-1, 7)
-    chosen = agent.network(batch.observations, actions=actions)
-    for i in range(5):
-        for g in range(7):
-            torch.testing.assert_close(chosen[i, g], whole[i, g, actions[i, g]], rtol=1e-4, atol=1e-5)
-    for g in range(7):
-        torch.testing.assert_close(agent.network(batch.observations, only=g)[:, 0], whole[:, g], rtol=1e-4, atol=1e-5)
+def test_partial_evaluations_equal_the_whole(subtests):
+    for network in NETWORKS:
+        for dueling in [False, True]:
+            for columns in [1, 7]:
+                with subtests.test(network=network, dueling=dueling, columns=columns):
+                    agent = small(network=network, dueling=dueling, gammas=7, gamma_min=0.3)
+                    batch = batch_of(5, columns=columns)
+                    whole = agent.network(batch.observations)
+                    assert whole.shape == (5, 7, 2, agent.code.channels)
+                    actions = batch.actions.expand(-1, 7)
+                    chosen = agent.network(batch.observations, actions=actions)
+                    for i in range(5):
+                        for g in range(7):
+                            torch.testing.assert_close(chosen[i, g], whole[i, g, actions[i, g]], rtol=1e-4, atol=1e-5)
+                    for g in range(7):
+                        torch.testing.assert_close(
+                            agent.network(batch.observations, only=g)[:, 0], whole[:, g], rtol=1e-4, atol=1e-5
+                        )
 
 
 @pytest.mark.parametrize("network", NETWORKS)
@@ -75,13 +78,14 @@ def test_observations_of_their_own_equal_one_discount_at_a_time(network):
         torch.testing.assert_close(whole[:, g], alone, rtol=1e-4, atol=1e-5)
 
 
-@pytest.mark.parametrize("network", NETWORKS)
-@pytest.mark.parametrize("dueling", [False, True])
-@pytest.mark.parametrize("name", ["softmax", "free"])
-def test_weights_are_counted_without_building(network, dueling, name):
-    agent = small(network=network, dueling=dueling, parametrisation=name)
-    built = sum(parameter.numel() for parameter in agent.network.parameters())
-    assert LaplaceAgent.network_numbers(agent.settings, 3, 2) == built
+def test_weights_are_counted_without_building(subtests):
+    for network in NETWORKS:
+        for dueling in [False, True]:
+            for name in ["softmax", "free"]:
+                with subtests.test(network=network, dueling=dueling, name=name):
+                    agent = small(network=network, dueling=dueling, parametrisation=name)
+                    built = sum(parameter.numel() for parameter in agent.network.parameters())
+                    assert LaplaceAgent.network_numbers(agent.settings, 3, 2) == built
 
 
 def test_the_multiplexer_has_a_tower_for_each_range_of_discounts():
@@ -183,9 +187,8 @@ def test_the_gamma_space_of_one_observation_is_its_row_of_the_batch():
 # Settings
 
 
-@pytest.mark.parametrize(
-    ("given", "named"),
-    [
+def test_settings_that_do_not_fit_are_refused(subtests):
+    for given, named in [
         ({"gammas": 0}, "gammas"),
         ({"hidden": 10**6}, "hidden"),
         ({"network": "none"}, "network"),
@@ -197,11 +200,9 @@ def test_the_gamma_space_of_one_observation_is_its_row_of_the_batch():
         ({"learning_starts": 2_000, "buffer": 1_000}, "learning_starts"),
         ({"prioritised": True, "experience": "per_discount"}, "prioritised"),
         ({"gamms": 3}, "gamms"),
-    ],
-)
-def test_settings_that_do_not_fit_are_refused(given, named):
-    with pytest.raises(InputError, match=named):
-        LaplaceSettings.parse(given)
+    ]:
+        with subtests.test(given=given, named=named), pytest.raises(InputError, match=named):
+            LaplaceSettings.parse(given)
 
 
 def test_settings_are_what_they_were_after_a_round_through_text():
@@ -226,11 +227,12 @@ def test_the_sizes_written_down_are_those_of_the_environment(subtests):
             assert _time_limit(env)._max_episode_steps == sizes.time_limit
 
 
-@pytest.mark.parametrize("name", ["Ant-v5", "gym:Taxi-v99", "os:system", "world.json", "../CartPole-v1", ""])
-def test_environments_off_the_list_are_refused(name):
-    for use in (make, spec):
-        with pytest.raises(InputError, match="is none of"):
-            use(name)
+def test_environments_off_the_list_are_refused(subtests):
+    for name in ["Ant-v5", "gym:Taxi-v99", "os:system", "world.json", "../CartPole-v1", ""]:
+        with subtests.test(name=name):
+            for use in (make, spec):
+                with pytest.raises(InputError, match="is none of"):
+                    use(name)
 
 
 def test_the_network_that_is_built_is_the_one_named():

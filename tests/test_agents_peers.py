@@ -45,12 +45,13 @@ def row(*values: float) -> torch.Tensor:
 # Networks
 
 
-@pytest.mark.parametrize("dueling", [False, True])
-@pytest.mark.parametrize("algorithm", OTHERS)
-def test_weights_are_counted_without_building(algorithm, dueling):
-    agent = peer(algorithm, dueling=dueling)
-    built = sum(parameter.numel() for parameter in agent.network.parameters())
-    assert agent.network_numbers(agent.settings, 3, 2) == built
+def test_weights_are_counted_without_building(subtests):
+    for dueling in [False, True]:
+        for algorithm in OTHERS:
+            with subtests.test(dueling=dueling, algorithm=algorithm):
+                agent = peer(algorithm, dueling=dueling)
+                built = sum(parameter.numel() for parameter in agent.network.parameters())
+                assert agent.network_numbers(agent.settings, 3, 2) == built
 
 
 def test_dueling_shares_what_all_actions_have_in_common():
@@ -140,16 +141,17 @@ def test_distributions_are_those_with_the_means_that_decide(algorithm):
     np.testing.assert_allclose((locations * masses).sum(axis=1), values, rtol=1e-4, atol=1e-5)
 
 
-@pytest.mark.parametrize("n_step", [1, 3])
-@pytest.mark.parametrize("double", [False, True])
-@pytest.mark.parametrize("algorithm", PEERS)
-def test_targets_equal_a_loop_over_transitions(algorithm, double, n_step):
-    agent, batch = peer(algorithm, double=double, dueling=True, gamma=0.8), batch_of(8, n_step=n_step)
-    locations, masses = agent.prepare(batch)
-    for i in range(8):
-        z, p = slow_target(agent, batch, i)
-        np.testing.assert_allclose(locations[i], z, rtol=1e-4, atol=1e-5)
-        np.testing.assert_allclose(masses[i], p, rtol=1e-4, atol=1e-6)
+def test_targets_equal_a_loop_over_transitions(subtests):
+    for n_step in [1, 3]:
+        for double in [False, True]:
+            for algorithm in PEERS:
+                with subtests.test(n_step=n_step, double=double, algorithm=algorithm):
+                    agent, batch = peer(algorithm, double=double, dueling=True, gamma=0.8), batch_of(8, n_step=n_step)
+                    locations, masses = agent.prepare(batch)
+                    for i in range(8):
+                        z, p = slow_target(agent, batch, i)
+                        np.testing.assert_allclose(locations[i], z, rtol=1e-4, atol=1e-5)
+                        np.testing.assert_allclose(masses[i], p, rtol=1e-4, atol=1e-6)
 
 
 def slow_target(agent: Agent, batch: Batch, i: int) -> tuple[np.ndarray, np.ndarray]:
@@ -303,9 +305,8 @@ def check_quantiles(quantiles, y, levels, loss, *, gradient):
 # Settings
 
 
-@pytest.mark.parametrize(
-    ("algorithm", "given", "named"),
-    [
+def test_settings_that_do_not_fit_are_refused(subtests):
+    for algorithm, values, named in [
         ("c51", {"v_min": 1.0, "v_max": 1.0}, "v_min"),
         ("c51", {"v_min": 0.0, "v_max": 1e-40}, "apart"),
         ("c51", {"v_min": 999_999.0, "v_max": 1e6, "atoms": 1000}, "apart"),
@@ -316,11 +317,9 @@ def check_quantiles(quantiles, y, levels, loss, *, gradient):
         ("dqn", {"gamma": 1.0}, "gamma"),
         ("dqn", {"atoms": 5}, "atoms"),
         ("fixed_horizon", {"horizon": 0}, "horizon"),
-    ],
-)
-def test_settings_that_do_not_fit_are_refused(algorithm, given, named):
-    with pytest.raises(InputError, match=named):
-        SETTINGS[algorithm].parse(given)
+    ]:
+        with subtests.test(algorithm, values=values), pytest.raises(InputError, match=named):
+            SETTINGS[algorithm].parse(values)
 
 
 @pytest.mark.parametrize("algorithm", OTHERS)

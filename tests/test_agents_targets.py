@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from itertools import product
 
 import numpy as np
 import pytest
@@ -122,27 +123,17 @@ def test_tails_of_a_target_worked_by_hand():
 
 
 def test_targets_equal_a_loop_over_transitions_and_discounts(subtests):
-    for columns in [1, 3]:
-        for n_step in [1, 3]:
-            for policy in ["shared", "per_gamma"]:
-                for termination in ["plain", "auxiliary", "absorbing"]:
-                    for name in ["softmax", "accumulated"]:
-                        with subtests.test(
-                            columns=columns, n_step=n_step, policy=policy, termination=termination, name=name
-                        ):
-                            double = n_step == 1
-                            agent = small(
-                                parametrisation=name,
-                                target_policy=policy,
-                                termination=termination,
-                                double=double,
-                                n_step=n_step,
-                                dueling=True,
-                            )
-                            batch = batch_of(8, columns=columns, n_step=n_step)
-                            np.testing.assert_allclose(
-                                agent.targets(batch), slow_targets(agent, batch), rtol=1e-4, atol=1e-6
-                            )
+    kinds = product(
+        (1, 3), (1, 3), ("shared", "per_gamma"), ("plain", "auxiliary", "absorbing"), ("softmax", "accumulated")
+    )
+    for columns, n_step, policy, termination, name in kinds:
+        with subtests.test(name, columns=columns, n_step=n_step, policy=policy, termination=termination):
+            agent = small(
+                parametrisation=name, target_policy=policy, termination=termination, double=n_step == 1, n_step=n_step,
+                dueling=True,
+            )  # fmt: skip
+            batch = batch_of(8, columns=columns, n_step=n_step)
+            np.testing.assert_allclose(agent.targets(batch), slow_targets(agent, batch), rtol=1e-4, atol=1e-6)
 
 
 def slow_targets(agent: LaplaceAgent, batch: Batch) -> np.ndarray:
@@ -191,24 +182,27 @@ def test_auxiliary_states_keep_the_values_and_change_the_survival():
 # Losses
 
 
-@pytest.mark.parametrize("name", CODES)
-@pytest.mark.parametrize("consistency", [0.0, 0.7])
-def test_losses_equal_a_loop_over_discounts_and_channels(name, consistency):
-    agent, batch = small(parametrisation=name, consistency=consistency), batch_of(5)
-    target = agent.targets(batch).numpy()
-    outputs = agent.network(batch.observations)
-    expected = np.zeros((5, 3))
-    for i in range(5):
-        for g, gamma in enumerate(agent.gammas):
-            out = outputs[i, g, batch.actions[i, 0]].detach()
-            scaled, y = agent.code.scaled(out).double().numpy(), target[i, g].astype(float)
-            if name == "softmax":
-                expected[i, g] = sum(t * np.log(t / p) for t, p in zip(y, scaled, strict=True) if t > 0)
-            else:
-                expected[i, g] = np.mean([huber((p - t) / (1 - gamma)) for p, t in zip(scaled, y, strict=True)])
-            error = (scaled - y) @ agent.code.value_weights.double().numpy() / (1 - gamma)
-            expected[i, g] += consistency * (1 - gamma) * error**2 / 2
-    np.testing.assert_allclose(agent.losses(batch).detach(), expected, rtol=2e-4, atol=1e-5)
+def test_losses_equal_a_loop_over_discounts_and_channels(subtests):
+    for name in CODES:
+        for consistency in [0.0, 0.7]:
+            with subtests.test(name=name, consistency=consistency):
+                agent, batch = small(parametrisation=name, consistency=consistency), batch_of(5)
+                target = agent.targets(batch).numpy()
+                outputs = agent.network(batch.observations)
+                expected = np.zeros((5, 3))
+                for i in range(5):
+                    for g, gamma in enumerate(agent.gammas):
+                        out = outputs[i, g, batch.actions[i, 0]].detach()
+                        scaled, y = agent.code.scaled(out).double().numpy(), target[i, g].astype(float)
+                        if name == "softmax":
+                            expected[i, g] = sum(t * np.log(t / p) for t, p in zip(y, scaled, strict=True) if t > 0)
+                        else:
+                            expected[i, g] = np.mean(
+                                [huber((p - t) / (1 - gamma)) for p, t in zip(scaled, y, strict=True)]
+                            )
+                        error = (scaled - y) @ agent.code.value_weights.double().numpy() / (1 - gamma)
+                        expected[i, g] += consistency * (1 - gamma) * error**2 / 2
+                np.testing.assert_allclose(agent.losses(batch).detach(), expected, rtol=2e-4, atol=1e-5)
 
 
 def test_the_acting_discount_may_have_a_share_of_the_loss_and_long_discounts_more_of_the_consistency():

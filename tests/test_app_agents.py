@@ -102,9 +102,8 @@ def test_a_tabular_agent_is_asked_about_a_state(shipped):
     assert schema.view_of(loaded, scene, {}).settings.steps == 3
 
 
-@pytest.mark.parametrize(
-    "query",
-    [
+def test_a_bad_link_opens_with_a_note(subtests, shipped):
+    for query in [
         {"checkpoint": "laplace_pong"},
         {"checkpoint": "../../etc/passwd"},
         {"o.2": "9e9"},
@@ -118,12 +117,11 @@ def test_a_tabular_agent_is_asked_about_a_state(shipped):
         {"added": "0.5"},
         {"slope_share": "0"},
         {"slope_share": "2"},
-    ],
-)
-def test_a_bad_link_opens_with_a_note(shipped, query):
-    page = opened(**query)
-    assert page.warning
-    assert not page.error
+    ]:
+        with subtests.test(query=query):
+            page = opened(**query)
+            assert page.warning
+            assert not page.error
 
 
 @pytest.mark.parametrize("data", [b"", b"\x80\x04pickle", b"PK\x03\x04" + b"\0" * 90, b"\xff" * 200])
@@ -190,15 +188,15 @@ def test_the_button_rolls_out_and_the_way_back_leads_to_sliders(shipped):
     assert "r.shown" not in page.query_params
 
 
-@pytest.mark.parametrize(
-    "query",
-    [{"r.seed": "-1"}, {"r.rule": "own"}, {"r.rule": "best"}, {"r.horizon": "0"}, {"r.at": "1e9"}, {"r.gamma": "2"},
-     {"r.shown": "perhaps"}, {"r.after": "always"}],
-)  # fmt: skip
-def test_a_bad_link_to_a_rollout_opens_with_a_note(shipped, query):
-    page = rolled_out(**{"r.shown": "yes"} | query)
-    assert page.warning
-    assert not page.error
+def test_a_bad_link_to_a_rollout_opens_with_a_note(subtests, shipped):
+    for query in [
+        {"r.seed": "-1"}, {"r.rule": "own"}, {"r.rule": "best"}, {"r.horizon": "0"}, {"r.at": "1e9"},
+        {"r.gamma": "2"}, {"r.shown": "perhaps"}, {"r.after": "always"},
+    ]:  # fmt: skip
+        with subtests.test(query=query):
+            page = rolled_out(**{"r.shown": "yes"} | query)
+            assert page.warning
+            assert not page.error
 
 
 def test_a_step_beyond_the_end_is_the_last_one(shipped):

@@ -172,16 +172,17 @@ def test_a_world_file_is_opened_whatever_the_case_of_its_ending():
         assert_shows(page, study(parse_world(TEXT), shown(page).settings))
 
 
-@pytest.mark.parametrize("case", CASES[:: len(CASES) // 12], ids=lambda case: case[0])
-def test_a_bad_world_file_is_one_sentence_and_the_view_stays(case):
-    _, text, _ = case
-    page = opened("bring", alpha="0.5")
-    before, words = pictures(page), link(page)
-    upload(page, "bad.json", text.encode("utf-8", "surrogatepass"))
-    assert len(page.error) == 1
-    assert_one_sentence(page.error[0].value)
-    assert pictures(page) == before
-    assert link(page) == words
+def test_a_bad_world_file_is_one_sentence_and_the_view_stays(subtests):
+    for case in CASES[:: len(CASES) // 12]:
+        with subtests.test(case[0]):
+            _, text, _ = case
+            page = opened("bring", alpha="0.5")
+            before, words = pictures(page), link(page)
+            upload(page, "bad.json", text.encode("utf-8", "surrogatepass"))
+            assert len(page.error) == 1
+            assert_one_sentence(page.error[0].value)
+            assert pictures(page) == before
+            assert link(page) == words
 
 
 def test_a_gamma_space_is_decoded_without_a_world():
@@ -236,15 +237,16 @@ BAD_NPZ = {
 }
 
 
-@pytest.mark.parametrize("kind", BAD_NPZ)
-def test_a_bad_gamma_space_is_one_sentence_and_the_view_stays(kind):
-    page = opened("bring", alpha="0.5")
-    before, words = pictures(page), link(page)
-    upload(page, "bad.npz", BAD_NPZ[kind])
-    assert len(page.error) == 1
-    assert_one_sentence(page.error[0].value)
-    assert pictures(page) == before
-    assert link(page) == words
+def test_a_bad_gamma_space_is_one_sentence_and_the_view_stays(subtests):
+    for kind in BAD_NPZ:
+        with subtests.test(kind):
+            page = opened("bring", alpha="0.5")
+            before, words = pictures(page), link(page)
+            upload(page, "bad.npz", BAD_NPZ[kind])
+            assert len(page.error) == 1
+            assert_one_sentence(page.error[0].value)
+            assert pictures(page) == before
+            assert link(page) == words
 
 
 def test_a_refusal_goes_when_the_file_is_taken_away():

@@ -183,17 +183,17 @@ def test_an_agent_of_a_world_races_as_far_as_suits_it(shipped):
     assert "GIF" not in [button.label for button in page.get("download_button")]
 
 
-@pytest.mark.parametrize(
-    "query",
-    [{"checkpoint": "laplace_pong"}, {"d_T": "0"}, {"d_T": "9999"}, {"d_start": "-1"}, {"d_left": "best"},
-     {"d_right": "own"}, {"d_gamma": "2"}, {"d_starts": "1"}, {"d_at": "x"}, {"d_many": "perhaps"},
-     {"d_against": "laplace_two_branch"}, {"nonsense": "1"}],
-)  # fmt: skip
-def test_a_bad_link_opens_with_a_note(shipped, query):
-    page = opened(**{"checkpoint": "laplace_CartPole-v1"} | query)
-    assert page.warning
-    assert not page.error
-    assert verdicts(page)
+def test_a_bad_link_opens_with_a_note(subtests, shipped):
+    for query in [
+        {"checkpoint": "laplace_pong"}, {"d_T": "0"}, {"d_T": "9999"}, {"d_start": "-1"}, {"d_left": "best"},
+        {"d_right": "own"}, {"d_gamma": "2"}, {"d_starts": "1"}, {"d_at": "x"}, {"d_many": "perhaps"},
+        {"d_against": "laplace_two_branch"}, {"nonsense": "1"},
+    ]:  # fmt: skip
+        with subtests.test(query=query):
+            page = opened(**{"checkpoint": "laplace_CartPole-v1"} | query)
+            assert page.warning
+            assert not page.error
+            assert verdicts(page)
 
 
 def loaded(tmp_path, name: str, settings) -> Loaded:

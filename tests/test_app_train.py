@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-import pytest
 from streamlit.testing.v1 import AppTest
 
 from app.catalogue import training_runs
@@ -99,9 +98,8 @@ def test_every_pair_has_a_form_that_may_be_started_as_it_is(subtests):
                 assert {"steps", "learning_rate"} < {parameter.name for parameter in first}
 
 
-@pytest.mark.parametrize(
-    "query",
-    [
+def test_a_bad_link_opens_with_a_note(subtests, runs):
+    for query in [
         {"algorithm": "dreamer"},
         {"environment": "Pong-v5"},
         {"t.steps": "0"},
@@ -113,13 +111,12 @@ def test_every_pair_has_a_form_that_may_be_started_as_it_is(subtests):
         {"beside": "a,../b"},
         {"ships": "c51,best"},
         {"nonsense": "1"},
-    ],
-)
-def test_a_bad_link_opens_with_a_note(runs, query):
-    page = opened(**query)
-    assert page.warning
-    assert not page.error
-    assert link(page) == {}
+    ]:
+        with subtests.test(query=query):
+            page = opened(**query)
+            assert page.warning
+            assert not page.error
+            assert link(page) == {}
 
 
 def test_settings_of_the_algorithm_are_known_whatever_the_order_of_the_link():

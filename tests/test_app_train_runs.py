@@ -219,7 +219,7 @@ def test_a_run_is_removed_only_when_asked_twice(runs):
     page = opened("more_one")
     press(page, "Remove ...")
     assert folder.exists()
-    press(page, "Yes, remove it for good")
+    press(page, "Yes, remove one for good")
     assert not folder.exists()
     assert "No run is here yet" in page.info[0].value
 
@@ -231,7 +231,7 @@ def test_a_folder_of_junk_opens_and_broken_runs_may_be_removed(runs):
     page = opened("more_bad")
     assert "Its settings cannot be read" in words(page)
     press(page, "Remove ...")
-    press(page, "Yes, remove it for good")
+    press(page, "Yes, remove bad for good")
     assert [one.name for one in runs.runs()] == ["one"]
 
 

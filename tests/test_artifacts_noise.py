@@ -57,21 +57,22 @@ def test_noise_that_does_not_show_is_not_listed():
     assert noise_of(look("two_branch", noise=1e-5)) is None
 
 
-@pytest.mark.parametrize("seed", range(3))
-@pytest.mark.parametrize("world", ["rise_and_fade", "double_chain", "cliff_grid", "discounting_chain"])
-@pytest.mark.parametrize("noise", [1e-4, 3e-4, 1e-3])
-def test_the_first_change_takes_it_away_and_a_larger_alpha_comes_nearer_to_the_truth(world, seed, noise):
-    found = look(world, noise=noise, noise_seed=seed)
-    artefact = measured(found)
-    if artefact is None:
-        return
-    assert noise_of(study(found.world, artefact.remedies[0].apply(found.settings))) is None
-    for remedy in artefact.remedies:
-        if "alpha" in remedy.changes:
-            assert remedy.changes["alpha"] > found.settings.alpha
-            repaired = study(found.world, remedy.apply(found.settings))
-            assert Look(repaired, 0).error() < Look(found, 0).error()
-    assert len({tuple(remedy.changes) for remedy in artefact.remedies}) == len(artefact.remedies)
+def test_the_first_change_takes_it_away_and_a_larger_alpha_comes_nearer_to_the_truth(subtests):
+    for seed in range(3):
+        for world in ["rise_and_fade", "double_chain", "cliff_grid", "discounting_chain"]:
+            for noise in [1e-4, 3e-4, 1e-3]:
+                with subtests.test(seed=seed, world=world, noise=noise):
+                    found = look(world, noise=noise, noise_seed=seed)
+                    artefact = measured(found)
+                    if artefact is None:
+                        return
+                    assert noise_of(study(found.world, artefact.remedies[0].apply(found.settings))) is None
+                    for remedy in artefact.remedies:
+                        if "alpha" in remedy.changes:
+                            assert remedy.changes["alpha"] > found.settings.alpha
+                            repaired = study(found.world, remedy.apply(found.settings))
+                            assert Look(repaired, 0).error() < Look(found, 0).error()
+                    assert len({tuple(remedy.changes) for remedy in artefact.remedies}) == len(artefact.remedies)
 
 
 def test_a_larger_alpha_comes_first_where_it_takes_the_noise_away():

@@ -41,22 +41,20 @@ def test_the_uncached_solve_is_the_solve_of_the_study(found):
     np.testing.assert_array_equal(solved.constant, found.gamma_space.constant)
 
 
-@pytest.mark.parametrize(
-    ("median", "goal", "verdict"),
-    [
+def test_a_figure_says_whether_its_goal_is_met(subtests):
+    for median, goal, verdict in [
         (1.02, Goal("<=", 1.3), "1.02 x, quartiles 0.920 to 1.12, n = 7   goal <= 1.3 x: met"),
         (1.3, Goal("<=", 1.3), "goal <= 1.3 x: met"),
         (1.31, Goal("<=", 1.3), "goal <= 1.3 x: NOT met"),
         (99.9, Goal(">=", 100), "goal >= 100 x: NOT met"),
         (100.0, Goal(">=", 100), "goal >= 100 x: met"),
         (3.0, Goal("<", 3), "goal < 3 x: NOT met"),
-    ],
-)
-def test_a_figure_says_whether_its_goal_is_met(median, goal, verdict):
-    figure = _figure(median, goal)
-    assert verdict in figure.text()
-    assert figure.met is ("NOT" not in verdict)
-    assert "(4, 100, 499)" in figure.text()
+    ]:
+        with subtests.test(median=median, goal=goal, verdict=verdict):
+            figure = _figure(median, goal)
+            assert verdict in figure.text()
+            assert figure.met is ("NOT" not in verdict)
+            assert "(4, 100, 499)" in figure.text()
 
 
 def test_a_figure_without_a_goal_has_no_verdict():

@@ -4,7 +4,6 @@ import json
 import shlex
 
 import numpy as np
-import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
@@ -72,9 +71,12 @@ def test_extremes_give_finite_numbers(subtests, capsys):
             assert isinstance(outcome(capsys, ["decode", *command.split()]), dict)
 
 
-@pytest.mark.parametrize(
-    ("rewards", "options"),
-    [
+def test_what_decode_fills_in_for_extreme_rewards_can_be_given_and_read_back(subtests, tmp_path, capsys):
+    """The command that reproduces the run, and the file as a gamma-space of one's own.
+
+    Options may be refused, defaults may not: those are the program's own.
+    """
+    for rewards, options in [
         ("100000000 100000001", ""),
         ("1e-300 0", ""),
         ("1 2", "--theta-min 1 --theta-max 1.0000000000000002"),
@@ -83,24 +85,19 @@ def test_extremes_give_finite_numbers(subtests, capsys):
         ("1 2", "--thetas 2 --theta-min -1e9 --theta-max 1e9"),
         ("1e8 0", "--theta-min 0 --theta-max 1e8"),
         ("1e-6 2e-6", ""),
-    ],
-)
-def test_what_decode_fills_in_for_extreme_rewards_can_be_given_and_read_back(tmp_path, capsys, rewards, options):
-    """The command that reproduces the run, and the file as a gamma-space of one's own.
-
-    Options may be refused, defaults may not: those are the program's own.
-    """
-    world, out = tmp_path / "world.json", tmp_path / "out.npz"
-    entry = {"state": "s", "action": "a", "next": {"END": 1.0}, "reward": dict.fromkeys(rewards.split(), 0.5)}
-    world.write_text(json.dumps({"states": ["s"], "actions": ["a"], "transitions": [entry]}))
-    found = outcome(capsys, ["decode", str(world), *options.split(), "--out", str(out)])
-    if options and isinstance(found, str):
-        return
-    assert isinstance(found, dict)
-    with np.load(out, allow_pickle=False) as file:
-        command = json.loads(str(file["settings"]))["command"]
-    assert isinstance(outcome(capsys, shlex.split(command)[3:]), dict)
-    assert isinstance(outcome(capsys, ["decode", str(out)]), dict)
+    ]:
+        with subtests.test(rewards=rewards, options=options):
+            world, out = tmp_path / "world.json", tmp_path / "out.npz"
+            entry = {"state": "s", "action": "a", "next": {"END": 1.0}, "reward": dict.fromkeys(rewards.split(), 0.5)}
+            world.write_text(json.dumps({"states": ["s"], "actions": ["a"], "transitions": [entry]}))
+            found = outcome(capsys, ["decode", str(world), *options.split(), "--out", str(out)])
+            if options and isinstance(found, str):
+                return
+            assert isinstance(found, dict)
+            with np.load(out, allow_pickle=False) as file:
+                command = json.loads(str(file["settings"]))["command"]
+            assert isinstance(outcome(capsys, shlex.split(command)[3:]), dict)
+            assert isinstance(outcome(capsys, ["decode", str(out)]), dict)
 
 
 def test_a_gamma_space_of_ones_own_has_default_steps_at_any_time_step(tmp_path, capsys):

@@ -216,13 +216,14 @@ def test_values_of_other_time_steps_are_linear_between_horizons():
 # --- words ---
 
 
-@pytest.mark.parametrize("action", ["up", "", 2, -1, "0"])
-def test_unknown_actions_are_refused(action):
-    for call in (difference, value_difference):
-        for pair in ((action, 0), (0, action)):
-            with pytest.raises(InputError, match="short, long") as refused:
-                call(two(), two(), *pair)
-            assert_one_sentence(str(refused.value))
+def test_unknown_actions_are_refused(subtests):
+    for action in ["up", "", 2, -1, "0"]:
+        with subtests.test(action=action):
+            for call in (difference, value_difference):
+                for pair in ((action, 0), (0, action)):
+                    with pytest.raises(InputError, match="short, long") as refused:
+                        call(two(), two(), *pair)
+                    assert_one_sentence(str(refused.value))
 
 
 def test_many_changes_of_mind_are_told_briefly():

@@ -193,14 +193,13 @@ def test_honest_predictions_are_calibrated():
     assert (np.abs(found.predicted - found.observed) < 4 * found.errors + 1e-3).all()
 
 
-@pytest.mark.parametrize(
-    "wrong", [{"step": -1}, {"step": 10**6}, {"count": 0}, {"count": 10**4}, {"steps": 0}, {"action": 2}]
-)
-def test_what_does_not_fit_is_refused(wrong):
-    agent = made("CartPole-v1")
-    rollout = roll_out(agent, "CartPole-v1", 7, horizon=5)
-    with pytest.raises(InputError):
-        continue_from(agent, rollout, **{"step": 0} | wrong)
+def test_what_does_not_fit_is_refused(subtests):
+    for wrong in [{"step": -1}, {"step": 10**6}, {"count": 0}, {"count": 10**4}, {"steps": 0}, {"action": 2}]:
+        with subtests.test(wrong=wrong):
+            agent = made("CartPole-v1")
+            rollout = roll_out(agent, "CartPole-v1", 7, horizon=5)
+            with pytest.raises(InputError):
+                continue_from(agent, rollout, **{"step": 0} | wrong)
 
 
 def test_nor_does_it_end_what_comes_after_many_states():

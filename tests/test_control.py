@@ -1,6 +1,7 @@
 """Acting for whole episodes: values in every state, the rule they make, and what it loses."""
 
 from dataclasses import replace
+from itertools import product
 
 import numpy as np
 import pytest
@@ -35,26 +36,22 @@ def optimal_rule(optimum: np.ndarray) -> np.ndarray:
 # --- values in every state ---
 
 
-@pytest.mark.parametrize("softness", [0.0, 0.2])
-@pytest.mark.parametrize("time_step", [1.0, 0.25])
-@pytest.mark.parametrize("normalise", NORMALISATIONS)
-@pytest.mark.parametrize(
-    ("name", "params"),
-    [
+def test_values_everywhere_equal_one_study_a_state(subtests):
+    worlds = [
         ("two_decisions", {"auxiliary": True}),
         ("double_chain", {}),
         ("cliff_grid", {"width": 3, "height": 3, "slip": 0.2}),
-    ],
-)
-def test_values_everywhere_equal_one_study_a_state(name, params, normalise, time_step, softness):
-    world = load_world(name, params)
-    settings = Settings(
-        gammas=12, thetas=30, steps=16, normalise=normalise, time_step=time_step, softness=softness, alpha=0.05
-    )
-    fast = values_everywhere(world, resolve(settings, world))
-    for state in range(world.n_states):
-        one = study(world, replace(settings, state=str(state)))
-        np.testing.assert_allclose(fast[state], one.decoded.horizon_values, rtol=0, atol=1e-9)
+    ]
+    for (name, params), how, dt, softness in product(worlds, NORMALISATIONS, (1.0, 0.25), (0.0, 0.2)):
+        with subtests.test(name, normalise=how, time_step=dt, softness=softness):
+            world = load_world(name, params)
+            settings = Settings(
+                gammas=12, thetas=30, steps=16, normalise=how, time_step=dt, softness=softness, alpha=0.05
+            )
+            fast = values_everywhere(world, resolve(settings, world))
+            for state in range(world.n_states):
+                one = study(world, replace(settings, state=str(state)))
+                np.testing.assert_allclose(fast[state], one.decoded.horizon_values, rtol=0, atol=1e-9)
 
 
 @given(worlds(), st.sampled_from(NORMALISATIONS), st.sampled_from(["shared", "per_gamma"]))

@@ -11,8 +11,8 @@ import pytest
 from laplace_core import InputError, Settings
 from laplace_core.cli import main
 from laplace_core.experiments.cases import EXCLUSIVE, KINDS, SWITCHES, Case, draw_case
-from laplace_core.experiments.detector import SWITCHES_OF, Compared, compare, score, table, wilson
-from laplace_core.experiments.labels import Effects
+from laplace_core.experiments.detector import Compared, compare, score, table, wilson
+from laplace_core.experiments.labels import LABELS, Effects
 from laplace_core.study.artefacts import MEASURES, VISIBLE, find_artefacts
 from laplace_core.study.pipeline import study
 from laplace_core.study.settings import resolve
@@ -36,22 +36,24 @@ def effects(world: World, **settings) -> dict[str, float]:
 # --- the base configuration ---
 
 
-@pytest.mark.parametrize("number", range(25))
-def test_the_base_has_no_artefact_by_either_account(number):
-    case = draw_case(np.random.default_rng([3, number]), NEVER)
-    assert case.settings == case.base
-    assert find_artefacts(study(case.world, case.settings), case.action) == []
-    assert max(Effects(case).all().values()) < 1e-2
+def test_the_base_has_no_artefact_by_either_account(subtests):
+    for number in range(25):
+        with subtests.test(number=number):
+            case = draw_case(np.random.default_rng([3, number]), NEVER)
+            assert case.settings == case.base
+            assert find_artefacts(study(case.world, case.settings), case.action) == []
+            assert max(Effects(case).all().values()) < 1e-2
 
 
-@pytest.mark.parametrize("number", range(8))
-def test_the_base_of_a_lasting_world_has_what_no_setting_avoids(number):
-    # What comes after the last row is folded, and a long timeline that is sharp rings.
-    case = draw_case(np.random.default_rng([3, number]), NEVER, "lasting")
-    assert case.settings == case.base
-    found = find_artefacts(study(case.world, case.settings), case.action, searching=False)
-    there = {name for name, effect in Effects(case).all().items() if effect > VISIBLE}
-    assert {artefact.name for artefact in found} == there <= {"folding", "negative mass"}
+def test_the_base_of_a_lasting_world_has_what_no_setting_avoids(subtests):
+    for number in range(8):
+        with subtests.test(number=number):
+            # What comes after the last row is folded, and a long timeline that is sharp rings.
+            case = draw_case(np.random.default_rng([3, number]), NEVER, "lasting")
+            assert case.settings == case.base
+            found = find_artefacts(study(case.world, case.settings), case.action, searching=False)
+            there = {name for name, effect in Effects(case).all().items() if effect > VISIBLE}
+            assert {artefact.name for artefact in found} == there <= {"folding", "negative mass"}
 
 
 def test_lasting_worlds_have_cycles_hundreds_of_steps_and_no_end():
@@ -203,8 +205,23 @@ def test_a_score_counts_what_is_there_and_what_is_listed():
 
 
 def test_every_artefact_has_its_switch():
-    assert set(SWITCHES_OF) == set(MEASURES)
-    assert set().union(*SWITCHES_OF.values()) == set(SWITCHES)
+    assert list(LABELS) == list(MEASURES)
+    assert {label.switch for label in LABELS.values()} == set(SWITCHES)
+
+
+def test_further_switches_leave_all_else_of_a_case_as_it_is():
+    def dear(rng, world, settings):
+        return {"value_gamma": float(rng.uniform(0.2, 0.6))}
+
+    thrown = 0
+    for number in range(10):
+        case, more = (draw_case(np.random.default_rng([3, number]), more=each) for each in (None, {"dear": dear}))
+        thrown += "dear" in more.switched
+        assert case.switched == tuple(name for name in more.switched if name != "dear")
+        assert (case.world.name, case.action, case.base) == (more.world.name, more.action, more.base)
+        assert case.settings == replace(more.settings, value_gamma=case.settings.value_gamma)
+        assert (more.settings.value_gamma < 0.6) == ("dear" in more.switched)
+    assert 0 < thrown < 10
 
 
 @pytest.mark.parametrize(

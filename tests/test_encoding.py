@@ -63,9 +63,8 @@ def test_grids_rise_from_bound_to_bound(count, spacing, low, high):
     assert np.all(np.diff(grid) > 0)
 
 
-@pytest.mark.parametrize(
-    ("arguments", "named"),
-    [
+def test_impossible_discount_grids_are_refused(subtests):
+    for arguments, named in [
         ((15, "geometric"), "spacing"),
         ((1, "log"), "at least 2"),
         ((15, "log", 0.0, 0.9), "gamma-min"),
@@ -73,11 +72,9 @@ def test_grids_rise_from_bound_to_bound(count, spacing, low, high):
         ((15, "log", 0.9, 0.1), "gamma-min"),
         ((15, "log", math.nan, 0.9), "gamma-min"),
         ((15, "linear", 0.5, math.nextafter(0.5, 1)), "do not fit"),
-    ],
-)
-def test_impossible_discount_grids_are_refused(arguments, named):
-    with pytest.raises(InputError, match=named):
-        discount_grid(*arguments)
+    ]:
+        with subtests.test(arguments=arguments, named=named), pytest.raises(InputError, match=named):
+            discount_grid(*arguments)
 
 
 # --- sensitivities ---
@@ -110,20 +107,17 @@ def test_asinh_sensitivities_are_dense_near_zero():
     assert thetas[6] - thetas[5] < 5 < thetas[10] - thetas[9]
 
 
-@pytest.mark.parametrize(
-    ("arguments", "named"),
-    [
+def test_impossible_sensitivities_are_refused(subtests):
+    for arguments, named in [
         ((5, 0.0, 1.0, "random"), "theta spacing"),
         ((1, 0.0, 1.0), "at least 2"),
         ((5, 1.0, 1.0), "theta-min"),
         ((5, 0.0, math.inf), "theta-max"),
         ((5, 0.0, 1.0, "asinh", 0.0), "scale"),
         ((50, 1e6, 2e6, "gaussian", 1e-12), "do not fit"),
-    ],
-)
-def test_impossible_sensitivities_are_refused(arguments, named):
-    with pytest.raises(InputError, match=named):
-        sensitivity_grid(*arguments)
+    ]:
+        with subtests.test(arguments=arguments, named=named), pytest.raises(InputError, match=named):
+            sensitivity_grid(*arguments)
 
 
 # --- the activation ---

@@ -8,8 +8,6 @@ import tokenize
 import tomllib
 from pathlib import Path
 
-import pytest
-
 ROOT = Path(__file__).resolve().parent.parent
 FILES = sorted(path for name in ("laplace_core", "app", "bench", "tests") for path in (ROOT / name).rglob("*.py"))
 MARK = re.compile(r"# (?:noqa: [A-Z]+\d+(?:, [A-Z]+\d+)*|type: ignore\[[a-z, -]+\])")
@@ -35,9 +33,8 @@ def unexplained(text: str) -> list[int]:
     return sorted(marked - reasons - above)
 
 
-@pytest.mark.parametrize(
-    ("text", "lines"),
-    [
+def test_an_exemption_without_a_reason_is_noticed(subtests):
+    for text, lines in [
         ("a = 1  # noqa: E731\n", [1]),
         ("a = 1  # noqa\n", [1]),
         ("a = 1  # noqa - for a reason\n", [1]),
@@ -49,10 +46,9 @@ def unexplained(text: str) -> list[int]:
         ("a = cast(int, b)\n", [1]),
         ("a = cast(int, b)  # json knows no types\n", []),
         ("a = '# noqa'\n", []),
-    ],
-)
-def test_an_exemption_without_a_reason_is_noticed(text, lines):
-    assert unexplained(text) == lines
+    ]:
+        with subtests.test(text=text, lines=lines):
+            assert unexplained(text) == lines
 
 
 def test_every_exemption_has_its_reason():

@@ -24,11 +24,14 @@ LEARNING = ("curve", "probabilities", "returns")
 OVER_SEEDS = ("values", "rewards")
 
 
-@pytest.mark.parametrize("world", WORLDS)
-def test_plotly_accepts_the_graph_of_every_world(world):
-    found = study(load_world(world), Settings(world=world))
-    view = View(Exact(found.world), found.settings, 0)
-    go.Figure(json.loads(compute.world_figure(view)))  # raises on any property or value that plotly does not know
+def test_plotly_accepts_the_graph_of_every_world(subtests):
+    for world in WORLDS:
+        with subtests.test(world=world):
+            found = study(load_world(world), Settings(world=world))
+            view = View(Exact(found.world), found.settings, 0)
+            go.Figure(
+                json.loads(compute.world_figure(view))
+            )  # raises on any property or value that plotly does not know
 
 
 @cache
@@ -48,25 +51,29 @@ def learned_view(world: str = "two_branch", seeds: int = 1, action: int = 0, epi
     return View(learner, settings, action)
 
 
-@pytest.mark.parametrize("seeds", [1, 3])
-@pytest.mark.parametrize("world", WORLDS)
-def test_plotly_accepts_every_figure_of_a_learner(world, seeds):
-    view = learned_view(world, seeds)
-    go.Figure(json.loads(compute.world_figure(view)))
-    for name in LEARNING + (OVER_SEEDS if seeds > 1 else ()):
-        go.Figure(json.loads(compute.learning_figure(name, view)))
+def test_plotly_accepts_every_figure_of_a_learner(subtests):
+    for seeds in [1, 3]:
+        for world in WORLDS:
+            with subtests.test(seeds=seeds, world=world):
+                view = learned_view(world, seeds)
+                go.Figure(json.loads(compute.world_figure(view)))
+                for name in LEARNING + (OVER_SEEDS if seeds > 1 else ()):
+                    go.Figure(json.loads(compute.learning_figure(name, view)))
 
 
-@pytest.mark.parametrize("what", ["tau_space", "gamma_space"])
-@pytest.mark.parametrize("world", WORLDS)
-def test_plotly_accepts_every_map_of_a_comparison(world, what):
-    a, b = (View(Exact(load_world(world)), resolve(Settings(world=world, alpha=alpha), load_world(world)), 0)
-            for alpha in (0.1, 1.0))  # fmt: skip
-    sentence, maps = compute.comparison(a, b, what)
-    assert sentence
-    assert list(maps) == ["A", "B", "B - A"]
-    for figure in maps.values():
-        go.Figure(json.loads(figure))
+def test_plotly_accepts_every_map_of_a_comparison(subtests):
+    for what in ["tau_space", "gamma_space"]:
+        for world in WORLDS:
+            with subtests.test(what=what, world=world):
+                built = load_world(world)
+                a, b = (
+                    View(Exact(built), resolve(Settings(world=world, alpha=alpha), built), 0) for alpha in (0.1, 1.0)
+                )
+                sentence, maps = compute.comparison(a, b, what)
+                assert sentence
+                assert list(maps) == ["A", "B", "B - A"]
+                for figure in maps.values():
+                    go.Figure(json.loads(figure))
 
 
 def unpacked(packed: dict | list) -> np.ndarray:

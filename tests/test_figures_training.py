@@ -6,7 +6,6 @@ import json
 
 import numpy as np
 import plotly.graph_objects as go
-import pytest
 
 from laplace_core.experiments.shipping import TrainingCurve
 from laplace_core.figures import to_json
@@ -40,14 +39,17 @@ def drawn(figure: dict) -> dict:
     return sent
 
 
-@pytest.mark.parametrize("heads", [0, 3])
-@pytest.mark.parametrize("episodes", [0, 1, 50])
-@pytest.mark.parametrize("evaluations", [0, 1, 40])
-def test_plotly_accepts_every_figure(evaluations, episodes, heads):
-    found = curves(evaluations, episodes, heads)
-    drawn(learning_curves("title", [Line("one", "#0072B2", found), Line("two", "#E69F00", found)], 4000))
-    drawn(discount_errors(found, GAMMAS, 4000, 100))
-    drawn(values_by_discount(found, GAMMAS, "#0072B2", 100))
+def test_plotly_accepts_every_figure(subtests):
+    for heads in [0, 3]:
+        for episodes in [0, 1, 50]:
+            for evaluations in [0, 1, 40]:
+                with subtests.test(heads=heads, episodes=episodes, evaluations=evaluations):
+                    found = curves(evaluations, episodes, heads)
+                    drawn(
+                        learning_curves("title", [Line("one", "#0072B2", found), Line("two", "#E69F00", found)], 4000)
+                    )
+                    drawn(discount_errors(found, GAMMAS, 4000, 100))
+                    drawn(values_by_discount(found, GAMMAS, "#0072B2", 100))
 
 
 def test_each_run_has_its_returns_their_average_and_its_scores():

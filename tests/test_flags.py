@@ -19,17 +19,30 @@ torch.set_num_threads(1)
 
 
 @pytest.fixture(scope="module")
-def rollout():
-    """Of a network that knows nothing, with a large error in every value."""
+def agent():
+    """A network that knows nothing, with a large error in every value."""
     settings = LaplaceSettings(hidden=8, features=4, gammas=6, thetas=9, theta_min=-3.0, theta_max=12.0, seed=3)
     agent = new_agent(settings)
     with torch.no_grad():
         for parameter in agent.target.parameters():
             parameter.add_(torch.randn_like(parameter), alpha=0.5)
+    return agent
+
+
+@pytest.fixture(scope="module")
+def rollout(agent):
     return roll_out(agent, "CartPole-v1", 7)
 
 
-@pytest.mark.parametrize("values", [{"alpha": 1e-3}, {"alpha": 0.1, "normalise": "survival"}, {"normalise": "paper"}])
+@pytest.mark.parametrize(
+    "values",
+    [
+        {"alpha": 1e-3},
+        {"alpha": 0.1, "normalise": "survival"},
+        {"normalise": "paper"},
+        {"alpha": 1e-3, "slope_share": 0.5},
+    ],
+)
 @pytest.mark.parametrize("added", [0, 2])
 def test_every_step_is_as_if_it_were_looked_at_alone(rollout, values, added):
     settings = resolve_for_gamma_space(Settings(world="CartPole-v1", steps=50, **values), rollout.gammas)
@@ -43,6 +56,13 @@ def test_every_step_is_as_if_it_were_looked_at_alone(rollout, values, added):
         )
         there = [name for name, mark in zip(flags.names, flags.marks[step], strict=True) if mark]
         assert there == [artefact.name for artefact in found]
+
+
+def test_a_space_of_a_rollout_is_what_the_agent_says_itself(agent, rollout):
+    """Its sensitivities too: without their places no gentler slope can be looked at."""
+    own, kept = agent.gamma_space(rollout.observations[2]), rollout.space(2)
+    np.testing.assert_allclose(kept.values, own.values, rtol=1e-6)
+    np.testing.assert_array_equal(kept.places, agent.sensitivities.places)
 
 
 def test_an_artefact_begins_where_the_step_before_has_it_not():

@@ -86,23 +86,24 @@ def test_value_of_a_timeline_by_hand():
     np.testing.assert_allclose(horizon_values(np.array([5.0, 0.0, 10.0]), 0.9), [5.0, 5.0, 13.1])
 
 
-@pytest.mark.parametrize("time_step", TIME_STEPS)
-@pytest.mark.parametrize("softness", SOFTNESS)
-def test_values_of_all_horizons_equal_a_loop(softness, time_step):
-    rewards, gamma = numbers((2, 9)), 0.9
-    values = horizon_values(rewards, gamma, softness, time_step)
-    for a, column in np.ndindex(2, 9):
-        horizon, total = column * time_step + (1 + time_step) / 2, 0.0
-        for row in range(9):
-            tau = row * time_step
-            if softness:
-                weight = 1 / (1 + math.exp(-(horizon - 0.5 - tau) / (softness * horizon)))
-            else:
-                weight = float(row <= column)
-            total += weight * gamma**tau * rewards[a, row]
-        assert values[a, column] == pytest.approx(total, abs=1e-12)
-        weights = target_discounts(horizon, 9, gamma, softness, time_step)
-        assert values[a, column] == pytest.approx(weights @ rewards[a], abs=1e-12)
+def test_values_of_all_horizons_equal_a_loop(subtests):
+    for time_step in TIME_STEPS:
+        for softness in SOFTNESS:
+            with subtests.test(time_step=time_step, softness=softness):
+                rewards, gamma = numbers((2, 9)), 0.9
+                values = horizon_values(rewards, gamma, softness, time_step)
+                for a, column in np.ndindex(2, 9):
+                    horizon, total = column * time_step + (1 + time_step) / 2, 0.0
+                    for row in range(9):
+                        tau = row * time_step
+                        if softness:
+                            weight = 1 / (1 + math.exp(-(horizon - 0.5 - tau) / (softness * horizon)))
+                        else:
+                            weight = float(row <= column)
+                        total += weight * gamma**tau * rewards[a, row]
+                    assert values[a, column] == pytest.approx(total, abs=1e-12)
+                    weights = target_discounts(horizon, 9, gamma, softness, time_step)
+                    assert values[a, column] == pytest.approx(weights @ rewards[a], abs=1e-12)
 
 
 # --- readout weights ---

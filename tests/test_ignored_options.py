@@ -43,11 +43,12 @@ RULED = [
 ]
 
 
-@pytest.mark.parametrize(("rule", "name"), RULED)
-def test_an_option_of_another_rule_is_refused(agents, capsys, rule, name):
-    words = ["--rule", rule, f"--{name}", "2"]
-    assert_refused(capsys, ["evaluate", agents["laplace"], "--horizon", "3", *words], f"--{name}", f"{rule!r}")
-    assert_refused(capsys, ["report", "horizon", agents["laplace"], *words], f"--{name}", f"{rule!r}")
+def test_an_option_of_another_rule_is_refused(subtests, agents, capsys):
+    for rule, name in RULED:
+        with subtests.test(rule=rule, name=name):
+            words = ["--rule", rule, f"--{name}", "2"]
+            assert_refused(capsys, ["evaluate", agents["laplace"], "--horizon", "3", *words], f"--{name}", f"{rule!r}")
+            assert_refused(capsys, ["report", "horizon", agents["laplace"], *words], f"--{name}", f"{rule!r}")
 
 
 def test_an_option_of_the_rule_is_heard(agents, capsys):
@@ -105,14 +106,17 @@ TRAINED = [
 ]
 
 
-@pytest.mark.parametrize(("algorithm", "given", "named"), TRAINED)
-def test_a_setting_of_training_that_changes_nothing_is_refused(capsys, tmp_path, algorithm, given, named):
-    words = [word for name, value in given.items() for word in (f"--{name.replace('_', '-')}", str(value).lower())]
-    command = ["train", algorithm, "two_branch", *words, "--run", str(tmp_path / "run")]
-    assert_refused(capsys, command, "changes nothing", named)
-    assert not list(tmp_path.iterdir())
-    with pytest.raises(InputError, match="changes nothing"):
-        settings_of(algorithm, "two_branch", given)
+def test_a_setting_of_training_that_changes_nothing_is_refused(subtests, capsys, tmp_path):
+    for algorithm, given, named in TRAINED:
+        with subtests.test(algorithm=algorithm, given=given, named=named):
+            words = [
+                word for name, value in given.items() for word in (f"--{name.replace('_', '-')}", str(value).lower())
+            ]
+            command = ["train", algorithm, "two_branch", *words, "--run", str(tmp_path / "run")]
+            assert_refused(capsys, command, "changes nothing", named)
+            assert not list(tmp_path.iterdir())
+            with pytest.raises(InputError, match="changes nothing"):
+                settings_of(algorithm, "two_branch", given)
 
 
 def test_the_command_of_a_run_never_holds_a_setting_that_changes_nothing():
@@ -144,10 +148,11 @@ SEARCHED = [
 ]
 
 
-@pytest.mark.parametrize(("words", "named"), SEARCHED)
-def test_a_search_over_what_is_no_setting_is_refused(capsys, tmp_path, words, named):
-    assert_refused(capsys, ["search", "dqn", "two_branch", *words, "--runs", str(tmp_path / "runs")], named)
-    assert not list(tmp_path.iterdir())
+def test_a_search_over_what_is_no_setting_is_refused(subtests, capsys, tmp_path):
+    for words, named in SEARCHED:
+        with subtests.test(words=words, named=named):
+            assert_refused(capsys, ["search", "dqn", "two_branch", *words, "--runs", str(tmp_path / "runs")], named)
+            assert not list(tmp_path.iterdir())
 
 
 def test_a_deadline_without_a_world_is_refused(tmp_path, capsys):

@@ -41,9 +41,8 @@ def test_transform_holds_the_powers_of_the_discounts():
     np.testing.assert_allclose(transform_matrix([0.25], 3, 0.5), [[1, 0.5, 0.25]])
 
 
-@pytest.mark.parametrize(
-    ("arguments", "named"),
-    [
+def test_impossible_transforms_are_refused(subtests):
+    for arguments, named in [
         (([0.5, 1.0], 3), "discounts"),
         (([0.0], 3), "discounts"),
         (([math.nan], 3), "discounts"),
@@ -52,11 +51,9 @@ def test_transform_holds_the_powers_of_the_discounts():
         (([0.5], MAX_STEPS + 1), "steps"),
         (([0.5], 3, 0.0), "time-step"),
         (([0.5], 3, 1.5), "time-step"),
-    ],
-)
-def test_impossible_transforms_are_refused(arguments, named):
-    with pytest.raises(InputError, match=named):
-        transform_matrix(*arguments)
+    ]:
+        with subtests.test(arguments=arguments, named=named), pytest.raises(InputError, match=named):
+            transform_matrix(*arguments)
 
 
 @given(discounts, steps, time_steps)
@@ -190,22 +187,23 @@ def test_rescaling_by_survival_leaves_out_what_is_over():
     np.testing.assert_allclose(found, [[0.6, 0.2], [0.0, 0.0]])
 
 
-@pytest.mark.parametrize("time_step", [1.0, 0.25, 0.3])
-@pytest.mark.parametrize("how", NORMALISATIONS)
-def test_normalising_equals_a_loop_over_the_rows(how, time_step):
-    rows, survival = numbers((2, 6, 4)) * time_step, np.abs(numbers((2, 6), 1)) * time_step
-    expected = np.zeros_like(rows)
-    for a, k in np.ndindex(2, 6):
-        row, alive = rows[a, k], survival[a, k] / time_step
-        if how == "none":
-            expected[a, k] = row
-        elif how == "survival" and alive > SURVIVAL_FLOOR:
-            expected[a, k] = row / alive
-        elif how == "paper" and row.max() > 0:
-            expected[a, k] = time_step * np.maximum(row, 0) / np.maximum(row, 0).sum()
-    before = rows.copy()
-    np.testing.assert_allclose(normalise_rows(rows, survival, how, time_step), expected, atol=1e-15)
-    np.testing.assert_array_equal(rows, before)
+def test_normalising_equals_a_loop_over_the_rows(subtests):
+    for time_step in [1.0, 0.25, 0.3]:
+        for how in NORMALISATIONS:
+            with subtests.test(time_step=time_step, how=how):
+                rows, survival = numbers((2, 6, 4)) * time_step, np.abs(numbers((2, 6), 1)) * time_step
+                expected = np.zeros_like(rows)
+                for a, k in np.ndindex(2, 6):
+                    row, alive = rows[a, k], survival[a, k] / time_step
+                    if how == "none":
+                        expected[a, k] = row
+                    elif how == "survival" and alive > SURVIVAL_FLOOR:
+                        expected[a, k] = row / alive
+                    elif how == "paper" and row.max() > 0:
+                        expected[a, k] = time_step * np.maximum(row, 0) / np.maximum(row, 0).sum()
+                before = rows.copy()
+                np.testing.assert_allclose(normalise_rows(rows, survival, how, time_step), expected, atol=1e-15)
+                np.testing.assert_array_equal(rows, before)
 
 
 def test_unknown_normalisations_are_refused():

@@ -43,14 +43,15 @@ def coin() -> Learned:
 # --- settings ---
 
 
-@pytest.mark.parametrize("source", [*PRESETS, "gym:FrozenLake-v1", "gym:Taxi-v4"])
-def test_defaults_are_complete_and_settled(source):
-    world = load_world(source)
-    settings = resolve_learning(LearnSettings(), world)
-    assert None not in vars(settings).values()
-    assert resolve_learning(settings, world) == settings
-    as_text = {name: str(value) for name, value in vars(settings).items()}
-    assert parse_learn_settings(as_text) == settings.chosen()
+def test_defaults_are_complete_and_settled(subtests):
+    for source in [*PRESETS, "gym:FrozenLake-v1", "gym:Taxi-v4"]:
+        with subtests.test(source=source):
+            world = load_world(source)
+            settings = resolve_learning(LearnSettings(), world)
+            assert None not in vars(settings).values()
+            assert resolve_learning(settings, world) == settings
+            as_text = {name: str(value) for name, value in vars(settings).items()}
+            assert parse_learn_settings(as_text) == settings.chosen()
 
 
 def test_the_grid_is_that_of_the_study():
@@ -75,21 +76,19 @@ def test_settings_out_of_range_are_refused(subtests):
                     assert_one_sentence(f"laplace: {error.value}", parameter.name)
 
 
-@pytest.mark.parametrize(
-    ("given", "named"),
-    [
+def test_settings_that_contradict_each_other_are_refused(subtests):
+    for given, named in [
         ({"expectiles": 4}, "expectiles"),
         ({"rate_first": 0.5, "rate_floor": 0.6}, "rate_floor"),
         ({"epsilon_first": 0.1, "epsilon_floor": 0.2}, "epsilon_floor"),
         ({"gamma_min": 0.9, "gamma_max": 0.5}, "gamma"),
         ({"starts": "nowhere"}, "starts"),
         ({"policy": "mixed"}, "policy"),
-    ],
-)
-def test_settings_that_contradict_each_other_are_refused(given, named):
-    with pytest.raises(InputError) as error:
-        resolve_learning(LearnSettings(**given), load_world("two_branch"))
-    assert_one_sentence(f"laplace: {error.value}", named)
+    ]:
+        with subtests.test(given=given, named=named):
+            with pytest.raises(InputError) as error:
+                resolve_learning(LearnSettings(**given), load_world("two_branch"))
+            assert_one_sentence(f"laplace: {error.value}", named)
 
 
 def test_tables_that_no_file_would_hold_are_refused_before_they_are_made():

@@ -76,16 +76,19 @@ def test_a_world_that_never_ends_counts_one_over_one_minus_gamma():
     np.testing.assert_allclose(basis[0, :, 0], 1 / (1 - GAMMAS))
 
 
-@pytest.mark.parametrize("kind", ["shared", "per_gamma"])
-@pytest.mark.parametrize("name", PRESETS)
-def test_gamma_space_of_presets_equals_a_dense_solve(name, kind):
-    world = load_world(name, {"slip": 0.3} if any(p.name == "slip" for p in PRESETS[name].parameters) else None)
-    given = target_policies(world, GAMMAS, kind, 0.99)
-    channels = activation(world.reward_values, thetas_around(world), 3.0)
-    every = 1 + world.n_states // 25
-    fast = bases(world, GAMMAS, given, every) @ channels
-    slow = dense_gamma_space(world, channels, GAMMAS, given)[::every]
-    np.testing.assert_allclose(fast, slow, rtol=0, atol=1e-9)
+def test_gamma_space_of_presets_equals_a_dense_solve(subtests):
+    for kind in ["shared", "per_gamma"]:
+        for name in PRESETS:
+            with subtests.test(kind=kind, name=name):
+                world = load_world(
+                    name, {"slip": 0.3} if any(p.name == "slip" for p in PRESETS[name].parameters) else None
+                )
+                given = target_policies(world, GAMMAS, kind, 0.99)
+                channels = activation(world.reward_values, thetas_around(world), 3.0)
+                every = 1 + world.n_states // 25
+                fast = bases(world, GAMMAS, given, every) @ channels
+                slow = dense_gamma_space(world, channels, GAMMAS, given)[::every]
+                np.testing.assert_allclose(fast, slow, rtol=0, atol=1e-9)
 
 
 @given(worlds_with_policy(), discounts)
@@ -215,14 +218,13 @@ def test_greedy_policy_is_optimal_at_the_largest_discount():
     np.testing.assert_array_equal(greedy_policy(world, 0.999999, np.zeros(3, dtype=int)), [1, 0, 1])
 
 
-@pytest.mark.parametrize(
-    ("gamma", "first", "branch"), [(0.70, 0, 0), (0.72, 0, 1), (0.73, 0, 1), (0.74, 1, 1), (0.99, 1, 1)]
-)
-def test_two_decisions_change_at_two_discounts(gamma, first, branch):
-    # At the branch 10 g^2 > 5 for g > .7071. Before it, going on is worth g * max(5, 10 g^2), which exceeds
-    # r0 = 4 for g > .4^(1/3) = .7368.
-    policy = greedy_policy(load_world("two_decisions"), gamma)
-    assert (policy[0], policy[1]) == (first, branch)
+def test_two_decisions_change_at_two_discounts(subtests):
+    for gamma, first, branch in [(0.70, 0, 0), (0.72, 0, 1), (0.73, 0, 1), (0.74, 1, 1), (0.99, 1, 1)]:
+        with subtests.test(gamma=gamma, first=first, branch=branch):
+            # At the branch 10 g^2 > 5 for g > .7071. Before it, going on is worth g * max(5, 10 g^2), which exceeds
+            # r0 = 4 for g > .4^(1/3) = .7368.
+            policy = greedy_policy(load_world("two_decisions"), gamma)
+            assert (policy[0], policy[1]) == (first, branch)
 
 
 def test_target_policies_are_shared_or_one_a_discount():

@@ -73,9 +73,10 @@ def test_what_is_kept_here_is_what_0_2_wrote_and_is_small():
         assert set(json.loads((OLD / name / "job.json").read_text())) == {"wanted", "ticket", "begun", "error"}
 
 
-@pytest.mark.parametrize("path", sorted(checkpoints.SHIPPED.rglob("*.safetensors")), ids=lambda path: path.stem)
-def test_every_file_that_ships_opens(path):
-    if path.stem.endswith("_td"):
-        assert read_learned(path).finished
-    else:
-        assert load_checkpoint(path).step > 0
+def test_every_file_that_ships_opens(subtests):
+    for path in sorted(checkpoints.SHIPPED.rglob("*.safetensors")):
+        with subtests.test(path.stem):
+            if path.stem.endswith("_td"):
+                assert read_learned(path).finished
+            else:
+                assert load_checkpoint(path).step > 0

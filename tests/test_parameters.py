@@ -81,11 +81,12 @@ def test_what_is_no_number_has_no_range(name):
         print(parameter.bounds)
 
 
-@pytest.mark.parametrize("kind", [*SETTINGS.values(), Settings, LearnSettings], ids=lambda kind: kind.__name__)
-def test_every_field_of_the_settings_states_what_it_is(kind):
-    assert [parameter.name for parameter in schema_of(kind)] == [
-        each.name for each in fields(kind) if each.name not in ("world", "params")
-    ]
+def test_every_field_of_the_settings_states_what_it_is(subtests):
+    for kind in [*SETTINGS.values(), Settings, LearnSettings]:
+        with subtests.test(kind=kind):
+            assert [parameter.name for parameter in schema_of(kind)] == [
+                each.name for each in fields(kind) if each.name not in ("world", "params")
+            ]
 
 
 def test_settings_that_leave_nothing_open_have_the_same_schema():
@@ -94,35 +95,38 @@ def test_settings_that_leave_nothing_open_have_the_same_schema():
     assert schema_of(ResolvedLearning) == LEARN_SCHEMA
 
 
-@pytest.mark.parametrize("name", SCHEMAS)
-def test_every_default_is_in_its_range_and_has_a_sentence(name):
-    for parameter in SCHEMAS[name]:
-        assert parameter.help.endswith(".")
-        assert (parameter.low is None) == (parameter.high is None) == (parameter.type in (bool, str))
-        if parameter.default is not None:
-            assert type(parameter.default) is parameter.type
-            assert parameter.parse(parameter.default) == parameter.default
+def test_every_default_is_in_its_range_and_has_a_sentence(subtests):
+    for name in SCHEMAS:
+        with subtests.test(name=name):
+            for parameter in SCHEMAS[name]:
+                assert parameter.help.endswith(".")
+                assert (parameter.low is None) == (parameter.high is None) == (parameter.type in (bool, str))
+                if parameter.default is not None:
+                    assert type(parameter.default) is parameter.type
+                    assert parameter.parse(parameter.default) == parameter.default
 
 
-@pytest.mark.parametrize("algorithm", SETTINGS)
-def test_settings_of_an_algorithm_are_those_of_all_and_its_own(algorithm):
-    kind = SETTINGS[algorithm]
-    assert kind.SCHEMA[: len(LOOP_SCHEMA)] == LOOP_SCHEMA
-    assert {parameter.name: parameter.default for parameter in kind.SCHEMA} == kind().as_dict()
-    assert parse_named(algorithm, kind.SCHEMA, kind().as_dict()) == kind().as_dict()
+def test_settings_of_an_algorithm_are_those_of_all_and_its_own(subtests):
+    for algorithm in SETTINGS:
+        with subtests.test(algorithm=algorithm):
+            kind = SETTINGS[algorithm]
+            assert kind.SCHEMA[: len(LOOP_SCHEMA)] == LOOP_SCHEMA
+            assert {parameter.name: parameter.default for parameter in kind.SCHEMA} == kind().as_dict()
+            assert parse_named(algorithm, kind.SCHEMA, kind().as_dict()) == kind().as_dict()
 
 
-@pytest.mark.parametrize("kind", [*SETTINGS.values(), Settings, LearnSettings], ids=lambda kind: kind.__name__)
-def test_a_value_out_of_its_range_is_refused_when_the_settings_are_built(kind):
-    for parameter in schema_of(kind):
-        bad: tuple[object, ...] = ("no such word",) if parameter.choices else ("perhaps", 2)
-        if parameter.type in (int, float):
-            bad = (parameter.bounds[0] - 1, parameter.bounds[1] * 2 + 1, float("nan"), "x")
-        if parameter.type is str and not parameter.choices:
-            continue
-        for value in bad:
-            with pytest.raises(InputError, match=f"^{parameter.name} must be"):
-                kind(**{parameter.name: value})
+def test_a_value_out_of_its_range_is_refused_when_the_settings_are_built(subtests):
+    for kind in [*SETTINGS.values(), Settings, LearnSettings]:
+        with subtests.test(kind=kind):
+            for parameter in schema_of(kind):
+                bad: tuple[object, ...] = ("no such word",) if parameter.choices else ("perhaps", 2)
+                if parameter.type in (int, float):
+                    bad = (parameter.bounds[0] - 1, parameter.bounds[1] * 2 + 1, float("nan"), "x")
+                if parameter.type is str and not parameter.choices:
+                    continue
+                for value in bad:
+                    with pytest.raises(InputError, match=f"^{parameter.name} must be"):
+                        kind(**{parameter.name: value})
 
 
 def test_a_worlds_switches_keep_their_ends_in_the_list_of_worlds(capsys):

@@ -216,9 +216,8 @@ def test_rows_and_columns_know_their_time():
     assert found.row_at(1.4) == 3
 
 
-@pytest.mark.parametrize(
-    ("settings", "named"),
-    [
+def test_settings_that_do_not_fit_are_refused(subtests):
+    for settings, named in [
         ({"state": "nowhere"}, "nowhere"),
         ({"thetas": 1}, "thetas"),
         ({"steps": 0}, "steps"),
@@ -226,11 +225,9 @@ def test_rows_and_columns_know_their_time():
         ({"solver": "nonsense"}, "solver"),
         ({"gamma_min": 0.9, "gamma_max": 0.1}, "gamma-min"),
         ({"theta_min": 3.0, "theta_max": 1.0}, "theta-min"),
-    ],
-)
-def test_settings_that_do_not_fit_are_refused(settings, named):
-    with pytest.raises(InputError, match=named):
-        study(load_world("two_branch"), Settings(**settings))
+    ]:
+        with subtests.test(settings=settings, named=named), pytest.raises(InputError, match=named):
+            study(load_world("two_branch"), Settings(**settings))
 
 
 def test_a_study_too_large_to_hold_is_refused():

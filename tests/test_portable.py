@@ -50,7 +50,7 @@ PAGES = """
 from streamlit.testing.v1 import AppTest
 for screen in sys.argv[1].split(","):
     page = AppTest.from_file("app/main.py", default_timeout=120)
-    if screen != "workbench":
+    if screen != "worlds":
         page.switch_page(f"screens/{screen}.py")
     page.run()
     assert not page.exception, (screen, [each.value for each in page.exception])
@@ -102,7 +102,7 @@ def run(code: str, word: str, tmp_path: Path) -> str:
 
 def test_every_page_opens_without_what_only_unix_has(tmp_path):
     pages = re.findall(r'st\.Page\("screens/(\w+)\.py"', (ROOT / "app" / "main.py").read_text())
-    assert set(pages) == {"workbench", "agents", "race", "train"}
+    assert set(pages) == {"worlds", "agents", "race", "train"}
     assert run(PAGES, ",".join(pages), tmp_path) == "opened"
 
 

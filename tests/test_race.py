@@ -147,23 +147,27 @@ def test_progress_is_told_to_the_end_and_can_be_stopped(agent, run):
         work(stop)
 
 
-@pytest.mark.parametrize(
-    ("given_", "said"),
-    [({"first": -1}, "start"), ({"first": MOST_START + 1}, "start"), ({"count": 1}, "number of starts"),
-     ({"count": 501}, "number of starts"), ({"horizon": 0}, "horizon"), ({"left": ("best", None)}, "rule"),
-     ({"left": ("own", None)}, "fixed_horizon"), ({"left": ("matched", 0.5)}, "greedy"),
-     ({"left": ("greedy", 1.5)}, "between 0 and 1")],
-)  # fmt: skip
-def test_what_makes_no_race_is_refused(agent, given_, said):
-    rule, gamma = given_.get("left", ("greedy", None))
-    sides = Entrant(agent, rule, gamma), Entrant(agent, "fading")
-    with pytest.raises(InputError, match=said):
-        races(
-            "CartPole-v1", *sides, given_.get("horizon", 5), count=given_.get("count", 2), first=given_.get("first", 0)
-        )
-    if "count" not in given_:
-        with pytest.raises(InputError, match=said):
-            race("CartPole-v1", *sides, given_.get("first", 0), horizon=given_.get("horizon", 5))
+def test_what_makes_no_race_is_refused(subtests, agent):
+    for given_, said in [
+        ({"first": -1}, "start"), ({"first": MOST_START + 1}, "start"), ({"count": 1}, "number of starts"),
+        ({"count": 501}, "number of starts"), ({"horizon": 0}, "horizon"), ({"left": ("best", None)}, "rule"),
+        ({"left": ("own", None)}, "fixed_horizon"), ({"left": ("matched", 0.5)}, "greedy"),
+        ({"left": ("greedy", 1.5)}, "between 0 and 1"),
+    ]:  # fmt: skip
+        with subtests.test(given_=given_, said=said):
+            rule, gamma = given_.get("left", ("greedy", None))
+            sides = Entrant(agent, rule, gamma), Entrant(agent, "fading")
+            with pytest.raises(InputError, match=said):
+                races(
+                    "CartPole-v1",
+                    *sides,
+                    given_.get("horizon", 5),
+                    count=given_.get("count", 2),
+                    first=given_.get("first", 0),
+                )
+            if "count" not in given_:
+                with pytest.raises(InputError, match=said):
+                    race("CartPole-v1", *sides, given_.get("first", 0), horizon=given_.get("horizon", 5))
 
 
 def test_a_race_becomes_an_animation_of_both_sides(agent):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import inspect
 import json
+import re
 
 import numpy as np
 import pytest
@@ -79,11 +80,20 @@ def workshop(tmp_path):
     return Workshop(tmp_path)
 
 
-def assert_in_the_recipe(files):
-    """Every file that was touched is one that CONTRIBUTING.md names, or new in a folder that it names."""
+def assert_in_the_recipe(heading, files):
+    """Every file that was touched is one that the recipe names, or lies in a folder of which it names ``NAME.py``."""
     recipes = (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8")
+    (recipe,) = [text for text in recipes.split("\n## ") if text.startswith(heading)]
     for file in files:
-        assert file in recipes or f"{file.rpartition('/')[0]}/NAME.py" in recipes, file
+        assert f"`{file}`" in recipe or f"`{file.rpartition('/')[0]}/NAME.py`" in recipe, file
+
+
+def test_every_path_of_the_recipes_is_there():
+    recipes = (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8")
+    paths = re.findall(r"`((?:app|laplace_core|tests|docs)/[^`]+)`", recipes)
+    assert len(paths) > 15
+    for path in paths:
+        assert list(ROOT.glob(re.sub("NAME|ALGORITHM|ENVIRONMENT", "*", path))), path
 
 
 LAST_ENTRY = '    "last": Rule(last_action, lambda agent: agent.n_actions > 1),\n'
@@ -94,9 +104,9 @@ def test_a_rule_of_control_in_its_two_files(workshop):
     rules = "laplace_core/acting/rules.py"
     workshop.insert(rules, "@dataclass(frozen=True)\nclass Rule:", f"{inspect.getsource(last_action)}\n\n")
     workshop.insert(rules, '    "own": Rule(', LAST_ENTRY)
-    workshop.insert("app/agents/episode.py", '    "random": (', LAST_WORDS)
-    assert workshop.touched() == ["app/agents/episode.py", rules]
-    assert_in_the_recipe(workshop.touched())
+    workshop.insert("app/catalogue/rules.py", '    "random": (', LAST_WORDS)
+    assert workshop.touched() == ["app/catalogue/rules.py", rules]
+    assert_in_the_recipe("A control rule", workshop.touched())
 
     (workshop.root / "checkpoints").mkdir()
     path = workshop.root / "checkpoints" / "laplace_two_branch.safetensors"
@@ -150,7 +160,7 @@ def test_an_environment(workshop):
     (workshop.packages / "toy_switch.py").write_text(SWITCH_PACKAGE)
     workshop.insert("laplace_core/environments/catalogue.py", '    "CartPole-v0": replace(', SWITCH_ENTRY)
     assert workshop.touched() == ["laplace_core/environments/catalogue.py"]
-    assert_in_the_recipe(workshop.touched())
+    assert_in_the_recipe("An environment", workshop.touched())
 
     # Trained and evaluated by the command line.
     agent = {"checkpoint": "run:lights"}
@@ -221,7 +231,7 @@ def test_an_algorithm(workshop):
     workshop.insert(f"{agents}/registry.py", "from laplace_core.agents.laplace", HUBER_IMPORT)
     workshop.insert(f"{agents}/registry.py", "LaplaceAgent, C51Agent", "HuberAgent, ")
     assert workshop.touched() == [f"{agents}/{name}.py" for name in ("huber", "peer_settings", "registry")]
-    assert_in_the_recipe(workshop.touched())
+    assert_in_the_recipe("An algorithm", workshop.touched())
 
     # Trained and evaluated by the command line, with a setting of its own.
     (_, said), (form, card, race) = workshop.follow(
@@ -245,6 +255,86 @@ def test_an_algorithm(workshop):
     assert any("Outputs: the return up to errors of 0.5, discount 0.99." in words for words in card["captions"])
     assert any("player" in name for name in card["components"])
     assert any("track" in name for name in race["components"])
+
+
+DISCOUNT_MEASURE = '''def other_discount(look: Look) -> Artefact | None:
+    """Values read at another discount than the acting one: largest change of the true values, relative."""
+    s = look.settings
+    if not look.has_truth or s.value_gamma == s.acting_gamma:
+        return None
+    rewards = look.timeline() @ look.of_world.world.reward_values
+    steps = np.arange(rewards.size)
+    read, meant = (np.cumsum(rewards * gamma**steps) for gamma in (s.value_gamma, s.acting_gamma))
+    size = float(np.abs(read - meant).max() / max(np.abs(meant).max(), 1e-12))
+    if size < VISIBLE:
+        return None
+    return Artefact(
+        "discount of the values",
+        size,
+        f"a true value moves by up to {100 * size:.0f}% of the largest one",
+        WHY["discount of the values"],
+        (Remedy("Read values at the acting gamma", {"value_gamma": s.acting_gamma}),),
+    )
+
+
+'''
+
+DISCOUNT_EFFECT = '''    def at_another_discount(self) -> float:
+        """Largest change of a true value by its discount, as a share of the largest at the acting one."""
+        read, meant, change, largest = 0.0, 0.0, 0.0, 1e-12
+        for step, mean in enumerate(self.timeline @ self.world.reward_values):
+            read += float(mean) * self.settings.value_gamma**step
+            meant += float(mean) * self.settings.acting_gamma**step
+            change, largest = max(change, abs(read - meant)), max(largest, abs(meant))
+        return change / largest
+
+'''
+
+DISCOUNT_ENTRY = '    "discount of the values": other_discount,\n'
+DISCOUNT_LABEL = """    "discount of the values": Label(
+        Effects.at_another_discount,
+        "value gamma",
+        lambda rng, world, s: {"value_gamma": float(rng.uniform(0.1, 0.8))},
+    ),
+"""
+
+
+def test_an_artefact(workshop):
+    measures, labels = "laplace_core/study/artefacts/deadline.py", "laplace_core/experiments/labels.py"
+    workshop.insert(measures, "MEASURES: dict[", DISCOUNT_MEASURE)
+    workshop.insert(measures, '    "constant horizon": constant_horizon', DISCOUNT_ENTRY)
+    workshop.insert(labels, "    def constant(self)", DISCOUNT_EFFECT)
+    workshop.insert(labels, '    "constant horizon": Label(', DISCOUNT_LABEL)
+    assert workshop.touched() == [labels, measures]
+    assert_in_the_recipe("An artefact", workshop.touched())
+
+    decode = ("decode", "two_branch", "--explain", "--json")
+    (faulty, clean, report), (page,) = workshop.follow(
+        (*decode, "--value-gamma", "0.8"),
+        decode,
+        ("report", "detectors", "--cases", "8", "--json"),
+        pages=[("worlds", {"world": "two_branch", "action": "long", "value_gamma": "0.5"})],
+    )
+
+    # Listed by the command line where it is there, and not where it is not: the long branch pays 10 at step 2, which
+    # is 6.4 when it is read at .8, and 9.801 at .99.
+    sizes, none = (
+        {each["name"]: each["size"] for each in json.loads(said)["verdict"]["artefacts"]} for said in (faulty, clean)
+    )
+    assert sizes["discount of the values"] == pytest.approx(1 - 6.4 / 9.801)
+    assert "discount of the values" not in none
+
+    # On the page, with its sentence and, since it makes the choice wrong, its remedy.
+    assert any("discount of the values" in words and "74% of the largest" in words for words in page["artefacts"])
+    assert "Read values at the acting gamma" in page["buttons"]
+
+    # Compared with the truth by the report, which brings it about in some cases and not in others.
+    report = json.loads(report)
+    (score,) = [each for each in report["artefacts"] if each["name"] == "discount of the values"]
+    assert (score["precision"], score["recall"]) == (1.0, 1.0)
+    assert score["true_positive"] > 0
+    assert score["true_negative"] > 0
+    assert score["unthrown"] == 0
 
 
 def test_every_algorithm_says_for_itself_what_it_is_called():

@@ -160,17 +160,18 @@ def test_a_file_that_is_no_search_is_refused(subtests, tmp_path, capsys):
             assert len(capsys.readouterr().err.splitlines()) == 1
 
 
-@pytest.mark.parametrize("path", KEPT, ids=lambda path: path.stem)
-def test_a_kept_search_is_of_the_settings_that_there_are(path):
+def test_a_kept_search_is_of_the_settings_that_there_are(subtests):
     """Of today's file, or it would tell what other settings than those that ship are worth."""
-    kept = read(path)
-    _, _, _, verb, algorithm, environment, *options = kept["command"].split()
-    assert main([verb, algorithm, environment, *options, "--budget"]) == 0
-    common = dict(word.split("=") for flag, word in itertools.pairwise(options) if flag == "--set")
-    # A setting that came later than the search is at its default, as it was without it.
-    assert SETTINGS[algorithm].parse(kept["settings"]) == search.settings_for(
-        algorithm, environment, common, {}, seed=0
-    )
-    for row in kept["trials"]:
-        assert len(row["scores"]) == kept["seeds"]
-        assert row["median"] == pytest.approx(statistics.median(row["scores"]))
+    for path in KEPT:
+        with subtests.test(path.stem):
+            kept = read(path)
+            _, _, _, verb, algorithm, environment, *options = kept["command"].split()
+            assert main([verb, algorithm, environment, *options, "--budget"]) == 0
+            common = dict(word.split("=") for flag, word in itertools.pairwise(options) if flag == "--set")
+            # A setting that came later than the search is at its default, as it was without it.
+            assert SETTINGS[algorithm].parse(kept["settings"]) == search.settings_for(
+                algorithm, environment, common, {}, seed=0
+            )
+            for row in kept["trials"]:
+                assert len(row["scores"]) == kept["seeds"]
+                assert row["median"] == pytest.approx(statistics.median(row["scores"]))

@@ -17,21 +17,19 @@ from laplace_core.worlds import parse_world_bytes, world_text
 from tests.malformed_worlds import TEXT
 
 
-@pytest.mark.parametrize(
-    ("given", "sentence"),
-    [
+def test_settings_are_refused_when_they_are_built(subtests):
+    for given, sentence in [
         ({"alpha": -1}, "alpha must be a number from 0 to 1e+06, not '-1'."),
         ({"alpha": float("nan")}, "alpha must be a number from 0 to 1e+06, not 'nan'."),
         ({"steps": 2.5}, "steps must be a whole number from 1 to 2000, not '2.5'."),
         ({"policy": "mine"}, "policy must be one of shared, per_gamma, not 'mine'."),
         ({"world": None}, "world must be a name or a path, not NoneType."),
         ({"params": 5}, "params must be a mapping, or pairs, of names and values."),
-    ],
-)
-def test_settings_are_refused_when_they_are_built(given, sentence):
-    with pytest.raises(InputError) as refused:
-        Settings(**given)
-    assert str(refused.value) == sentence
+    ]:
+        with subtests.test(given=given, sentence=sentence):
+            with pytest.raises(InputError) as refused:
+                Settings(**given)
+            assert str(refused.value) == sentence
 
 
 def test_values_are_kept_in_their_own_type():

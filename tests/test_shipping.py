@@ -16,23 +16,24 @@ from laplace_core.training.loop import train
 SHIPPED = Path(__file__).resolve().parent.parent / "checkpoints"
 
 
-@pytest.mark.parametrize("entry", manifest(SHIPPED), ids=lambda entry: entry["file"])
-def test_every_shipped_checkpoint_is_what_the_manifest_says(entry):
-    path = SHIPPED / entry["file"]
-    data = path.read_bytes()
-    assert hashlib.sha256(data).hexdigest() == entry["sha256"]
-    assert len(data) <= MOST_BYTES
-    loaded = load_checkpoint(path)
-    assert entry["command"].endswith(f"train {loaded.algorithm} {loaded.environment} --seed {loaded.seed}")
-    assert loaded.settings == settings_of(loaded.algorithm, loaded.environment, {"seed": loaded.seed})
-    scores = entry["scores"]
-    assert entry["score"] == scores[entry["seed"]] == sorted(scores)[(len(scores) - 1) // 2]
-    curves = curves_of(SHIPPED, entry)
-    if "curve" in entry:
-        assert [curve.seed for curve in curves] == list(range(len(scores)))
-        best = max(zip(curves[entry["seed"]].scores, curves[entry["seed"]].steps, strict=True))
-        assert loaded.step in curves[entry["seed"]].steps
-        assert loaded.score == pytest.approx(best[0], abs=1e-3)  # the checkpoint is that of the best evaluation
+def test_every_shipped_checkpoint_is_what_the_manifest_says(subtests):
+    for entry in manifest(SHIPPED):
+        with subtests.test(entry["file"]):
+            path = SHIPPED / entry["file"]
+            data = path.read_bytes()
+            assert hashlib.sha256(data).hexdigest() == entry["sha256"]
+            assert len(data) <= MOST_BYTES
+            loaded = load_checkpoint(path)
+            assert entry["command"].endswith(f"train {loaded.algorithm} {loaded.environment} --seed {loaded.seed}")
+            assert loaded.settings == settings_of(loaded.algorithm, loaded.environment, {"seed": loaded.seed})
+            scores = entry["scores"]
+            assert entry["score"] == scores[entry["seed"]] == sorted(scores)[(len(scores) - 1) // 2]
+            curves = curves_of(SHIPPED, entry)
+            if "curve" in entry:
+                assert [curve.seed for curve in curves] == list(range(len(scores)))
+                best = max(zip(curves[entry["seed"]].scores, curves[entry["seed"]].steps, strict=True))
+                assert loaded.step in curves[entry["seed"]].steps
+                assert loaded.score == pytest.approx(best[0], abs=1e-3)  # the checkpoint is that of the best evaluation
 
 
 def test_nothing_ships_that_the_manifest_does_not_name_and_all_of_it_is_small():

@@ -65,10 +65,11 @@ def row_of(reports: str, *, by_hand: bool, others: bool) -> Row:
     return rows[0]
 
 
-@pytest.mark.parametrize(("reports", "by_hand", "others"), CASES)
-def test_the_rule_is_its_table(reports, by_hand, others):
-    row = row_of(reports, by_hand=by_hand, others=others)
-    assert is_echo(VALUES[reports], SHOWN, by_hand=by_hand, others=others) == row.dropped
+def test_the_rule_is_its_table(subtests):
+    for reports, by_hand, others in CASES:
+        with subtests.test(reports=reports, by_hand=by_hand, others=others):
+            row = row_of(reports, by_hand=by_hand, others=others)
+            assert is_echo(VALUES[reports], SHOWN, by_hand=by_hand, others=others) == row.dropped
 
 
 def test_the_table_has_no_row_beside_these_cases():

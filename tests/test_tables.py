@@ -112,22 +112,21 @@ def test_two_branch_by_hand():
 FORMULAS = ["=1+1", "+left", "-left", "@SUM(A1)", "=cmd|' /C calc'!A0"]
 
 
-@pytest.mark.parametrize(
-    "name", [*FORMULAS, "plain", 'a "quoted", name', "comma, comma", "← left", "'=1", "a=b", "кратко"]
-)
-def test_names_are_quoted_and_never_formulas(name):
-    source = load_world("two_branch")
-    world = replace(source, actions=(name, "other"), source="")
-    assert isinstance(world, World)
-    found = study(world, Settings(thetas=4))
-    for table in TABLES:
-        rows = list(csv.reader(io.StringIO(table(found))))
-        first = rows[1][0]
-        assert first == (f"'{name}" if name in FORMULAS else name)
-        assert {row[0] for row in rows[1:]} == {first, "other"}
-        assert {len(row) for row in rows} == {len(rows[0])}
-        assert table(found).encode("utf-8").decode("utf-8") == table(found)
-        assert not table(found).startswith("\ufeff")
+def test_names_are_quoted_and_never_formulas(subtests):
+    for name in [*FORMULAS, "plain", 'a "quoted", name', "comma, comma", "← left", "'=1", "a=b", "кратко"]:
+        with subtests.test(name=name):
+            source = load_world("two_branch")
+            world = replace(source, actions=(name, "other"), source="")
+            assert isinstance(world, World)
+            found = study(world, Settings(thetas=4))
+            for table in TABLES:
+                rows = list(csv.reader(io.StringIO(table(found))))
+                first = rows[1][0]
+                assert first == (f"'{name}" if name in FORMULAS else name)
+                assert {row[0] for row in rows[1:]} == {first, "other"}
+                assert {len(row) for row in rows} == {len(rows[0])}
+                assert table(found).encode("utf-8").decode("utf-8") == table(found)
+                assert not table(found).startswith("\ufeff")
 
 
 def test_a_large_tau_space_is_written_fast():

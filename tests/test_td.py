@@ -92,13 +92,14 @@ def against_loops(world, policy, schedule, *, gammas=GAMMAS, acting_gamma=0.8):
     return fast
 
 
-@pytest.mark.parametrize("mode", MODES)
-@pytest.mark.parametrize("name", ["two_decisions", "cliff_grid"])
-def test_one_update_equals_a_loop_over_discounts_and_channels(name, mode):
-    world = load_world(name, {"slip": 0.3})
-    schedule = Schedule(60, seed=3, epsilon=Decay(0.5, np.inf), max_steps=20, starts="everywhere")
-    learner = against_loops(world, a_policy(world, mode), schedule)
-    assert np.abs(learner.table).max() > 1
+def test_one_update_equals_a_loop_over_discounts_and_channels(subtests):
+    for mode in MODES:
+        for name in ["two_decisions", "cliff_grid"]:
+            with subtests.test(mode=mode, name=name):
+                world = load_world(name, {"slip": 0.3})
+                schedule = Schedule(60, seed=3, epsilon=Decay(0.5, np.inf), max_steps=20, starts="everywhere")
+                learner = against_loops(world, a_policy(world, mode), schedule)
+                assert np.abs(learner.table).max() > 1
 
 
 @given(st.data())

@@ -47,19 +47,20 @@ WORLDS = {
 }
 
 
-@pytest.mark.parametrize("given", CHOICES.values(), ids=CHOICES)
-@pytest.mark.parametrize("world", WORLDS)
-def test_the_script_repeats_a_study_of_a_named_world(world, given):
-    params = WORLDS[world]
-    chosen = parse_settings(world, params, given)
-    expected = study(load_world(world, params), chosen)
-    for settings in (chosen, expected.settings):
-        script = settings.to_python()
-        assert_same_study(script, expected)
-        assert script.count("=") >= len(given)
-    assert all(f"{name}=" in chosen.to_python() for name in given)
-    unchosen = [parameter.name for parameter in SCHEMA if parameter.name not in given]
-    assert not [name for name in unchosen if f" {name}=" in chosen.to_python()]
+def test_the_script_repeats_a_study_of_a_named_world(subtests):
+    for name, given in CHOICES.items():
+        for world in WORLDS:
+            with subtests.test(name, world=world):
+                params = WORLDS[world]
+                chosen = parse_settings(world, params, given)
+                expected = study(load_world(world, params), chosen)
+                for settings in (chosen, expected.settings):
+                    script = settings.to_python()
+                    assert_same_study(script, expected)
+                    assert script.count("=") >= len(given)
+                assert all(f"{name}=" in chosen.to_python() for name in given)
+                unchosen = [parameter.name for parameter in SCHEMA if parameter.name not in given]
+                assert not [name for name in unchosen if f" {name}=" in chosen.to_python()]
 
 
 @pytest.mark.parametrize(

@@ -34,7 +34,7 @@ ROOT = Path(__file__).resolve().parents[1]
 CHILD = """
 import json, sys
 from laplace_core.agents import LaplaceSettings
-from laplace_core.training.evaluation import evaluate
+from laplace_core.acting.evaluation import evaluate
 from laplace_core.training.events import Step
 from laplace_core.training.loop import train
 from laplace_core.supervise import Process, read_process
@@ -253,15 +253,16 @@ def test_there_must_be_a_run_to_resume(tmp_path):
         next(train(None, tmp_path, resume=True))
 
 
-@pytest.mark.parametrize(
-    "config",
-    ["", "[]", '{"algorithm": "laplace"}', '{"algorithm": [], "settings": {}}', '{"algorithm": "x", "settings": {}}',
-     '{"algorithm": "laplace", "settings": {"steps": -1}}', '{"algorithm": "laplace", "settings": {"stps": 1}}'],
-)  # fmt: skip
-def test_a_spoiled_config_is_refused(tmp_path, config):
-    (tmp_path / "config.json").write_text(config)
-    with pytest.raises(InputError):
-        next(train(None, tmp_path, resume=True))
+def test_a_spoiled_config_is_refused(subtests, tmp_path):
+    for config in [
+        "", "[]", '{"algorithm": "laplace"}', '{"algorithm": [], "settings": {}}',
+        '{"algorithm": "x", "settings": {}}', '{"algorithm": "laplace", "settings": {"steps": -1}}',
+        '{"algorithm": "laplace", "settings": {"stps": 1}}',
+    ]:  # fmt: skip
+        with subtests.test(config=config):
+            (tmp_path / "config.json").write_text(config)
+            with pytest.raises(InputError):
+                next(train(None, tmp_path, resume=True))
 
 
 @pytest.mark.parametrize("kept", [0, 5, 2_000, -1])

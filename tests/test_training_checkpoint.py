@@ -61,33 +61,32 @@ def test_a_failed_write_leaves_the_old_file_and_no_other(tmp_path, good, monkeyp
     assert os.listdir(tmp_path) == ["agent.safetensors"]
 
 
-@pytest.mark.parametrize(
-    ("text", "named"),
-    [
+def test_json_is_read_strictly(subtests):
+    for text, named in [
         ('{"a": 1, "a": 2}', "'a' stands twice"),
         ('{"a": NaN}', "contains NaN"),
         ("[" * 100_000, "nested too deeply"),
         ('{"a": ' + "9" * 10_000 + "}", "too many digits"),
         ("{", "not JSON"),
         (b"\xff", "not UTF-8"),
-    ],
-)
-def test_json_is_read_strictly(text, named):
-    with pytest.raises(InputError) as refused:
-        parse_json(text, "the text")
-    assert_one_sentence(str(refused.value), "the text", named)
+    ]:
+        with subtests.test(text=text, named=named):
+            with pytest.raises(InputError) as refused:
+                parse_json(text, "the text")
+            assert_one_sentence(str(refused.value), "the text", named)
 
 
 # Settings files
 
 
-@pytest.mark.parametrize("path", sorted(FILES.glob("*/*.json")), ids=lambda path: path.stem)
-def test_every_settings_file_fits_its_schema_and_its_name(path):
-    written = json.loads(path.read_text())
-    found = settings_of(path.parent.name, path.stem, {})
-    assert found.environment == path.stem
-    assert {name: getattr(found, name) for name in written} == written
-    assert 4 * new_agent(found).network_numbers(found, 8, 4) < MAX_BYTES
+def test_every_settings_file_fits_its_schema_and_its_name(subtests):
+    for path in sorted(FILES.glob("*/*.json")):
+        with subtests.test(path.stem, algorithm=path.parent.name):
+            written = json.loads(path.read_text())
+            found = settings_of(path.parent.name, path.stem, {})
+            assert found.environment == path.stem
+            assert {name: getattr(found, name) for name in written} == written
+            assert 4 * new_agent(found).network_numbers(found, 8, 4) < MAX_BYTES
 
 
 def test_given_settings_go_over_the_tuned_ones():

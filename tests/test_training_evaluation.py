@@ -154,9 +154,8 @@ def test_the_same_seed_evaluates_on_the_same_starts():
     np.testing.assert_array_equal(evaluate(agent, "CartPole-v1", episodes=120, seed=3).returns[:20], one)
 
 
-@pytest.mark.parametrize(
-    ("changes", "named"),
-    [
+def test_arguments_that_do_not_fit_are_refused(subtests):
+    for changes, named in [
         ({"rule": "best"}, "rule"),
         ({"episodes": 0}, "episodes"),
         ({"horizon": 0}, "horizon"),
@@ -165,11 +164,9 @@ def test_the_same_seed_evaluates_on_the_same_starts():
         ({"softness": -1.0, "rule": "readout"}, "softness"),
         ({"environment": "Acrobot-v1"}, "not trained for"),
         ({"environment": "Ant-v5"}, "Ant-v5"),
-    ],
-)
-def test_arguments_that_do_not_fit_are_refused(changes, named):
-    with pytest.raises(InputError, match=named):
-        evaluate(new_agent(TINY), **({"environment": "two_branch", "episodes": 1} | changes))
+    ]:
+        with subtests.test(changes=changes, named=named), pytest.raises(InputError, match=named):
+            evaluate(new_agent(TINY), **({"environment": "two_branch", "episodes": 1} | changes))
 
 
 def exact(agent: LaplaceAgent, name: str, state: str):
@@ -183,16 +180,23 @@ def exact(agent: LaplaceAgent, name: str, state: str):
     return study(load_world(name), settings).gamma_space
 
 
-@pytest.mark.parametrize("name", [pytest.param("fig6_chain", marks=pytest.mark.long), "two_branch"])
-def test_a_trained_network_has_the_gamma_space_of_its_world(name, tmp_path):
-    """Within 3% of the range of the exact one, in every state; and its decode shows the same picture."""
-    for _ in train(settings_of("laplace", name, {}), tmp_path / "run"):
+@pytest.mark.parametrize(
+    ("name", "changes", "near"),
+    [
+        ("two_branch", {"steps": 8_000}, 0.03),  # two thirds of what its settings file asks for
+        pytest.param("two_branch", {}, 0.03, marks=pytest.mark.long),
+        pytest.param("fig6_chain", {}, 0.03, marks=pytest.mark.long),
+    ],
+)
+def test_a_trained_network_has_the_gamma_space_of_its_world(name, changes, near, tmp_path):
+    """Within ``near`` of the range of the exact one, in every state; and its decode shows the same picture."""
+    for _ in train(settings_of("laplace", name, changes), tmp_path / "run"):
         pass
     agent, world = load_checkpoint(tmp_path / "run" / "last.safetensors").agent, load_world(name)
     for index, state in enumerate(world.states):
         found, true = agent.gamma_space(np.eye(world.n_states)[index]), exact(agent, name, state)
-        np.testing.assert_allclose(found.values, true.values, atol=0.03 * np.ptp(true.values))
-        np.testing.assert_allclose(found.constant, true.constant, atol=0.03 * np.ptp(true.values))
+        np.testing.assert_allclose(found.values, true.values, atol=near * np.ptp(true.values))
+        np.testing.assert_allclose(found.constant, true.constant, atol=near * np.ptp(true.values))
         if index == 0:
             pictures = [decode(-np.diff(space.values, axis=-1), space.gammas, 4, 0.1) for space in (found, true)]
             np.testing.assert_allclose(*pictures, atol=0.08 * pictures[1].max())

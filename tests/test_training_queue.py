@@ -216,12 +216,13 @@ def test_the_line_has_an_end(still_runs, monkeypatch):
         still_runs.resume(added_later[0])
 
 
-@pytest.mark.parametrize("name", ["", "..", "../runs", "nothing", ".lock", "a/b", "x" * 300, "\x00", "é"])
-def test_a_name_that_is_no_run_is_refused(still_runs, name):
-    for act in (still_runs.get, still_runs.stop, still_runs.resume, still_runs.remove):
-        with pytest.raises(InputError) as refused:
-            act(name)
-        assert_one_sentence(str(refused.value).replace("\x00", ""))
+def test_a_name_that_is_no_run_is_refused(subtests, still_runs):
+    for name in ["", "..", "../runs", "nothing", ".lock", "a/b", "x" * 300, "\x00", "é"]:
+        with subtests.test(name=name):
+            for act in (still_runs.get, still_runs.stop, still_runs.resume, still_runs.remove):
+                with pytest.raises(InputError) as refused:
+                    act(name)
+                assert_one_sentence(str(refused.value).replace("\x00", ""))
 
 
 def test_a_folder_that_cannot_be_made_is_refused_in_one_sentence(tmp_path):

@@ -65,18 +65,16 @@ def test_what_there_is_depends_on_what_was_read_before():
     assert notes == ["The link has an entry 'o.4' that means nothing here."]
 
 
-@pytest.mark.parametrize(
-    ("link", "note"),
-    [
+def test_a_single_entry_that_does_not_hold_is_left_out_with_one_sentence(subtests):
+    for link, note in [
         ({"books": "11"}, f"{LEFT_OUT}books must be a whole number from 0 to 10, not '11'."),
         ({"o.0": "x"}, f"{LEFT_OUT}board 0 must be a whole number from 0 to 9, not 'x'."),
         ({"b.height": "1"}, f"{LEFT_OUT}low has no parameter 'height'; it has: width."),
         ({"n" * 90: "1"}, f"The link has an entry '{'n' * 40}' that means nothing here."),
         ({"o.": "1"}, "The link has an entry 'o.' that means nothing here."),
-    ],
-)
-def test_a_single_entry_that_does_not_hold_is_left_out_with_one_sentence(link, note):
-    assert LINK.read({**link, "b.width": "2"}) == ({"shelf": "low", "b.width": 2}, [note])
+    ]:
+        with subtests.test(link=link, note=note):
+            assert LINK.read({**link, "b.width": "2"}) == ({"shelf": "low", "b.width": 2}, [note])
 
 
 def test_a_check_leaves_out_what_it_names():

@@ -15,7 +15,7 @@ from laplace_core.experiments.views import View
 from laplace_core.study.artefacts import find_artefacts
 from laplace_core.study.pipeline import basis_of
 from laplace_core.study.trials import ALPHAS, Trials
-from laplace_core.study.verdict import Verdict, judge
+from laplace_core.study.verdict import Verdict, _timeline_words, judge
 from laplace_core.worlds import END, Outcome, World, parse_world
 
 DATA = Path(__file__).parent / "data"
@@ -62,6 +62,16 @@ def test_the_timeline_is_graded_apart_from_the_choice():
     assert not verdict.faultless
     assert "Timeline of go: ruined, 49% misplaced." in verdict.sentence
     assert verdict.cause.name == "over-smoothing"
+
+
+@pytest.mark.parametrize(
+    ("size", "words"),
+    [(0.493, "49% misplaced"), (1.0, "100% misplaced"), (1.0 + 2e-16, "100% misplaced"), (1.004, "100% misplaced"),
+     (1.01, "off by 1.01 times all that truly comes"), (250.0, "off by 250 times all that truly comes")],
+)  # fmt: skip
+def test_a_timeline_is_said_to_be_off_by_more_than_all_where_its_number_is(size, words):
+    verdict = replace(at(look("fig6_chain", alpha=10.0), 4), timeline_error=size)
+    assert _timeline_words(verdict, "go") == f" Timeline of go: ruined, {words}."
 
 
 def test_a_picture_beside_all_rewards_is_not_sound():

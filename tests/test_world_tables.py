@@ -75,14 +75,15 @@ def refusal(rows, **options) -> str:
 # --- there and back ---
 
 
-@pytest.mark.parametrize("source", SOURCES)
-def test_the_rows_of_every_world_make_the_identical_world(source):
-    world = load_world(source)
-    rows = world_rows(world)
-    assert all(set(row) == set(table.COLUMNS) for row in rows)
-    assert_identical(world, back(world, rows))
-    assert world_from_rows(rows).states == world.states  # they stand in order, known beforehand or not
-    assert dump_world(back(world, rows)) == dump_world(world)
+def test_the_rows_of_every_world_make_the_identical_world(subtests):
+    for source in SOURCES:
+        with subtests.test(source=source):
+            world = load_world(source)
+            rows = world_rows(world)
+            assert all(set(row) == set(table.COLUMNS) for row in rows)
+            assert_identical(world, back(world, rows))
+            assert world_from_rows(rows).states == world.states  # they stand in order, known beforehand or not
+            assert dump_world(back(world, rows)) == dump_world(world)
 
 
 @pytest.mark.parametrize("source", ["two_branch", "gym:FrozenLake-v1"])
@@ -153,9 +154,10 @@ def test_blanks_around_names_are_forgiven_unless_they_are_part_of_a_name():
     assert spaced.next_state[0] == 2
 
 
-@pytest.mark.parametrize("cell", [0.25, "0.25", " .25 ", np.float32(0.25), np.float64(0.25), "25e-2"])
-def test_numbers_may_be_numbers_or_text(cell):
-    assert_identical(world_from_rows(PLAIN), world_from_rows(changed(1, probability=cell)))
+def test_numbers_may_be_numbers_or_text(subtests):
+    for cell in [0.25, "0.25", " .25 ", np.float32(0.25), np.float64(0.25), "25e-2"]:
+        with subtests.test(cell=cell):
+            assert_identical(world_from_rows(PLAIN), world_from_rows(changed(1, probability=cell)))
 
 
 # --- what is refused ---
@@ -180,15 +182,15 @@ def test_every_bad_cell_is_refused_by_row_and_column(number):
         assert f"row {number}, probability is" in refusal(changed(number, probability=cell))
 
 
-@pytest.mark.parametrize("state", ["END", "*", "x" * 101, "two\nlines", "\ud800"])
-def test_words_that_cannot_be_names_are_refused(state):
-    assert "row 3, state" in refusal(changed(3, state=state))
-    assert "row 1, action" in refusal(changed(1, action=state))
+def test_words_that_cannot_be_names_are_refused(subtests):
+    for state in ["END", "*", "x" * 101, "two\nlines", "\ud800"]:
+        with subtests.test(state=state):
+            assert "row 3, state" in refusal(changed(3, state=state))
+            assert "row 1, action" in refusal(changed(1, action=state))
 
 
-@pytest.mark.parametrize(
-    ("rows", "named"),
-    [
+def test_rows_that_do_not_fit_together_are_refused(subtests):
+    for rows, named in [
         (changed(2, next="end"), "row 2, next is 'end', which is no state"),
         (changed(3, state="lat"), "row 1, next is 'late'"),
         (changed(1, probability=0.5), "state 'start', action 'go' add up to 1.25; they must add up to 1"),
@@ -196,10 +198,9 @@ def test_words_that_cannot_be_names_are_refused(state):
         (changed(3, action="stay"), "state 'start' has no row for action 'stay': add one"),
         ([], "no rows"),
         ([BLANK, {}], "no rows"),
-    ],
-)
-def test_rows_that_do_not_fit_together_are_refused(rows, named):
-    assert named in refusal(rows)
+    ]:
+        with subtests.test(rows=rows, named=named):
+            assert named in refusal(rows)
 
 
 def test_a_known_state_without_rows_is_missed():

@@ -407,22 +407,23 @@ TABLES = [
 ]
 
 
-@pytest.mark.parametrize(("name", "options"), TABLES, ids=str)
-def test_toy_text_worlds_hold_gymnasiums_own_table(name, options):
-    world = load_world(f"gym:{name}", options)
-    env = gymnasium.make(name, **options).unwrapped
-    assert (world.n_states, world.n_actions) == (env.observation_space.n, env.action_space.n)
-    np.testing.assert_allclose(world.start, env.initial_state_distrib)
-    moves, paid = dense_model(world)
-    values = list(world.reward_values)
-    for s in range(world.n_states):
-        for a in range(world.n_actions):
-            for p, successor, reward, ended in env.P[s][a]:
-                paid[s, a, values.index(reward)] -= p
-                if not ended:
-                    moves[s, a, successor] -= p
-    assert np.abs(paid).max() < 1e-12
-    assert np.abs(moves).max() < 1e-12
+def test_toy_text_worlds_hold_gymnasiums_own_table(subtests):
+    for name, options in TABLES:
+        with subtests.test(name=name, options=options):
+            world = load_world(f"gym:{name}", options)
+            env = gymnasium.make(name, **options).unwrapped
+            assert (world.n_states, world.n_actions) == (env.observation_space.n, env.action_space.n)
+            np.testing.assert_allclose(world.start, env.initial_state_distrib)
+            moves, paid = dense_model(world)
+            values = list(world.reward_values)
+            for s in range(world.n_states):
+                for a in range(world.n_actions):
+                    for p, successor, reward, ended in env.P[s][a]:
+                        paid[s, a, values.index(reward)] -= p
+                        if not ended:
+                            moves[s, a, successor] -= p
+            assert np.abs(paid).max() < 1e-12
+            assert np.abs(moves).max() < 1e-12
 
 
 @pytest.mark.parametrize("rain", [False, True])

@@ -51,6 +51,8 @@ for screen, query in asked:
         "options": {box.key: box.options for box in page.selectbox},
         "sliders": [slider.label for slider in page.slider],
         "numbers": {number.key: number.value for number in page.number_input},
+        "artefacts": [block.proto.body for block in page.get("html") if 'class="artefact"' in block.proto.body],
+        "buttons": [button.label for button in page.button],
         "verdict": [block.proto.body for block in page.get("html") if "race-verdict" in block.proto.body],
         "components": [block.proto.component_name for block in page.get("bidi_component")],
     })

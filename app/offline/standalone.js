@@ -2463,6 +2463,13 @@ function numbers(values, scale, chosen, names) {
   const [first, second] = inWords([values[chosen], values[rival]], scale, true);
   return ` (${first} v ${second}${values.length > 2 ? ` for ${names[rival]}` : ""})`;
 }
+var gradeOf = (timeline) => timeline <= SOUND ? "sound" : timeline <= RUINED ? "smeared" : "ruined";
+function timelineWords(timeline, name) {
+  const grade = gradeOf(timeline), share = Math.round(100 * timeline);
+  if (grade === "sound") return "";
+  const off = share <= 100 ? `${share}% misplaced` : `off by ${short(timeline)} times all that truly comes`;
+  return ` Timeline of ${name}: ${grade}, ${off}.`;
+}
 function judged(model, state, seen) {
   const names = model.header.actions, row = seen.readRow, values = seen.values.map((line2) => line2[row]);
   const T = short(model.horizons[row]), left = short(model.horizons[seen.leftRow]);
@@ -2476,8 +2483,7 @@ function judged(model, state, seen) {
   }
   const optimum = seen.optimumAt(seen.leftRow), true_ = seen.truth.values.map((line2) => line2[seen.leftRow]);
   const timeline = timelineError(model, state, seen), error = Math.max(...values.map((value, a) => Math.abs(value - seen.truth.hard[a][seen.leftRow])));
-  const grade = timeline <= SOUND ? "sound" : timeline <= RUINED ? "smeared" : "ruined";
-  const rows = grade === "sound" ? "" : timeline <= 1 ? ` Timeline of ${names[state.action]}: ${grade}, ${Math.round(100 * timeline)}% misplaced.` : ` Timeline of ${names[state.action]}: ruined, off by ${short(timeline)} times all that truly comes.`;
+  const rows = timelineWords(timeline, names[state.action]);
   if (seen.regret > tieSize(Math.max(...optimum), Math.max(...optimum.map(Math.abs)))) {
     return {
       tone: "bad",
@@ -2490,7 +2496,7 @@ function judged(model, state, seen) {
   const offs = true_.map(
     (value, a) => scale > 0 ? Math.abs(value - values[a]) / scale : Math.abs(value - values[a]) > tieSize(0, seen.scale) ? Infinity : 0
   ), worst = offs.indexOf(Math.max(...offs));
-  const tone = offs[worst] > VALUE_TOLERANCE ? "warn" : grade === "sound" ? "ok" : grade;
+  const grade = gradeOf(timeline), tone = offs[worst] > VALUE_TOLERANCE ? "warn" : grade === "sound" ? "ok" : grade;
   if (model.A === 1) {
     const [decoded2, truly2] = inWords([values[0], true_[0]], seen.scale);
     return {

@@ -3,7 +3,7 @@
 What is seen has two owners, the server and the hand in the browser, and this is how they keep from undoing each other:
 
 1. **Payloads.** A message names its payload, and carries it only where the browser does not hold it. The browser keeps
-   the last few (``HELD`` in ``lens/entry.js`` and ``cursor/cursor.js``), and :attr:`Channel.held` mirrors which. Where
+   the last few (``HELD`` in ``lens/models.js`` and ``cursor/cursor.js``), and :attr:`Channel.held` mirrors which. Where
    the two differ, after a reload say, the browser answers ``missing``; then Python forgets what it believed and sends
    the payload with its next message.
 2. **Revisions.** A message has a revision. A component takes over the state of a message only if the revision differs

@@ -180,7 +180,7 @@ def _more(run: Run, curves: Curves | None) -> None:
             copy_button("Copy the command", shlex.join(["python", "-m", "laplace_core", *words]), f"command {run.name}")
         st.caption(f"In {run.folder}")
         if run.name in session.part(_Cards).to_remove:
-            st.button("Yes, remove it for good", key=f"yes {run.name}", type="primary", width="stretch",
+            st.button(f"Yes, remove {run.name} for good", key=f"yes {run.name}", type="primary", width="stretch",
                       on_click=_remove, args=(run.name,))  # fmt: skip
         else:
             st.button("Remove ...", key=f"remove {run.name}", width="stretch", on_click=_ask, args=(run.name,))

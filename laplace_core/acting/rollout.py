@@ -51,6 +51,7 @@ class Rollout:
         spaces, constants: gamma-space ``(N, A, G, H)`` and its constant channel ``(N, A, G)``, float32; None for an
             agent that has none.
         thetas, gammas: their axes.
+        places: ``(H,)``, of the thetas on the axis of the activation; see :class:`GammaSpace`.
         frames: ``(N + 1,)`` JPEG files; empty if there are none.
     """
 
@@ -73,6 +74,7 @@ class Rollout:
     constants: np.ndarray | None = None
     gammas: np.ndarray | None = None
     thetas: np.ndarray | None = None
+    places: np.ndarray | None = None
     frames: tuple[bytes, ...] = ()
 
     def __len__(self) -> int:
@@ -93,7 +95,7 @@ class Rollout:
         if self.spaces is None or self.constants is None or self.gammas is None or self.thetas is None:
             raise InputError("this agent has no gamma-space.")
         values, constant = self.spaces[step].astype(float), self.constants[step].astype(float)
-        return GammaSpace(values, constant, self.gammas, self.thetas, open_ends=True)
+        return GammaSpace(values, constant, self.gammas, self.thetas, open_ends=True, places=self.places)
 
     @property
     def bytes(self) -> int:
@@ -267,12 +269,12 @@ def _returns_and_td_errors(
     return predicted, received, rewards + gamma * following - predicted
 
 
-_GammaSpaceArrays = tuple[np.ndarray | None, np.ndarray | None, np.ndarray | None, np.ndarray | None]
-_NONE: _GammaSpaceArrays = (None, None, None, None)
+_GammaSpaceArrays = tuple[np.ndarray | None, np.ndarray | None, np.ndarray | None, np.ndarray | None, np.ndarray | None]
+_NONE: _GammaSpaceArrays = (None, None, None, None, None)
 
 
 def _spaces(agent: Agent, observations: np.ndarray) -> _GammaSpaceArrays:
-    """``spaces``, ``constants``, ``gammas``, ``thetas``; the network computes in single precision: nothing is lost."""
+    """``spaces``, ``constants`` and their axes; the network computes in single precision: nothing is lost."""
     if not isinstance(agent, HasGammaSpace):
         return _NONE
     parts = [
@@ -280,7 +282,7 @@ def _spaces(agent: Agent, observations: np.ndarray) -> _GammaSpaceArrays:
         for i in range(0, len(observations), _AT_ONCE)
     ]
     spaces, constants = (np.concatenate(column) for column in zip(*parts, strict=True))
-    return spaces, constants, np.asarray(agent.gammas), np.asarray(agent.thetas)
+    return spaces, constants, np.asarray(agent.gammas), np.asarray(agent.thetas), agent.sensitivities.places
 
 
 def _in_parts(read: Callable[[np.ndarray], np.ndarray], observations: np.ndarray) -> np.ndarray:

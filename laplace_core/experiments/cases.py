@@ -26,12 +26,17 @@ KINDS = ("short", "lasting")
 BASE_ALPHA = {"short": 1e-11, "lasting": 1e-9}
 """Near rounding; the longer the timeline, the sooner that is reached."""
 MOST_ROWS = 400
+CHANCE = 0.3
+"""Of a switch to be thrown, but for those of :data:`CHANCES`."""
 CHANCES = {
     "short": {"per gamma": 0.5, "constant": 0.6},
     "lasting": {"per gamma": 0.5, "constant": 0.4},
 }
-"""Of a switch to be thrown: .3, but for two that change nothing in many worlds."""
+"""Of two switches that change nothing in many worlds."""
 EXCLUSIVE = (("blur", "quantisation"), ("smearing", "ringing"), ("rescaling", "conditional"))
+
+Switch = Callable[[np.random.Generator, World, ResolvedForWorld], dict[str, Any]]
+"""Draws its strength and returns the settings that it changes."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -50,8 +55,19 @@ class Case:
     switched: tuple[str, ...]
 
 
-def draw_case(rng: np.random.Generator, chances: Mapping[str, float] | None = None, kind: str = "short") -> Case:
-    """A random case of one of :data:`KINDS`; ``chances`` overrides :data:`CHANCES` by the name of a switch."""
+def draw_case(
+    rng: np.random.Generator,
+    chances: Mapping[str, float] | None = None,
+    kind: str = "short",
+    more: Mapping[str, Switch] | None = None,
+) -> Case:
+    """A random case of one of :data:`KINDS`.
+
+    Args:
+        chances: of a switch to be thrown, by its name, in place of :data:`CHANCES`.
+        more: switches beside :data:`SWITCHES`. They are drawn last, so that all else of a case stays as it is without
+            them.
+    """
     if kind == "short":
         world = short_world(rng)
         base = _base(rng, world, _longest(world) + int(rng.integers(1, 3)), kind)
@@ -60,7 +76,8 @@ def draw_case(rng: np.random.Generator, chances: Mapping[str, float] | None = No
         dt = float(rng.choice([1.0, 0.5, 0.25], p=[0.6, 0.2, 0.2]))
         steps = max(2, round(length * rng.choice([0.5, 1.0, 1.0, 1.3]) / dt))
         base = _base(rng, world, min(steps, MOST_ROWS, round(200 / dt)), kind, time_step=dt)
-    chances = dict.fromkeys(SWITCHES, 0.3) | CHANCES[kind] | dict(chances or {})
+    more = more or {}
+    chances = dict.fromkeys((*SWITCHES, *more), CHANCE) | CHANCES[kind] | dict(chances or {})
     switched = tuple(name for name in SWITCHES if rng.random() < chances[name])
     for pair in EXCLUSIVE:
         if set(pair) <= set(switched):
@@ -69,7 +86,11 @@ def draw_case(rng: np.random.Generator, chances: Mapping[str, float] | None = No
     settings = base
     for name in switched:
         settings = replace(settings, **SWITCHES[name](rng, world, settings))
-    return Case(world, int(rng.integers(world.n_actions)), base, settings, switched)
+    action = int(rng.integers(world.n_actions))
+    for name, throw in more.items():
+        if rng.random() < chances[name]:
+            settings, switched = replace(settings, **throw(rng, world, settings)), (*switched, name)
+    return Case(world, action, base, settings, switched)
 
 
 def _base(rng: np.random.Generator, world: World, steps: int, kind: str, *, time_step: float = 1.0) -> ResolvedForWorld:
@@ -161,7 +182,7 @@ def _noisy(rng: np.random.Generator, world: World, s: ResolvedForWorld) -> dict[
     return {"noise": float(min(1.0, moved / one)), "noise_seed": int(rng.integers(2**31))}
 
 
-SWITCHES: dict[str, Callable[[np.random.Generator, World, ResolvedForWorld], dict[str, Any]]] = {
+SWITCHES: dict[str, Switch] = {
     "rescaling": lambda rng, world, s: {"normalise": "paper"},
     "per gamma": lambda rng, world, s: {"policy": "per_gamma"},
     "few rows": _few_rows,

@@ -13,7 +13,7 @@ import numpy as np
 
 from laplace_core.errors import InputError
 from laplace_core.experiments.cases import KINDS, Case, draw_case
-from laplace_core.experiments.labels import Effects
+from laplace_core.experiments.labels import LABELS, OWN_SWITCHES, Effects
 from laplace_core.study.artefacts import MEASURES, VISIBLE, find_artefacts
 from laplace_core.study.pipeline import study
 
@@ -104,7 +104,8 @@ def compare(cases: int, seed: int, kind: str = "short") -> Iterator[Compared]:
     if not 0 <= seed < 2**31:
         raise InputError(f"seed is {seed}; it must be from 0 to 2147483647.")
     for number in range(cases):
-        case = draw_case(np.random.default_rng([seed, number, KINDS.index(kind)]), kind=kind)
+        rng = np.random.default_rng([seed, number, KINDS.index(kind)])
+        case = draw_case(rng, kind=kind, more=OWN_SWITCHES)
         listed = find_artefacts(study(case.world, case.settings), case.action, searching=False)
         sizes = dict.fromkeys(MEASURES, 0.0) | {artefact.name: artefact.size for artefact in listed}
         yield Compared(case, Effects(case).all(), sizes)
@@ -116,28 +117,11 @@ def score(compared: list[Compared]) -> list[Score]:
     for name in MEASURES:
         present = np.array([one.effects[name] > VISIBLE for one in compared])
         listed = np.array([one.sizes[name] > 0.0 for one in compared])
-        thrown = np.array([bool(SWITCHES_OF[name] & set(one.case.switched)) for one in compared])
+        thrown = np.array([LABELS[name].switch in one.case.switched for one in compared])
         counts: tuple[np.ndarray, ...] = (present & listed, ~present & listed, present & ~listed, ~present & ~listed)
         counts += (thrown, thrown & ~present, present & ~thrown)
         scores.append(Score(name, *(int(count.sum()) for count in counts)))
     return scores
-
-
-SWITCHES_OF: Mapping[str, set[str]] = {
-    "repeated reward": {"rescaling"},
-    "conditional rewards": {"conditional"},
-    "mixed policies": {"per gamma"},
-    "noise amplification": {"noise"},
-    "folding": {"few rows"},
-    "edge clipping": {"narrow edges"},
-    "slope blur": {"blur"},
-    "reward quantisation": {"quantisation"},
-    "over-smoothing": {"smearing"},
-    "negative mass": {"ringing"},
-    "soft deadline": {"softness"},
-    "constant horizon": {"constant"},
-}
-"""The switch that is meant for each artefact; others may bring it about as well."""
 
 
 TITLES: Mapping[str, str] = {

@@ -10,13 +10,14 @@ where another grid or operator would draw another.
 
 from __future__ import annotations
 
-from dataclasses import replace
+from collections.abc import Callable
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
 
 from laplace_core.code.gamma_space import encode
-from laplace_core.experiments.cases import Case, spacing_of
+from laplace_core.experiments.cases import Case, Switch, spacing_of
 from laplace_core.inverse import decode_matrix
 from laplace_core.planning import greedy_policy, target_policies
 from laplace_core.study.artefacts import VISIBLE
@@ -42,20 +43,7 @@ class Effects:
         self.policy = greedy_policy(case.world, case.settings.acting_gamma)
 
     def all(self) -> dict[str, float]:
-        return {
-            "repeated reward": self.invented(),
-            "conditional rewards": self.conditional(),
-            "mixed policies": self.mixed(),
-            "noise amplification": self.noise(),
-            "folding": self.folded(),
-            "edge clipping": self.clipped(),
-            "slope blur": self.blurred(),
-            "reward quantisation": self.rounded(),
-            "over-smoothing": self.smeared(),
-            "negative mass": self.negative(),
-            "soft deadline": self.softened(),
-            "constant horizon": self.constant(),
-        }
+        return {name: label.effect(self) for name, label in LABELS.items()}
 
     def by_reward(self, bins: np.ndarray) -> np.ndarray:
         """Midpoints ``(..., H-1)`` counted for the reward nearest to each, ``(..., V)``."""
@@ -311,3 +299,37 @@ class Effects:
             losses.append(float(to_go[start] - constant[start]))
             best_values.append(abs(float(best[start])))
         return max(losses) / max(best_values)
+
+
+@dataclass(frozen=True)
+class Label:
+    """How the report brings one artefact about, and how it knows that it is there.
+
+    Attributes:
+        effect: the change that turning the artefact off makes, in the unit of the artefact's size.
+        switch: of the cases, meant for this artefact; others may bring it about as well.
+        throw: what that switch does, where it is none of :data:`laplace_core.experiments.cases.SWITCHES`.
+    """
+
+    effect: Callable[[Effects], float]
+    switch: str
+    throw: Switch | None = None
+
+
+LABELS: dict[str, Label] = {
+    "repeated reward": Label(Effects.invented, "rescaling"),
+    "conditional rewards": Label(Effects.conditional, "conditional"),
+    "mixed policies": Label(Effects.mixed, "per gamma"),
+    "noise amplification": Label(Effects.noise, "noise"),
+    "folding": Label(Effects.folded, "few rows"),
+    "edge clipping": Label(Effects.clipped, "narrow edges"),
+    "slope blur": Label(Effects.blurred, "blur"),
+    "reward quantisation": Label(Effects.rounded, "quantisation"),
+    "over-smoothing": Label(Effects.smeared, "smearing"),
+    "negative mass": Label(Effects.negative, "ringing"),
+    "soft deadline": Label(Effects.softened, "softness"),
+    "constant horizon": Label(Effects.constant, "constant"),
+}
+"""The true effect of every artefact, by the name of :data:`laplace_core.study.artefacts.MEASURES`."""
+OWN_SWITCHES: dict[str, Switch] = {label.switch: label.throw for label in LABELS.values() if label.throw is not None}
+"""Switches that are stated here and not with the cases."""

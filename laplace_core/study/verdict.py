@@ -155,7 +155,7 @@ def _timeline_words(verdict: Verdict, name: str) -> str:
     size = verdict.timeline_error
     if verdict.timeline == "sound" or size is None:
         return ""
-    if size <= 1.0:
+    if round(100 * size) <= 100:  # where all is misplaced, rounding may add to it
         return f" Timeline of {name}: {verdict.timeline}, {100 * size:.0f}% misplaced."
     return f" Timeline of {name}: ruined, off by {size:.3g} times all that truly comes."
 

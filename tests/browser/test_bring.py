@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import re
 
-import numpy as np
 import pytest
 from playwright.sync_api import expect
 
@@ -14,7 +13,7 @@ from app.worlds.sources import FIRST_TIMELINE
 from laplace_core import Settings, load_world, study, study_of_gamma_space
 from laplace_core.study.npz import read_gamma_space
 from laplace_core.worlds import dump_world, parse_world
-from tests.browser.test_workbench import open_at, tau_space
+from tests.browser.support import comes_to_show, open_at, settled
 from tests.malformed_saved import with_arrays
 from tests.malformed_worlds import TEXT
 
@@ -37,29 +36,27 @@ TOO_WIDE = """() => {
 }"""
 
 
-def comes_to_show(page, expected: np.ndarray) -> None:
-    """Wait until the tau-space is drawn as expected."""
-    for _ in range(150):
-        drawn = tau_space(page)
-        if drawn.shape == expected.shape and np.allclose(drawn, expected, rtol=1e-4, atol=1e-5):
-            return
-        page.wait_for_timeout(100)
-    np.testing.assert_allclose(tau_space(page), expected, rtol=1e-4, atol=1e-5)
+def selected(table, row: int, column: int) -> None:
+    """Wait until the table says that this cell is the selected one."""
+    cell = table.locator(f"#glide-cell-{column + 1}-{row}")  # the tick boxes are column 0
+    expect(cell).to_have_attribute("aria-selected", "true")
 
 
 def type_into_table(page, row: int, column: int, text: str) -> None:
     """Go to a cell of the table by the keyboard and type over it."""
     table = page.locator('[data-testid="stDataFrame"]')
+    table.locator("canvas[data-testid=data-grid-canvas]").wait_for()
     table.scroll_into_view_if_needed()
-    page.wait_for_timeout(500)
+    settled(page)
     box = table.bounding_box()
     page.mouse.click(box["x"] + 90, box["y"] + 52)  # the first cell, under the header and beside the tick boxes
-    for _ in range(row):
-        page.wait_for_timeout(100)
+    selected(table, 0, 0)
+    for i in range(row):
         page.keyboard.press("ArrowDown")
-    for _ in range(column):
-        page.wait_for_timeout(100)
+        selected(table, i + 1, 0)
+    for i in range(column):
         page.keyboard.press("ArrowRight")
+        selected(table, row, i + 1)
     page.keyboard.press("Enter")  # opens the cell
     cell = page.locator("#portal input")
     expect(cell).to_be_focused()
@@ -93,10 +90,10 @@ def test_edits_are_there_again_after_back(page, address):
     page.get_by_role("combobox", name="World").fill("double")
     page.keyboard.press("Enter")
     expect(page).to_have_url(re.compile("world=double_chain"))
-    page.wait_for_timeout(1_500)
+    settled(page)
     page.go_back()
     expect(verdict).to_contain_text("choose short")
-    page.wait_for_timeout(1_500)
+    settled(page)
     assert page.url == edited
 
 
@@ -105,16 +102,10 @@ def test_a_timeline_is_drawn_by_hand(page, address):
     page.get_by_text("Bring your own").click()
     page.get_by_role("button", name="Draw a timeline").click()
     expect(page.get_by_text("your timeline: at future step tau")).to_be_visible()
-    page.wait_for_timeout(500)
     type_into_table(page, 0, 2, "7")
-    expect(page).to_have_url(re.compile("timeline="))
-    for _ in range(100):
-        rows = json.loads(unpack(re.search("timeline=([^&]+)", page.url)[1]))["rows"]
-        if rows[0] == ["now", 0, 7, 1]:
-            break
-        page.wait_for_timeout(100)
+    settled(page)  # the link is written first, the file at the end of the same run
+    rows = json.loads(unpack(re.search("timeline=([^&]+)", page.url)[1]))["rows"]
     assert rows[0] == ["now", 0, 7, 1]
-    page.wait_for_timeout(2_000)  # the link is written first, the file at the end of the same run
     with page.expect_download() as waiting:
         page.get_by_role("button", name="Download world").click()
     world = parse_world(waiting.value.path().read_text())
@@ -150,10 +141,8 @@ def test_files_are_dropped_in_and_bad_ones_refused(page, address):
     ],
     ids=["desktop", "own", "timeline", "learned"],
 )
-def test_nothing_is_wider_than_the_screen_with_every_section_open(chromium, address, width, height, query):
-    context = chromium.new_context(viewport={"width": width, "height": height})
-    context.set_default_timeout(60_000)
-    page = context.new_page()
+def test_nothing_is_wider_than_the_screen_with_every_section_open(page, address, width, height, query):
+    page.set_viewport_size({"width": width, "height": height})
     pinned = pack(json.dumps({"world": "two_branch"}))
     open_at(page, address, f"{query}&pin={pinned}")
     page.wait_for_selector(".js-plotly-plot[data-name='compare B - A'] .main-svg")
@@ -166,4 +155,3 @@ def test_nothing_is_wider_than_the_screen_with_every_section_open(chromium, addr
         page.wait_for_function(WITHIN, arg=name)  # it is put into place after it is shown
         page.keyboard.press("Escape")
         expect(popover).to_have_count(0)
-    context.close()

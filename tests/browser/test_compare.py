@@ -12,7 +12,7 @@ from laplace_core import Settings, load_world, study
 from laplace_core.study.compare import difference
 from laplace_core.study.npz import study_arrays
 from laplace_core.study.tables import gamma_space_csv, rewards_csv, tau_space_csv, values_csv
-from tests.browser.test_workbench import open_at
+from tests.browser.support import open_at, settled
 
 pytestmark = pytest.mark.browser
 
@@ -35,7 +35,7 @@ def test_pin_change_and_see_three_maps(page, address):
     expect(page.get_by_text("A and B show the same tau-space")).to_be_visible()
     page.get_by_label("rows of tau-space").select_option("paper")
     expect(page.get_by_text(re.compile("largest change of the tau-space"))).to_be_visible()
-    page.wait_for_timeout(500)
+    settled(page)
     a, b = (study(load_world("two_branch"), Settings(normalise=how)) for how in ("none", "paper"))
     found = difference(a, b, 0, 0)
     for name, expected in zip(MAPS, (found.a, found.b, found.difference), strict=True):

@@ -15,6 +15,7 @@ from laplace_core.acting.return_laws import return_laws, simulate_returns
 from laplace_core.acting.rollout import roll_out
 from laplace_core.agents.settings import QrdqnSettings
 from laplace_core.training.checkpoint import new_agent, save_checkpoint
+from tests.browser.support import settled
 
 pytestmark = pytest.mark.browser
 STEP = 6
@@ -51,8 +52,8 @@ def test_a_peer_from_a_file_is_scrubbed_and_held_against_what_comes(page, addres
     page.locator("input[name=step]").evaluate(scrub, STEP)
     # The picture follows the hand, and is the server's own once the step is heard.
     law = return_laws(agent, rollout.observations[STEP])[0]
-    for settled in (False, True):
-        if settled:
+    for heard in (False, True):
+        if heard:
             page.wait_for_url(f"**r.at={STEP}*")
             expect(page.get_by_text(f"at step {STEP}, then each agent's own greedy policy, once")).to_be_visible()
         page.wait_for_function(
@@ -74,7 +75,7 @@ def test_a_peer_from_a_file_is_scrubbed_and_held_against_what_comes(page, addres
     panel = page.locator("[data-name=codes]").get_by_text(f"W1 {came.distance(wanted):.3g}", exact=True)
     expect(panel).to_be_visible()
 
-    page.wait_for_timeout(2_000)  # until the run of the page has ended, which gives the button its file
+    settled(page)  # the run of the page gives the button its file at its end
     with page.expect_download() as download:
         page.get_by_role("button", name="Save returns (NPZ)").click()
     file = np.load(io.BytesIO(Path(download.value.path()).read_bytes()))

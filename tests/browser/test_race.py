@@ -59,7 +59,7 @@ def test_to_move_the_cursor_needs_no_server_and_it_plays(page, address, sides):
     one = race(*sides, START, horizon=T)
     page.goto(f"{address}/race?d.T={T}&d.start={START}")
     page.locator(".laplace-track canvas").wait_for()
-    page.context.route("**/*", lambda route: route.abort())  # whatever is not there by now does not come
+    page.route("**/*", lambda route: route.abort())  # whatever is not there by now does not come
     for step in (0, 1, 7, T):
         page.locator("input[name=over]").evaluate(
             "(input, step) => { input.value = step; input.dispatchEvent(new Event('input')); }", step

@@ -15,6 +15,7 @@ from laplace_core.acting.rollout import roll_out
 from laplace_core.acting.simulated_truth import empirical
 from laplace_core.inverse import decode
 from laplace_core.training.checkpoint import load_checkpoint
+from tests.browser.support import settled
 from tests.browser.test_agents import saved, scrub
 
 pytestmark = pytest.mark.browser
@@ -30,7 +31,6 @@ def columns(text: str) -> dict[str, list[str]]:
 
 def test_continuations_are_drawn_held_against_tau_space_and_gone_with_their_state(page, address):
     query = f"checkpoint={NAME}&r.shown=yes&r.seed={SEED}&r.rule=fading&r.horizon={T}&r.at={STEP}&action=main engine"
-    page.set_default_timeout(180_000)  # a rollout and a simulation, perhaps beside other work
     page.goto(f"{address}/agents?{query}")
     page.locator(".laplace-player canvas").wait_for()
     page.locator("canvas.tau-space").wait_for()
@@ -57,7 +57,7 @@ def test_continuations_are_drawn_held_against_tau_space_and_gone_with_their_stat
     page.locator("input[name=alpha]").evaluate(
         "(input) => { input.value = 250; input.dispatchEvent(new Event('input')); }"  # held, not let go of
     )
-    page.wait_for_timeout(500)
+    settled(page)
     assert check() < before / 2
 
     scrub(page, STEP + 3)

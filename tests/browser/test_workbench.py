@@ -9,20 +9,10 @@ import numpy as np
 import pytest
 from playwright.sync_api import expect
 
-from bench.browser import module_of
 from laplace_core.cli import main
+from tests.browser.support import comes_to_differ, module_of, open_at, runs_asked, settled, tau_space
 
 pytestmark = pytest.mark.browser
-
-
-DRAWN = """() => document.querySelector('.laplace-lens')?.lens?.seen
-  && (!document.querySelector('.laplace-lens .world') || document.querySelector('.laplace-lens .world .main-svg'))"""
-
-
-def open_at(page, address, query=""):
-    page.goto(f"{address}/?{query}" if query else address)
-    page.wait_for_function(DRAWN)
-    return page.locator(".laplace-lens .verdict")
 
 
 def test_the_first_view_and_both_remedies(page, address):
@@ -45,18 +35,8 @@ def test_a_slider_moves_the_picture_at_once_and_the_link_on_release(page, addres
     page.locator("input[name=alpha]").focus()
     for _ in range(8):
         page.keyboard.press("ArrowLeft")
-    page.wait_for_timeout(100)
-    assert not np.array_equal(tau_space(page), before)
+    comes_to_differ(page, before)
     expect(page).to_have_url(re.compile(r"alpha=0\.1[0-9]*"))
-
-
-def tau_space(page) -> np.ndarray:
-    """The decoded probabilities that the lens draws, ``(steps, sensitivities - 1)``."""
-    values, rows = page.evaluate(
-        """() => { const { seen } = document.querySelector('.laplace-lens').lens;
-        return [Array.from(seen.tau), seen.n]; }"""
-    )
-    return np.array(values).reshape(rows, -1)
 
 
 def test_the_download_equals_what_the_shown_command_computes(page, address, tmp_path):
@@ -92,14 +72,13 @@ def test_a_click_on_a_state_looks_from_there(page, address):
 
 @pytest.mark.parametrize("scheme", ["light", "dark"])
 @pytest.mark.parametrize(("width", "height"), [(1440, 900), (390, 844)])
-def test_nothing_is_wider_than_the_screen_and_the_verdict_comes_first(chromium, address, scheme, width, height):
-    context = chromium.new_context(viewport={"width": width, "height": height}, color_scheme=scheme)
-    page = context.new_page()
+def test_nothing_is_wider_than_the_screen_and_the_verdict_comes_first(page, address, scheme, width, height):
+    page.set_viewport_size({"width": width, "height": height})
+    page.emulate_media(color_scheme=scheme)
     verdict = open_at(page, address)
     expect(verdict).to_be_visible()
     assert page.evaluate("() => document.documentElement.scrollWidth <= window.innerWidth + 1")
     assert verdict.bounding_box()["y"] < height / 3
-    context.close()
 
 
 def test_the_page_does_not_jump_between_verdicts(page, address):
@@ -138,19 +117,18 @@ def test_no_picture_is_offered_to_a_third_party(page, address):
 
 
 def test_a_release_is_answered_without_sending_the_payload_again(page, address):
-    received: list[int] = []
-    page.on("websocket", lambda socket: socket.on("framereceived", lambda frame: received.append(len(frame))))
     open_at(page, address, "world=cliff_grid")
-    page.wait_for_timeout(1000)
-    opening = max(received)
-    page.locator("input[name=alpha]").press("ArrowLeft")
-    expect(page).to_have_url(re.compile("alpha="))
-    page.wait_for_timeout(1000)
-    received.clear()
-    page.locator("input[name=alpha]").press("ArrowLeft")
-    page.wait_for_timeout(1500)
-    assert received
-    assert max(received) < 0.5 * opening
+    settled(page)
+    largest = "() => Math.max(...window.watched.received.splice(0))"
+    opening = page.evaluate(largest)
+    for _ in range(2):
+        before, link = runs_asked(page), page.url
+        page.locator("input[name=alpha]").press("ArrowLeft")
+        settled(page)
+        assert runs_asked(page) == before + 1
+        assert page.url != link
+        answer = page.evaluate(largest)
+    assert 0 < answer < 0.5 * opening
     assert "cliff_grid" in page.url
 
 
@@ -158,12 +136,12 @@ def test_a_browser_that_has_lost_the_payload_asks_for_it(page, address):
     open_at(page, address, "world=two_branch")
     page.locator("input[name=alpha]").press("ArrowLeft")
     expect(page).to_have_url(re.compile("alpha="))
-    page.wait_for_timeout(500)
+    settled(page)
     models = module_of(page, "lens/models.js")
     models.evaluate("({ models }) => models.clear()")
     page.locator("input[name=alpha]").press("ArrowLeft")
     expect(page).to_have_url(re.compile("alpha=0.18"))
-    page.wait_for_timeout(1500)
+    settled(page)
     assert models.evaluate("({ models }) => models.size") == 1
 
 

@@ -21,21 +21,23 @@ const message = (about, payload = [1]) => {
   return data;
 };
 
-let made, draw;
+let made, draw, answers;
 beforeEach(() => {
   globalThis.document = { createElement: elementOf };
   made = [];
+  answers = [];
   draw = component({
     kind: `test ${Math.random()}`,
     open: () => ({}),
-    mount(host, opened, { at }) {
+    mount(host, opened, { at }, report) {
       const cursor = { step: at, to: (step) => (cursor.step = step) };
-      made.push({ host, cursor });
+      made.push({ host, cursor, report });
       return { stop() {}, place: (step) => (cursor.step = step), cursor };
     },
   });
 });
-const sent = (parentElement, about) => draw({ data: message(about), parentElement, setTriggerValue() {} });
+const sent = (parentElement, about) =>
+  draw({ data: message(about), parentElement, setTriggerValue: (name, answer) => answers.push(answer) });
 
 test('a step that Python has not heard of outlives the component being put on the page anew', async () => {
   await sent(elementOf(), { id: 'a', revision: 1, at: 0 });
@@ -68,4 +70,24 @@ test('the component that stays on the page is moved by a new revision only', asy
   await sent(parent, { id: 'a', revision: 2, at: 7 });
   assert.equal(made[0].cursor.step, 7);
   assert.equal(made.length, 1);
+});
+
+test('an answer that takes the place of one that was not read repeats its step, until Python confirms it', async () => {
+  const parent = elementOf();
+  await sent(parent, { id: 'a', revision: 1, at: 0 });
+  const { report } = made[0];
+  report({ flags: 1, id: 'a' });
+  report({ step: 5, id: 'a' });
+  report({ flags: 2, id: 'a' });
+  await sent(parent, { id: 'a', revision: 1, at: 0 }); // Python has not read them yet
+  report({ flags: 3, id: 'a' });
+  await sent(parent, { id: 'a', revision: 1, at: 5 });
+  report({ flags: 4, id: 'a' });
+  report({ step: 6, id: 'a' });
+  await sent(parent, { id: 'a', revision: 2, at: 1 }); // Python has moved it
+  report({ flags: 5, id: 'a' });
+  assert.deepEqual(
+    answers.map(({ step }) => step),
+    [undefined, 5, 5, 5, undefined, 6, undefined],
+  );
 });

@@ -51,6 +51,7 @@ export const component = ({ kind, open, mount, shown = (told) => told.id }) => {
     let kept = mounted.get(parentElement);
     if (kept && kept.shown === shown(told) && kept.host.isConnected) {
       kept.report = setTriggerValue;
+      if (kept.revision !== told.revision || kept.unheard === told.at) kept.unheard = undefined;
       if (kept.revision !== told.revision) kept.place(told.at);
       kept.revision = told.revision;
       kept.news?.(told);
@@ -60,7 +61,14 @@ export const component = ({ kind, open, mount, shown = (told) => told.id }) => {
     const host = element('div', { class: `laplace-${kind}` });
     parentElement.querySelectorAll(`.laplace-${kind}`).forEach((old) => old.remove());
     parentElement.append(host);
-    kept = { host, ...mount(host, opened, told, (heard) => kept.report('rested', heard)) };
+    const made = { host, unheard: undefined };
+    // Streamlit keeps the last answer only, where the server has not read the one before: so every answer repeats the
+    // step that Python has not confirmed yet.
+    const report = (heard) => {
+      made.unheard = heard.step ?? made.unheard;
+      kept.report('rested', made.unheard === undefined ? heard : { ...heard, step: made.unheard });
+    };
+    kept = Object.assign(made, mount(host, opened, told, report));
     Object.assign(kept, { shown: shown(told), revision: told.revision, report: setTriggerValue });
     mounted.set(parentElement, kept);
     // Streamlit may take it off the page and put it back with an old message: a step that Python has not heard of yet,

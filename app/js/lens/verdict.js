@@ -39,6 +39,22 @@ function numbers(values, scale, chosen, names) {
   return ` (${first} v ${second}${values.length > 2 ? ` for ${names[rival]}` : ''})`;
 }
 
+const gradeOf = (timeline) => (timeline <= SOUND ? 'sound' : timeline <= RUINED ? 'smeared' : 'ruined');
+
+/**
+ * How far the timeline of an action is off, as laplace_core.study.verdict says it; nothing where it is sound.
+ * @param {number} timeline - share that is misplaced; where all is, rounding may add to it
+ * @param {string} name - of the action
+ * @returns {string}
+ */
+export function timelineWords(timeline, name) {
+  const grade = gradeOf(timeline),
+    share = Math.round(100 * timeline);
+  if (grade === 'sound') return '';
+  const off = share <= 100 ? `${share}% misplaced` : `off by ${short(timeline)} times all that truly comes`;
+  return ` Timeline of ${name}: ${grade}, ${off}.`;
+}
+
 /**
  * The verdict on what is seen; where there is a truth, with the largest error of a value and that of the timeline.
  * @param {Model} model
@@ -66,13 +82,7 @@ export function judged(model, state, seen) {
     true_ = seen.truth.values.map((line) => line[seen.leftRow]);
   const timeline = timelineError(model, state, seen),
     error = Math.max(...values.map((value, a) => Math.abs(value - seen.truth.hard[a][seen.leftRow])));
-  const grade = timeline <= SOUND ? 'sound' : timeline <= RUINED ? 'smeared' : 'ruined';
-  const rows =
-    grade === 'sound'
-      ? ''
-      : timeline <= 1
-        ? ` Timeline of ${names[state.action]}: ${grade}, ${Math.round(100 * timeline)}% misplaced.`
-        : ` Timeline of ${names[state.action]}: ruined, off by ${short(timeline)} times all that truly comes.`;
+  const rows = timelineWords(timeline, names[state.action]);
   if (seen.regret > tieSize(Math.max(...optimum), Math.max(...optimum.map(Math.abs)))) {
     return {
       tone: 'bad',
@@ -90,7 +100,8 @@ export function judged(model, state, seen) {
           : 0,
     ),
     worst = offs.indexOf(Math.max(...offs));
-  const tone = offs[worst] > VALUE_TOLERANCE ? 'warn' : grade === 'sound' ? 'ok' : grade;
+  const grade = gradeOf(timeline),
+    tone = offs[worst] > VALUE_TOLERANCE ? 'warn' : grade === 'sound' ? 'ok' : grade;
   if (model.A === 1) {
     const [decoded, truly] = inWords([values[0], true_[0]], seen.scale);
     return {

@@ -6,35 +6,23 @@ removes it. Each size has the unit that its name suggests and is listed from one
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
-from laplace_core.study.artefacts.deadline import constant_horizon, soft_deadline
-from laplace_core.study.artefacts.inverse import negative_mass, over_smoothing, shifted_index
-from laplace_core.study.artefacts.look import Look
+from laplace_core.study.artefacts import deadline, inverse, noise, process, rewards, rows
+from laplace_core.study.artefacts.look import Look, Measure
 from laplace_core.study.artefacts.model import VISIBLE, Artefact, Remedy
-from laplace_core.study.artefacts.noise import noise_amplification
 from laplace_core.study.artefacts.offers import offered
-from laplace_core.study.artefacts.process import conditional_rewards, folding, mixed_policies, repeated_reward
-from laplace_core.study.artefacts.rewards import edge_clipping, reward_quantisation, slope_blur
 from laplace_core.study.pipeline import Study, WorldStudy
 from laplace_core.study.trials import Trials
 
-MEASURES: dict[str, Callable[[Look], Artefact | None]] = {
-    "repeated reward": repeated_reward,
-    "conditional rewards": conditional_rewards,
-    "mixed policies": mixed_policies,
-    "noise amplification": noise_amplification,
-    "folding": folding,
-    "edge clipping": edge_clipping,
-    "slope blur": slope_blur,
-    "reward quantisation": reward_quantisation,
-    "over-smoothing": over_smoothing,
-    "negative mass": negative_mass,
-    "soft deadline": soft_deadline,
-    "constant horizon": constant_horizon,
+MEASURES: dict[str, Measure] = {
+    **process.MEASURES,
+    **noise.MEASURES,
+    **rows.MEASURES,
+    **rewards.MEASURES,
+    **inverse.MEASURES,
+    **deadline.MEASURES,
 }
-"""The measure of every artefact that studies are searched for, by name, the gravest kinds first."""
-LISTED: dict[str, Callable[[Look], Artefact | None]] = {"shifted index": shifted_index, **MEASURES}
+"""The measure of every artefact that studies are searched for, the gravest kinds first; each module lists its own."""
+LISTED: dict[str, Measure] = {"shifted index": inverse.shifted_index, **MEASURES}
 """These, and an error of the decoder that is there only if it was switched on."""
 
 

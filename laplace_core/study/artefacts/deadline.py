@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from laplace_core.errors import InputError
-from laplace_core.study.artefacts.look import Look
+from laplace_core.study.artefacts.look import Look, Measure
 from laplace_core.study.artefacts.model import VISIBLE, Artefact, Remedy
 from laplace_core.study.episodes import constant_horizon_loss
 from laplace_core.study.pipeline import WorldStudy
@@ -59,3 +59,10 @@ def constant_horizon(look: Look) -> Artefact | None:
         "At every step the agent acts as if all of T were still left, and may aim at rewards that come after the end.",
         (Remedy("Act by the time to go", {"deadline": "time_to_go"}),),
     )
+
+
+MEASURES: dict[str, Measure] = {
+    "soft deadline": soft_deadline,
+    "constant horizon": constant_horizon,
+}
+"""The artefacts of this module by name, the gravest kinds first."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from laplace_core.inverse import decode
-from laplace_core.study.artefacts.look import Look, largest_change, of_a_row
+from laplace_core.study.artefacts.look import Look, Measure, largest_change, of_a_row
 from laplace_core.study.artefacts.model import VISIBLE, Artefact, Remedy
 from laplace_core.study.trials import ALPHAS, WHY
 
@@ -85,3 +85,10 @@ def negative_mass(look: Look) -> Artefact | None:
 
 def _negative(rows: np.ndarray) -> float:
     return float(-np.minimum(rows, 0.0).sum(axis=-1).min())
+
+
+MEASURES: dict[str, Measure] = {
+    "over-smoothing": over_smoothing,
+    "negative mass": negative_mass,
+}
+"""The artefacts of this module by name, the gravest kinds first."""

@@ -13,6 +13,7 @@ around each.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -21,7 +22,7 @@ import numpy as np
 from laplace_core.code.encoding import bin_masses
 from laplace_core.code.gamma_space import shifted
 from laplace_core.inverse import decode, decode_matrix, normalise_rows
-from laplace_core.study.artefacts.model import VISIBLE
+from laplace_core.study.artefacts.model import VISIBLE, Artefact
 from laplace_core.study.horizon import deadline_weights, row_horizons
 from laplace_core.study.pipeline import Study, WorldStudy, basis_of, rows_decoded, timeline_of
 
@@ -173,6 +174,10 @@ class Look:
             # Hardly anything may be left inside the sensitivities.
             self._errors[alpha] = float(off / (2.0 * max(true.sum(), VISIBLE)))
         return self._errors[alpha]
+
+
+Measure = Callable[[Look], Artefact | None]
+"""Finds one artefact in the picture of an action; None where it is not there."""
 
 
 def largest_change(rows: np.ndarray) -> float:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from laplace_core.study.artefacts.look import Look, largest_change, of_a_row
+from laplace_core.study.artefacts.look import Look, Measure, largest_change, of_a_row
 from laplace_core.study.artefacts.model import VISIBLE, Artefact, Remedy
 
 LARGEST_ALPHA = 10.0
@@ -157,3 +157,9 @@ def _larger(alpha: float) -> list[float]:
     count = max(0, int(np.ceil(3.0 * (np.log10(LARGEST_ALPHA) - first))))
     grid = [float(f"{10.0 ** (first + (n + 1) / 3.0):.2g}") for n in range(min(count, 30))]
     return [a for a in grid if a > alpha]
+
+
+MEASURES: dict[str, Measure] = {
+    "noise amplification": noise_amplification,
+}
+"""The artefacts of this module by name, the gravest kinds first."""

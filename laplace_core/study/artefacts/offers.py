@@ -8,18 +8,17 @@ nothing suggests another.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
 from laplace_core.errors import InputError
-from laplace_core.study.artefacts.look import Look
+from laplace_core.study.artefacts.look import Look, Measure
 from laplace_core.study.artefacts.model import Artefact
 from laplace_core.study.grades import timeline_error
 from laplace_core.study.pipeline import Study
 from laplace_core.study.trials import Remedy, Trials
 
-Measure = Callable[[Look], Artefact | None]
 _NO_WORSE = 1e-3
 """How much more of a timeline's probability may be misplaced under a remedy of something else."""
 

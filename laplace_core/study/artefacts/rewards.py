@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from laplace_core.code.encoding import sigmoid
-from laplace_core.study.artefacts.look import Look
+from laplace_core.study.artefacts.look import Look, Measure
 from laplace_core.study.artefacts.model import VISIBLE, Artefact, Remedy
 from laplace_core.study.artefacts.noise import propagated, violations
 from laplace_core.study.pipeline import WorldStudy
@@ -108,3 +108,11 @@ def reward_quantisation(look: Look) -> Artefact | None:
         "The slope is so steep for the spacing of the sensitivities that rewards are rounded towards the midpoints.",
         (Remedy("Soften the slope", softened_slope(thetas)),),
     )
+
+
+MEASURES: dict[str, Measure] = {
+    "edge clipping": edge_clipping,
+    "slope blur": slope_blur,
+    "reward quantisation": reward_quantisation,
+}
+"""The artefacts of this module by name, the gravest kinds first."""
