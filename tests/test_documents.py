@@ -36,9 +36,9 @@ def test_the_python_of_the_readme_runs():
     (script,) = blocks("python")
     names: dict = {}
     exec(script, names)  # what it shows is looked at by its last lines
-    found = names["found"]
-    assert found.decoded.tau_space.ndim == 3
-    assert found.decoded.actions.shape == found.truth.optimal_action.shape
+    result = names["result"]
+    assert result.decoded.tau_space.ndim == 3
+    assert result.decoded.actions.shape == result.truth.optimal_action.shape
 
 
 def test_the_world_file_of_the_readme_is_one():
