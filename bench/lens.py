@@ -18,7 +18,7 @@ import plotly
 from app.components.lens.payload import payload, structure
 from laplace_core import PRESETS, Settings, load_world, study
 from tests.browser.support import DEMO, FLAGS, find_chromium, grab, runs_of_demo, served
-from tests.lens_agreement import FULL, compared_in, fixture, network, payloads, random_cases
+from tests.support.lens_agreement import FULL, compared_in, fixture, network, payloads, random_cases
 
 MOVES = 60
 GOALS = {"redraws": 50, "frame": 16.0, "bytes": 200_000, "difference": 1e-4}

@@ -25,7 +25,7 @@ manifest_scanner.scan_component_manifests = cache(manifest_scanner.scan_componen
 def runs(tmp_path, monkeypatch):
     """The queue of the page of training, on an empty folder."""
     from app.catalogue import training_runs
-    from tests.quick_runs import stand_in
+    from tests.support.quick_runs import stand_in
 
     monkeypatch.setenv(training_runs.VARIABLE, str(tmp_path / "runs"))
     stand_in(monkeypatch)
@@ -39,7 +39,7 @@ def runs(tmp_path, monkeypatch):
 def still_runs(tmp_path, monkeypatch):
     """An empty queue that moves only when a test ticks it."""
     from laplace_core.training.queue import Queue
-    from tests.quick_runs import stand_in
+    from tests.support.quick_runs import stand_in
 
     stand_in(monkeypatch)
     monkeypatch.setattr(Queue, "wake", lambda self: None)

@@ -27,8 +27,8 @@ from laplace_core.code.gamma_space import bin_differences
 from laplace_core.code.interpolation import left_out
 from laplace_core.code.noise import normal_noise
 from laplace_core.figures import returns_of_actions
-from tests.lens_agreement import fixture, network, packed, payloads, random_cases, verdicts
-from tests.lens_reference import seen, unpacked
+from tests.support.lens_agreement import fixture, network, packed, payloads, random_cases, verdicts
+from tests.support.lens_reference import seen, unpacked
 
 ROOT = Path(__file__).resolve().parent.parent
 NODE = Path(sysconfig.get_path("scripts")) / "node"

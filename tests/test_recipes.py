@@ -21,7 +21,7 @@ from laplace_core.agents.peer_settings import C51Settings
 from laplace_core.agents.registry import AGENTS
 from laplace_core.cli import main
 from laplace_core.training.checkpoint import load_checkpoint, new_agent, save_checkpoint
-from tests.workshop import ROOT, Workshop
+from tests.support.workshop import ROOT, Workshop
 
 SMALL = ("--steps", "400", "--hidden", "8", "--learning-starts", "50", "--buffer", "300", "--batch", "8",
          "--evaluate-every", "200", "--evaluate-episodes", "2")  # fmt: skip

@@ -14,8 +14,8 @@ from laplace_core import Settings, load_world, study, study_of_gamma_space
 from laplace_core.study.npz import read_gamma_space
 from laplace_core.worlds import dump_world, parse_world
 from tests.browser.support import comes_to_show, open_at, settled
-from tests.malformed_saved import with_arrays
-from tests.malformed_worlds import TEXT
+from tests.support.malformed_saved import with_arrays
+from tests.support.malformed_worlds import TEXT
 
 pytestmark = pytest.mark.browser
 

@@ -10,7 +10,7 @@ import pytest
 from playwright.sync_api import expect
 
 from tests.browser.support import grab, open_at, runs_asked, runs_of_demo, settled
-from tests.lens_agreement import compared_in, fixture, network, payloads, random_cases
+from tests.support.lens_agreement import compared_in, fixture, network, payloads, random_cases
 
 pytestmark = pytest.mark.browser
 OPENING = "world=two_branch&normalise=paper"

@@ -1,4 +1,4 @@
-// The lens held against arrays of the library (tests/lens_agreement.py writes them). Knows neither page nor runner, so
+// The lens held against arrays of the library (tests/support/lens_agreement.py writes them). Knows neither page nor runner, so
 // that node and a browser compare in the same way.
 import { gammaSpace, kernel, resolution, see } from '../../app/js/core/maths.js';
 import { read } from '../../app/js/core/model.js';
@@ -39,7 +39,7 @@ function shownBy(model, state, tau) {
 
 /**
  * How far the lens is off from the library.
- * @param {{ payloads: Record<string, string>, cases: object[] }} fixture - as `fixture` of tests/lens_agreement.py
+ * @param {{ payloads: Record<string, string>, cases: object[] }} fixture - as `fixture` of tests/support/lens_agreement.py
  *   makes it
  * @returns {{ off: Record<string, number>, problems: string[], leftOut: number, entries: number }} `off`: the largest
  *   difference of every array as a share of its range; `problems`: what is of another kind, row, length or choice;

@@ -1,0 +1,83 @@
+"""The cache of rollouts: one thread, a few kept, and cancelled where nobody waits."""
+
+from __future__ import annotations
+
+import threading
+
+import pytest
+
+from app.agents import jobs
+from app.agents.jobs import MOST_KEPT, Control, rolling
+from laplace_core import InputError
+from laplace_core.agents import LaplaceSettings
+from laplace_core.training.checkpoint import Loaded, load_checkpoint, new_agent, save_checkpoint
+from tests.support.quick_runs import until
+
+
+@pytest.fixture
+def loaded(tmp_path) -> Loaded:
+    settings = LaplaceSettings(environment="two_branch", hidden=4, features=4, gammas=3, thetas=5, theta_max=12.0)
+    save_checkpoint(tmp_path / "a.safetensors", new_agent(settings), 0, None)
+    return load_checkpoint(tmp_path / "a.safetensors")
+
+
+@pytest.fixture(autouse=True)
+def empty():
+    jobs._rollouts.clear()
+    yield
+    jobs._rollouts.clear()
+
+
+def finished(loaded, control):
+    one = rolling(loaded, control)
+    until(lambda: not one.going)
+    return one
+
+
+def test_the_same_control_is_the_same_rollout(loaded):
+    one = finished(loaded, Control(seed=1))
+    assert rolling(loaded, Control(seed=1)).result() is one.result()
+    assert one.done == len(one.result().rollout)
+
+
+def test_fifty_rollouts_leave_a_few(loaded):
+    for seed in range(50):
+        finished(loaded, Control(seed=seed))
+    assert len(jobs._rollouts.items()) == MOST_KEPT
+    assert [control.seed for (_, control), _ in jobs._rollouts.items()] == list(range(50 - MOST_KEPT, 50))
+
+
+def test_large_ones_make_room_sooner(loaded, monkeypatch):
+    size = finished(loaded, Control(seed=0)).result().bytes
+    assert size > 100
+    monkeypatch.setattr(jobs, "MOST_BYTES", int(2.5 * size))
+    for seed in range(1, 9):
+        finished(loaded, Control(seed=seed, rule="random"))
+    rolling(loaded, Control(seed=8, rule="random"))
+    assert 1 <= len(jobs._rollouts.items()) <= 3
+    assert sum(one.result().bytes for _, one in jobs._rollouts.items()) <= 2.5 * size
+
+
+def test_one_that_is_refused_says_why(loaded):
+    with pytest.raises(InputError, match="own"):
+        finished(loaded, Control(rule="own")).result()
+
+
+def test_a_cancelled_one_ends_at_the_next_step_and_is_begun_anew(loaded, monkeypatch):
+    begun, held, steps = threading.Event(), threading.Event(), []
+
+    def slow(agent, environment, *rest, progress, **options):
+        begun.set()
+        for i in range(1000):
+            held.wait(30)
+            progress(i + 1, 1000)
+            steps.append(i)
+
+    monkeypatch.setattr(jobs, "roll_out", slow)
+    one = rolling(loaded, Control())
+    assert begun.wait(30)
+    one.cancel()
+    held.set()
+    until(lambda: not one.going)
+    assert len(steps) == 0
+    assert rolling(loaded, Control()) is not one
