@@ -6,20 +6,29 @@ BIN = .venv/bin
 # Node comes into .venv with pip; npm and what it starts look for it on the path.
 NPM = PATH="$(CURDIR)/$(BIN):$$PATH" $(BIN)/npm
 
-.PHONY: app test coverage verify bench lint clean
+.PHONY: app test unit browser lint lint-python lint-js coverage verify bench clean
 
 app: .venv/.app
 	$(BIN)/streamlit run app/main.py --server.port $(PORT)
 
-test: .venv/.dev lint
-	$(BIN)/python -m pytest --ignore=tests/browser -n 2
+test: lint unit browser
+
+unit: .venv/.dev
+	$(BIN)/python -m pytest --ignore=tests/browser -n 2 --dist worksteal
+
+browser: .venv/.dev
 	$(BIN)/python -m pytest tests/browser -n 2 --dist loadfile -rs
 
 lint: .venv/.dev
+	$(MAKE) --no-print-directory --jobs 2 --output-sync=target lint-python lint-js
+
+lint-python: .venv/.dev
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	$(BIN)/lint-imports
 	$(BIN)/mypy laplace_core app
+
+lint-js: .venv/.dev
 	$(NPM) run --silent lint
 
 # Lines and branches that no unit test comes by, file by file. The tests take longer while they are watched.

@@ -7,6 +7,7 @@ import io
 import json
 import sys
 from collections.abc import Sequence
+from functools import cache
 from typing import NoReturn
 
 import numpy as np
@@ -67,6 +68,7 @@ def _joined(words: Sequence[str]) -> list[str]:
     return joined
 
 
+@cache
 def _parser() -> argparse.ArgumentParser:
     parser: argparse.ArgumentParser = _Parser(
         prog="laplace", description="The Laplace code: gamma-space, tau-space and the actions they choose."

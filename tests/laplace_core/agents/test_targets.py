@@ -132,7 +132,7 @@ def test_targets_equal_a_loop_over_transitions_and_discounts(subtests):
                 parametrisation=name, target_policy=policy, termination=termination, double=n_step == 1, n_step=n_step,
                 dueling=True,
             )  # fmt: skip
-            batch = batch_of(8, columns=columns, n_step=n_step)
+            batch = batch_of(4, columns=columns, n_step=n_step)
             np.testing.assert_allclose(agent.targets(batch), slow_targets(agent, batch), rtol=1e-4, atol=1e-6)
 
 
