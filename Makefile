@@ -26,7 +26,7 @@ lint-python: .venv/.dev
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	$(BIN)/lint-imports
-	$(BIN)/mypy laplace_core app
+	$(BIN)/mypy --num-workers 2 laplace_core app
 
 lint-js: .venv/.dev
 	$(NPM) run --silent lint
@@ -42,7 +42,7 @@ verify: .venv/.dev
 	$(BIN)/python -m pytest -m long
 	LENS_VIEWS=1000 $(BIN)/python -m pytest tests/test_js.py
 
-bench: .venv/.dev
+bench: .venv/.bench
 	OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 $(BIN)/python -m bench
 
 clean:
@@ -52,6 +52,10 @@ clean:
 	$(PYTHON) -m venv .venv
 	$(BIN)/python -m pip install --quiet -r requirements.txt
 	$(BIN)/python -m pip install --quiet --no-deps --editable .
+	touch $@
+
+.venv/.bench: .venv/.dev requirements-bench.txt
+	$(BIN)/python -m pip install --quiet -r requirements-bench.txt
 	touch $@
 
 .venv/.dev: .venv/.app requirements-dev.txt package-lock.json
