@@ -59,6 +59,7 @@ def page(tab):
     tab.problems.clear()
     yield tab
     problems = list(tab.problems)
+    tab.goto("about:blank")  # what a page that is left no longer loads is no error of the next one
     tab.unroute_all()
     tab.set_viewport_size(SCREEN)
     tab.emulate_media(color_scheme="light")

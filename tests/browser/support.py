@@ -194,10 +194,11 @@ def open_at(page: Any, address: str, query: str = "") -> Any:
 
 def tau_space(page: Any) -> np.ndarray:
     """The decoded probabilities that the lens draws, ``(steps, sensitivities - 1)``."""
-    values, rows = page.evaluate(
-        """() => { const { seen } = document.querySelector('.laplace-lens').lens;
-        return [Array.from(seen.tau), seen.n]; }"""
+    handle = page.wait_for_function(  # a lens with another payload has yet to draw it
+        """() => { const seen = document.querySelector('.laplace-lens')?.lens?.seen;
+        return seen && [Array.from(seen.tau), seen.n]; }"""
     )
+    values, rows = handle.json_value()
     return np.array(values).reshape(rows, -1)
 
 

@@ -141,8 +141,7 @@ def test_a_browser_that_has_lost_the_payload_asks_for_it(page, address):
     models.evaluate("({ models }) => models.clear()")
     page.locator("input[name=alpha]").press("ArrowLeft")
     expect(page).to_have_url(re.compile("alpha=0.18"))
-    settled(page)
-    assert models.evaluate("({ models }) => models.size") == 1
+    page.wait_for_function("({ models }) => models.size === 1", arg=models)
 
 
 def test_the_library_s_verdict_and_the_one_of_the_lens_begin_alike(page, address):
