@@ -24,7 +24,7 @@ from laplace_core.agents.agent import Agent
 from laplace_core.environments import vector
 from laplace_core.training.checkpoint import Loaded
 
-_HELP = "Does the decoded timeline come true? Hold it against what really comes."
+_HELP = "Compare the decoded timeline with simulated continuations."
 
 
 def ask(view: View, loaded: Loaded, rollout: Rollout, step: int) -> Simulated | None:

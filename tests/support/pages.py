@@ -175,11 +175,11 @@ def assert_shows(page: AppTest, study: Study, action: int = 0) -> None:
     np.testing.assert_allclose(found["differences"], study.gamma_space.differences, rtol=1e-5, atol=1e-5)
 
 
-def wait(page: AppTest, done: Callable[[AppTest], bool], seconds: float = 120) -> AppTest:
+def wait(page: AppTest, done: Callable[[AppTest], object], seconds: float = 120) -> AppTest:
     """Look at the page again and again, as it does by itself in a browser, until something has happened."""
     end = time.monotonic() + seconds
     while not done(page):
         assert time.monotonic() < end, "it did not happen"
-        time.sleep(0.2)
+        time.sleep(0.05)
         run(page)
     return page

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import struct
-import time
 from pathlib import Path
 
 import numpy as np
@@ -25,7 +24,7 @@ from laplace_core.environments import environment_of, vector
 from laplace_core.study.settings import resolve_for_gamma_space
 from laplace_core.training.checkpoint import load_checkpoint, new_agent, save_checkpoint
 from tests.support.lens_reference import unpacked
-from tests.support.pages import charts
+from tests.support.pages import charts, wait
 
 MAIN = str(Path(__file__).resolve().parents[3] / "app" / "main.py")
 
@@ -144,13 +143,7 @@ def test_every_environment_has_its_words(subtests):
 def rolled_out(**query: str) -> AppTest:
     """The page once its rollout is there."""
     page = opened(**query)
-    for _ in range(200):
-        if not page.get("progress"):
-            return page
-        time.sleep(0.05)
-        page.run()
-        assert not page.exception
-    raise AssertionError("the rollout did not end")
+    return wait(page, lambda page: not page.get("progress"))
 
 
 def told(page: AppTest, component: str) -> dict:
@@ -176,11 +169,7 @@ def test_a_rollout_by_its_link_shows_the_exact_space_of_the_step(shipped):
 def test_the_button_rolls_out_and_the_way_back_leads_to_sliders(shipped):
     page = opened(checkpoint="laplace_CartPole-v1")
     next(button for button in page.button if button.label == "Roll out").click().run()
-    for _ in range(200):
-        if "player" in str([one.proto.component_name for one in page.get("bidi_component")]):
-            break
-        time.sleep(0.05)
-        page.run()
+    wait(page, lambda page: "player" in str([one.proto.component_name for one in page.get("bidi_component")]))
     assert page.query_params["r.shown"] in ("yes", ["yes"])
     next(button for button in page.button if button.label.startswith("Edit the state")).click().run()
     assert not page.exception
@@ -215,13 +204,7 @@ def few(monkeypatch):
 
 def simulated(page: AppTest) -> AppTest:
     next(button for button in page.button if button.label == "Simulate").click().run()
-    for _ in range(200):
-        if "calibration" in charts(page):
-            return page
-        time.sleep(0.05)
-        page.run()
-        assert not page.exception
-    raise AssertionError("the simulation did not end")
+    return wait(page, lambda page: "calibration" in charts(page))
 
 
 def lens_arrays(page: AppTest) -> tuple[dict, dict]:
@@ -309,11 +292,7 @@ def test_other_data_beside_the_same_state_leave_the_hand_its_last_word(shipped):
 
 def test_the_artefacts_of_every_step_reach_the_player(shipped):
     page = rolled_out(checkpoint="laplace_CartPole-v1", alpha="0.001", **{"r.shown": "yes", "r.seed": "5"})
-    for _ in range(200):
-        if told(page, "player")["flags"]:
-            break
-        time.sleep(0.05)
-        page.run()
+    wait(page, lambda page: told(page, "player")["flags"])
     rollout = roll_out(load_checkpoint(shipped / "laplace_CartPole-v1.safetensors").agent, "CartPole-v1", 5)
     settings = resolve_for_gamma_space(Settings(world="CartPole-v1", alpha=0.001), rollout.gammas)
     wanted, found = flag_steps(rollout, settings), told(page, "player")["flags"]

@@ -17,7 +17,7 @@ from laplace_core.agents.settings import SETTINGS, algorithm_title
 from laplace_core.experiments.shipping import TrainingCurve
 from laplace_core.training.checkpoint import load_checkpoint, new_agent, save_checkpoint
 from tests.app.agents.test_page import opened, rolled_out, told, words
-from tests.support.pages import charts, numbers
+from tests.support.pages import charts, numbers, wait
 
 WORLD = "two_branch"
 PEERS = ("c51", "qrdqn", "expectile", "dqn", "fixed_horizon")
@@ -51,13 +51,7 @@ def shipped(tmp_path, monkeypatch):
 def simulated(page: AppTest) -> AppTest:
     """The page once what comes is there."""
     page.button(key="simulate returns").click().run()
-    for _ in range(200):
-        if "Shaded: W1" in words(page):
-            return page
-        time.sleep(0.05)
-        page.run()
-        assert not page.exception
-    raise AssertionError("the simulation did not end")
+    return wait(page, lambda page: "Shaded: W1" in words(page))
 
 
 def test_all_that_ships_is_listed_those_with_many_discounts_first(shipped):
@@ -216,9 +210,5 @@ def test_a_cancelled_simulation_is_asked_for_anew(shipped, monkeypatch):
     page = rolled_out(checkpoint=f"c51_{WORLD}", **{"r.shown": "yes"})
     page.button(key="simulate returns").click().run()
     page.button(key="cancel returns").click().run()
-    for _ in range(200):
-        if any(button.key == "simulate returns" for button in page.button):
-            break
-        time.sleep(0.05)
-        page.run()
+    wait(page, lambda page: any(button.key == "simulate returns" for button in page.button))
     assert "What comes" in words(page)

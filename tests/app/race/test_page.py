@@ -24,7 +24,7 @@ from laplace_core.acting.race import races as races_of
 from laplace_core.agents import SETTINGS, LaplaceSettings
 from laplace_core.figures.race import piles
 from laplace_core.training.checkpoint import Loaded, load_checkpoint, new_agent, save_checkpoint
-from tests.support.pages import MAIN, charts, link, press, run
+from tests.support.pages import MAIN, charts, link, press, run, wait
 from tests.support.quick_runs import until
 
 
@@ -48,13 +48,7 @@ def shipped(tmp_path, monkeypatch):
 
 def settled(page: AppTest) -> AppTest:
     """The page once nothing is under way."""
-    run(page)
-    for _ in range(200):
-        if not page.get("progress"):
-            return page
-        time.sleep(0.05)
-        run(page)
-    raise AssertionError("it did not end")
+    return wait(run(page), lambda page: not page.get("progress"))
 
 
 def opened(**query: str) -> AppTest:
