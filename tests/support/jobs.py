@@ -1,0 +1,51 @@
+"""Jobs that other processes can import."""
+
+from __future__ import annotations
+
+import os
+import signal
+import time
+from pathlib import Path
+
+from laplace_core import InputError
+
+
+def square(number: int) -> int:
+    return number * number
+
+
+def refuse(number: int) -> int:
+    raise InputError(f"number {number} is refused.")
+
+
+def die_once(argument: tuple[str, int]) -> int:
+    """Kills its own process when it is first called with the number 3; each call leaves a line in the folder."""
+    folder, number = argument
+    with (Path(folder) / f"{number}").open("a") as calls:
+        calls.write(f"{os.getpid()}\n")
+    if number == 3 and (Path(folder) / "3").read_text().count("\n") == 1:
+        os.kill(os.getpid(), signal.SIGKILL)
+    return number * number
+
+
+def die(number: int) -> int:
+    os.kill(os.getpid(), signal.SIGKILL)
+    return number
+
+
+def note_and_wait(argument: tuple[str, int]) -> None:
+    """Leaves a file named after the process in the folder, and then works for ever."""
+    (Path(argument[0]) / str(os.getpid())).touch()
+    while True:
+        time.sleep(0.05)
+
+
+def slow_square(argument: tuple[str, int]) -> int:
+    """A tenth of a second of work; each call leaves a line in the folder."""
+    folder, number = argument
+    end = time.monotonic() + 0.1
+    while time.monotonic() < end:
+        pass
+    with (Path(folder) / f"{number}").open("a") as calls:
+        calls.write(f"{os.getpid()}\n")
+    return number * number
