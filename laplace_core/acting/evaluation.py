@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
-from laplace_core.acting.rules import RULES, Options
+from laplace_core.acting.rules import RULES, Choose, Options
 from laplace_core.agents.agent import Agent
 from laplace_core.agents.capabilities import HasAtoms
 from laplace_core.environments import vector
@@ -86,8 +86,21 @@ def evaluate(
         raise InputError(f"the horizon is {horizon}; it must be from 1 to 10,000 steps.")
     choose = RULES[rule](agent, length, Options(softness, alpha, steps, stretch, head))
     starts = [first_seed + seed * 100_000 + i for i in range(episodes)]
+    return played(choose, environment, starts, length, discounts=discounts, progress=progress)
+
+
+def played(
+    choose: Choose, environment: str, starts: Sequence[int], length: int | None, *, discounts: np.ndarray | None = None,
+    progress: Callable[[int, int], None] | None = None,
+) -> Scores:  # fmt: skip
+    """One episode from each start seed, acted by a function from observations and the step to actions.
+
+    Args:
+        length: an episode is stopped after so many steps; None leaves it to the environment.
+        discounts, progress: as in :func:`evaluate`.
+    """
     gammas = np.zeros(0) if discounts is None else np.asarray(discounts, dtype=float)
-    groups = [starts[i : i + _AT_ONCE] for i in range(0, episodes, _AT_ONCE)]
+    groups = [list(starts[i : i + _AT_ONCE]) for i in range(0, len(starts), _AT_ONCE)]
     parts = []
     for i, group in enumerate(groups):
         after_step = _part_of(progress, i, len(groups), length)
@@ -105,7 +118,7 @@ def _part_of(
 
 
 def _episodes(
-    choose: Any, environment: str, starts: list[int], length: int | None, *, gammas: np.ndarray, after_step: Any
+    choose: Choose, environment: str, starts: list[int], length: int | None, *, gammas: np.ndarray, after_step: Any
 ) -> Any:
     """The columns of :class:`Scores`, of one episode from each start seed, all in step."""
     envs = [vector.make(environment) for _ in starts]

@@ -5,7 +5,9 @@ from __future__ import annotations
 import os
 import signal
 import time
+from collections.abc import Mapping, Sequence
 from pathlib import Path
+from typing import Any
 
 from laplace_core import InputError
 
@@ -49,3 +51,14 @@ def slow_square(argument: tuple[str, int]) -> int:
     with (Path(folder) / f"{number}").open("a") as calls:
         calls.write(f"{os.getpid()}\n")
     return number * number
+
+
+def measured_number(part: Mapping[str, Any]) -> dict[str, int]:
+    """The square of a number; 3 is refused."""
+    if part["number"] == 3:
+        raise InputError("number 3 is refused.")
+    return {"square": part["number"] ** 2}
+
+
+def summed_numbers(rows: Sequence[dict[str, Any]]) -> dict[str, int]:
+    return {"sum": sum(row["result"]["square"] for row in rows)}

@@ -20,8 +20,9 @@ RESULT = "result.json"
 _MOST_BYTES = 50_000_000
 
 
-def result_file(folder: Path, experiment: Experiment) -> Path:
-    return folder / f"{experiment.name}.json"
+def result_file(folder: Path, name: str) -> Path:
+    """The file of an experiment of this name."""
+    return folder / f"{name}.json"
 
 
 def cells_in(path: Path) -> list[dict[str, Any]]:
@@ -47,7 +48,7 @@ def recorded_rows(experiments: Sequence[Experiment], folder: Path) -> dict[str, 
     Raises:
         InputError: a file that is no result.
     """
-    cells = (cell for each in experiments for cell in cells_in(result_file(folder, each)))
+    cells = (cell for each in experiments for cell in cells_in(result_file(folder, each.name)))
     return {row["run"]: row for cell in cells for row in cell["trainings"]}
 
 

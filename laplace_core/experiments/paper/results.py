@@ -4,11 +4,8 @@ from __future__ import annotations
 
 import contextlib
 import json
-import platform
-import sys
 from collections.abc import Sequence
 from datetime import UTC, datetime
-from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from typing import Any
 
@@ -21,11 +18,11 @@ from laplace_core.experiments.paper.runs import Training
 from laplace_core.experiments.search import EPISODES, START_SEEDS
 from laplace_core.experiments.training import evaluated, seconds_behind
 from laplace_core.files.atomic import write_whole
+from laplace_core.files.versions import versions
 from laplace_core.training.checkpoint import load_checkpoint
 
 POINTS = 300
 """Most points of a curve."""
-PACKAGES = ("torch", "numpy", "gymnasium", "laplace-core")
 _SMOOTHING = 0.02  # of all episodes, on either side
 _LEAST_SMOOTHING = 5
 
@@ -58,7 +55,7 @@ def write(experiment: Experiment, trainings: Sequence[Training], folder: Path) -
 
     Rows of runs that are elsewhere stay in the file as long as the experiment still plans them.
     """
-    path = result_file(folder, experiment)
+    path = result_file(folder, experiment.name)
     rows = {row["run"]: row for cell in cells_in(path) for row in cell["trainings"]}
     rows |= {training.name: row for training in trainings if (row := saved_row(training)) is not None}
     cells = []
@@ -158,12 +155,3 @@ def curves(returns: Sequence[float], steps: Sequence[int]) -> dict[str, Any]:
         "by_step": {"steps": np.round(places).astype(int).tolist(), "returns": np.round(along, 2).tolist()},
         "smoothing": 2 * reach + 1,
     }
-
-
-def versions() -> dict[str, str]:
-    """Versions of Python, of the machine and of the packages that decide the numbers."""
-    listed = {"python": platform.python_version(), "machine": f"{sys.platform} {platform.machine()}"}
-    for name in PACKAGES:
-        with contextlib.suppress(PackageNotFoundError):
-            listed[name] = version(name)
-    return listed

@@ -15,7 +15,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from laplace_core.cli import main
+from laplace_core.cli import main, reproduce
 from laplace_core.experiments.paper import EXPERIMENTS, results
 from laplace_core.experiments.paper.experiment import Cell, Experiment, run_name, shortened
 from laplace_core.experiments.paper.runs import once_each, trainings_of
@@ -46,6 +46,7 @@ def small(monkeypatch):
     for name, experiment in SMALL.items():
         monkeypatch.setitem(EXPERIMENTS, name, experiment)
     monkeypatch.setattr(results, "EPISODES", 3)
+    monkeypatch.setattr(reproduce, "MEASUREMENTS", ())
 
 
 def words(folder: Path, *more: str) -> list[str]:
