@@ -9,7 +9,6 @@ import numpy as np
 
 from laplace_core.cli.options import checked_number
 from laplace_core.cli.subject import add_subject, study_of_options
-from laplace_core.inverse.components import SWEEP
 from laplace_core.study.sweep import AlphaSweep, sweep_alpha
 
 
@@ -19,7 +18,7 @@ def add_sweep(verbs: argparse._SubParsersAction[argparse.ArgumentParser]) -> Non
         "sweep",
         help="one state of a world at many alphas",
         description="What each alpha fits, what every selector makes of it, and how far it is from the truth. "
-        "Options are those of decode.",
+        "Options are those of decode; without --alpha, discounts are weighted as for a selector.",
     )
     add_subject(sweep)
     sweep.add_argument("--points", metavar="N", help="rows of the table, 2 to 1,000 (default: 25; of --json 200)")
@@ -29,6 +28,8 @@ def add_sweep(verbs: argparse._SubParsersAction[argparse.ArgumentParser]) -> Non
 
 def run_sweep(options: argparse.Namespace) -> None:
     """Print the table of one sweep."""
+    if options.alpha is None and options.selector is None:
+        options.selector = "auto"
     points = None if options.points is None else checked_number("points", options.points, int, 2, high=1_000)
     if options.json:
         found = sweep_alpha(study_of_options(options), points)

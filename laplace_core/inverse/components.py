@@ -23,17 +23,18 @@ SWEEP = 200
 
 
 def sweep_alphas(spectrum: Spectrum, solver: str, count: int = SWEEP) -> np.ndarray:
-    """Alphas worth trying, increasing: from the smallest usable singular value to the largest.
+    """Alphas worth trying, increasing: from a hundredth of the smallest usable singular value to ten of the largest.
 
-    Truncation has no more results than components: one alpha for each number of them, halfway to the next in the
-    logarithm. For all other solvers ``count`` alphas, evenly spaced in the logarithm.
+    At the ends everything is fitted, or hardly anything. Truncation has no more results than components: one alpha for
+    each number of them, halfway to the next in the logarithm. For all other solvers ``count`` alphas, evenly spaced in
+    the logarithm.
     """
     s = spectrum.s[spectrum.usable]
     if not s.size:  # nothing is smoothed, whatever alpha is
         return np.array([spectrum.largest])
     if LINEAR[solver].filter == "truncated":
         return np.sqrt(s * np.append(s[1:], s[-1] / 2.0))[::-1]
-    return np.geomspace(s[-1], s[0], count)
+    return np.geomspace(s[-1] / 100.0, 10.0 * s[0], count)
 
 
 @dataclass(frozen=True, eq=False)
@@ -69,6 +70,18 @@ class Sweep:
     @property
     def discounts(self) -> int:
         return len(self.spectrum.U)
+
+    @cached_property
+    def between(self) -> np.ndarray:
+        """Which alphas lie between the singular values, where alpha decides between components, bool ``(a,)``.
+
+        Below and above them all curves are flat or straight. At least two decades count, however few components are.
+        """
+        s = self.spectrum.s[self.spectrum.usable]
+        if not s.size:
+            return np.ones(self.alphas.size, dtype=bool)
+        low = min(s[-1] / 2.0, s[0] / 100.0)
+        return (low <= self.alphas) & (self.alphas <= s[0])
 
     @cached_property
     def kept(self) -> np.ndarray:

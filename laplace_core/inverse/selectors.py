@@ -1,4 +1,4 @@
-"""Rules that choose alpha: each is a function over a sweep, of which the smallest value is taken.
+"""Selectors, the rules that choose alpha: each is a function over a sweep, of which the smallest value is taken.
 
 With r the weighted residual, G discounts, m columns that share one alpha, d the degrees of freedom of a column and
 n = G m numbers in all. Only ``discrepancy`` needs the size of the error. Sources: Hansen, Discrete Inverse Problems
@@ -21,7 +21,7 @@ from laplace_core.errors import InputError
 from laplace_core.inverse.components import Sweep, sweep_of
 from laplace_core.inverse.problem import Problem
 
-AUTO = "gcv"
+AUTO = "aic"
 """The rule that ``auto`` stands for."""
 ROBUSTNESS = 0.9
 """Share of plain cross-validation in ``rgcv``; the rest is weighed by how much of the noise is fitted."""
@@ -67,16 +67,15 @@ def aic(sweep: Sweep) -> np.ndarray:
     """Akaike's criterion, corrected for small samples: n log(|r|^2 / n) + 2 k n / (n - k - 1), with k = m d."""
     numbers = sweep.discounts * sweep.columns
     room = sweep.columns * sweep.left - 1.0
-    penalty = np.divide(2.0 * sweep.columns * sweep.degrees * numbers, room, out=np.full_like(room, np.inf), where=room > 0)
+    fitted = 2.0 * sweep.columns * sweep.degrees * numbers
+    penalty = np.divide(fitted, room, out=np.full_like(room, np.inf), where=room > 0)
     return numbers * _log(sweep.residual / numbers) + penalty
 
 
 def bic(sweep: Sweep) -> np.ndarray:
     """The Bayesian criterion: n log(|r|^2 / n) + k log n, with k = m d; as ``aic`` only where n - k exceeds 1."""
     numbers = sweep.discounts * sweep.columns
-    penalty = np.where(
-        sweep.columns * sweep.left > 1.0, math.log(numbers) * sweep.columns * sweep.degrees, np.inf
-    )
+    penalty = np.where(sweep.columns * sweep.left > 1.0, math.log(numbers) * sweep.columns * sweep.degrees, np.inf)
     return numbers * _log(sweep.residual / numbers) + penalty
 
 
@@ -88,7 +87,8 @@ def _bends(sweep: Sweep) -> tuple[np.ndarray, np.ndarray]:
 def lcurve(sweep: Sweep) -> np.ndarray:
     """Curvature of the L-curve, negative: its sharpest bend towards small norms has the smallest value.
 
-    By central differences along the sweep; the two alphas at either end have too few neighbours and are left out.
+    By central differences along the sweep, between the singular values; the two alphas at either end of the sweep have
+    too few neighbours and are left out.
     """
     curve = np.full_like(sweep.residual, np.inf)
     if sweep.alphas.size < 5:
@@ -98,20 +98,25 @@ def lcurve(sweep: Sweep) -> np.ndarray:
     dx, dy = np.gradient(x, place, axis=-1), np.gradient(y, place, axis=-1)
     turning = dx * np.gradient(dy, place, axis=-1) - dy * np.gradient(dx, place, axis=-1)
     speed = dx**2 + dy**2
-    moving = speed > 1e-12 * speed.max(axis=-1, keepdims=True)  # where nothing changes, a bend is rounding
+    moving = sweep.between & (
+        speed > 1e-12 * speed.max(axis=-1, keepdims=True)
+    )  # where nothing changes, a bend is rounding
     moving[:, :2] = moving[:, -2:] = False
     np.divide(-turning, speed**1.5, out=curve, where=moving)
     return curve
 
 
 def corner(sweep: Sweep) -> np.ndarray:
-    """Distance of the L-curve from its lower left corner, both axes scaled to what they span in the sweep."""
+    """Distance of the L-curve from its lower left corner, both axes scaled to their span between the singular values."""
+    here = sweep.between
 
     def scaled(values: np.ndarray) -> np.ndarray:
         low, span = values.min(axis=-1, keepdims=True), np.ptp(values, axis=-1, keepdims=True)
         return np.divide(values - low, span, out=np.zeros_like(values), where=span > 0)
 
-    return np.hypot(*map(scaled, _bends(sweep)))
+    curve = np.full_like(sweep.residual, np.inf)
+    curve[:, here] = np.hypot(*(scaled(values[:, here]) for values in _bends(sweep)))
+    return curve
 
 
 def discrepancy(sweep: Sweep) -> np.ndarray:
@@ -144,11 +149,15 @@ def ncp(sweep: Sweep) -> np.ndarray:
 
 
 def quasiopt(sweep: Sweep) -> np.ndarray:
-    """Quasi-optimality: how much L x changes from one alpha to the next, sum over the columns, as a norm."""
+    """Quasi-optimality: how much L x changes from one alpha to the next, as a norm, between the singular values.
+
+    Beyond them nothing changes, and that says nothing.
+    """
     curve = np.full_like(sweep.residual, np.inf)
     free = sweep.spectrum.free
     changes = np.diff(sweep.kept[:, free:], axis=0)
     curve[:, :-1] = np.sqrt(sweep.energy[:, free:] @ (changes**2).T)
+    curve[:, ~sweep.between] = np.inf
     return curve
 
 

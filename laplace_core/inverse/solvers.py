@@ -56,9 +56,7 @@ def solve_linear(problem: Problem, alpha: float | np.ndarray, *, solver: str) ->
     return Solution(masses, problem.masses - problem.transform @ masses, degrees)
 
 
-SOLVERS: Mapping[str, Solver] = {
-    name: Solver(partial(solve_linear, solver=name), linear=True) for name in LINEAR
-}
+SOLVERS: Mapping[str, Solver] = {name: Solver(partial(solve_linear, solver=name), linear=True) for name in LINEAR}
 """Every solver that settings may name; a further one is a further entry."""
 
 

@@ -21,7 +21,7 @@ ORDERS = (0, 1, 2)
 
 @dataclass(frozen=True, eq=False)
 class Spectrum:
-    """Components of W F against L: W F ``rows`` = U diag(1 .. 1, s), and L ``rows`` is orthonormal beyond the free ones.
+    """Components of W F against L: W F ``rows`` = U diag(1 .. 1, s), with L ``rows`` orthonormal but for the free ones.
 
     **One scale for alpha.** W is scaled so that the largest singular value of W F is that of F, and L so that the
     largest generalised singular value is that as well. So alpha is in the same unit for all weights and orders: at
@@ -63,7 +63,7 @@ def usable(singular_values: np.ndarray, size: int) -> np.ndarray:
 
 
 def difference_operator(steps: int, order: int) -> np.ndarray:
-    """L before it is scaled, ``(max(0, steps - order), steps)``: differences of neighbouring rows, taken ``order`` times.
+    """L before it is scaled, ``(max(0, steps - order), steps)``: differences of neighbours, taken ``order`` times.
 
     Nothing is assumed about what lies before the first row or after the last one.
     """

@@ -156,9 +156,7 @@ class Study:
     def under(self, settings: Resolved) -> Self:
         """The same gamma-space, decoded and read by other settings; a truth stays as it is."""
         settings, automatic = with_alpha(self.gamma_space, settings)
-        return replace(
-            self, settings=settings, decoded=read_study(self.gamma_space, settings), automatic=automatic
-        )
+        return replace(self, settings=settings, decoded=read_study(self.gamma_space, settings), automatic=automatic)
 
     def check_view(self, row: int | None = None, action: int | None = None) -> None:
         """Refuse a row of no horizon, or an action that this study does not have.
@@ -228,7 +226,9 @@ def study(
     truth = _truth(world, timeline, optimum, thetas, settings=s)
     midpoints = gamma_space.bin_values
     decoded = read_study(gamma_space, s)
-    return WorldStudy(s, world.actions, gamma_space, midpoints, decoded, world, state, truth, learned, policy, automatic)
+    return WorldStudy(
+        s, world.actions, gamma_space, midpoints, decoded, world, state, truth, learned, policy, automatic
+    )
 
 
 def study_of_gamma_space(gamma_space: GammaSpace, settings: Settings, *, own_convention: bool = True) -> Study:
@@ -287,7 +287,7 @@ def rows_decoded(settings: Resolved, row: int | None) -> int:
 
 
 def deviations_of(settings: Resolved, gammas: np.ndarray) -> np.ndarray | None:
-    """Standard deviation of the error at each discount by which the inverse divides, ``(G,)``; None: all count alike."""
+    """Standard deviations that the inverse divides each discount by, ``(G,)``; None where all count alike."""
     s = settings
     return None if s.weighting == "equal" else (s.noise_level or 1.0) / (1.0 - gammas)
 
@@ -317,9 +317,9 @@ def decoder(
 
 
 def inverted(values: np.ndarray, gammas: np.ndarray, settings: Resolved, row: int | None = None) -> np.ndarray:
-    """Anything that lies over the discounts, ``(..., G, n)``, over the rows instead, ``(..., K, n)``, by a linear solver.
+    """Anything that lies over the discounts, ``(..., G, n)``, over the rows instead, ``(..., K, n)``.
 
-    Rows that are not decoded, because the horizon of ``row`` has fewer, are 0.
+    The solver of the settings has to be a linear one. Rows that are not decoded, because the horizon of ``row`` has fewer, are 0.
     """
     s = settings
     decoded = decoder(gammas, s, rows_decoded(s, row)) @ (shifted(values) if s.shift else values)
@@ -333,7 +333,7 @@ def _with_all_rows(decoded: np.ndarray, settings: Resolved) -> np.ndarray:
 
 
 def problem_for(gamma_space: GammaSpace, settings: Resolved, row: int | None = None) -> Problem:
-    """The problem that a study's settings make of a gamma-space, before any filter; its rows as for :func:`inverted`."""
+    """The problem that settings make of a gamma-space, before any filter; with as many rows as :func:`inverted` has."""
     s = settings
     problem = problem_of(gamma_space, rows_decoded(s, row), s.time_step, deviations_of(s, gamma_space.gammas))
     return replace(problem, masses=shifted(problem.masses)) if s.shift else problem
@@ -465,7 +465,7 @@ def rewards_of(gamma_space: GammaSpace, settings: Resolved, row: int | None = No
 
 
 def is_linear_reading(settings: Resolved) -> bool:
-    """Whether expected rewards are linear in gamma-space: a linear solver, and no rows that are clipped and rescaled."""
+    """Whether expected rewards are linear in gamma-space: by a linear solver, without rows that are clipped."""
     return is_linear(settings.solver) and settings.normalise != "paper"
 
 

@@ -82,13 +82,19 @@ class Settings:
     )
     deadline: str | None = _choice("time_to_go", DEADLINES, "The T that an episode is acted with at each step.")
     solver: str | None = _choice("tikhonov", tuple(SOLVERS), "How the transform is inverted.")
-    selector: str | None = _choice("typed", ALPHA_CHOICES, "Rule that chooses alpha, also --alpha NAME; typed is a number.")
+    selector: str | None = _choice(
+        "typed", ALPHA_CHOICES, "Rule that chooses alpha, also --alpha NAME; typed is a number."
+    )
     noise_level: float | None = _setting(
-        None, 1e-12, 1, "Random error that gamma-space is taken to have: standard deviation of (1 - gamma) Q; discrepancy needs it."
+        None,
+        1e-12,
+        1,
+        "Random error that gamma-space is taken to have: standard deviation of (1 - gamma) Q; discrepancy needs it.",
     )
     weighting: str | None = _choice(
-        None, WEIGHTINGS, "How discounts count: alike, or over the deviation of their error, 1/(1-gamma), which is the default where "
-        "a rule chooses alpha or --noise-level is given.",
+        None, WEIGHTINGS,
+        "How discounts count: alike, or divided by the deviation of their error, 1/(1-gamma), which is the default "
+        "where a rule chooses alpha or --noise-level is given.",
     )  # fmt: skip
     filter: str | None = _choice("none", FILTERS, "Filter over the discounts before the inverse.")
     filter_window: int | None = _setting(5, 1, 499, "Discounts in a window of --filter savgol, an odd number.")

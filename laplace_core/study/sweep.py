@@ -1,4 +1,4 @@
-"""One state at many alphas: what each of them fits, what every selector makes of it, and how far it is from the truth."""
+"""One state at many alphas: what each of them fits, what the selectors say, and how far it is from the truth."""
 
 from __future__ import annotations
 

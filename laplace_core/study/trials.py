@@ -116,7 +116,7 @@ class Remedy:
         return any(name.startswith("param:") for name in self.changes)
 
     def apply(self, settings: AnySettings) -> AnySettings:
-        """The settings with the changes made, as complete as they were; an alpha is then typed, whatever rule chose it."""
+        """The settings with the changes made, as complete as they were; an alpha that is changed is a typed one."""
         fields: dict[str, Any] = {name: value for name, value in self.changes.items() if not name.startswith("param:")}
         fields |= {"selector": "typed"} if "alpha" in fields else {}
         params = dict(settings.params)
