@@ -12,20 +12,20 @@ from app.agents import episode
 from app.catalogue import checkpoints
 from app.components.lens.state import ADDED
 from app.session.url import Entries, Old, Schema, Values
-from app.view.schema import ACTION, LOOK, OLD_SWITCHES
+from app.view.schema import ACTION, DRAWN, LOOK, OLD_SWITCHES
 from app.view.subjects import Observed, View
 from laplace_core import InputError, Settings, load_world
 from laplace_core.agents.capabilities import HasGammaSpace
 from laplace_core.code.interpolation import with_added
 from laplace_core.environments import GYMNASIUM_ENVIRONMENTS, Environment, environment_of
 from laplace_core.parameters import Parameter
-from laplace_core.study.settings import BY_NAME, ENCODING_NAMES, resolve, resolve_for_gamma_space
+from laplace_core.study.settings import ENCODING_NAMES, resolve, resolve_for_gamma_space
 from laplace_core.training.checkpoint import Loaded
 
 OBSERVED = "o."  # prefix of the components of an observation
 # A network's gamma-space is known to a hundredth or so: less regularisation shows its error and not its timeline.
 DEFAULTS = {"alpha": 1.0}
-_READING = {name: parameter for name, parameter in BY_NAME.items() if name not in (*ENCODING_NAMES, "state")}
+_READING = {name: parameter for name, parameter in DRAWN.items() if name not in (*ENCODING_NAMES, "state")}
 _LOOKING = {parameter.name: parameter for parameter in (ACTION, LOOK, ADDED)}
 _IDLE = ("clip", "paper_grid")
 

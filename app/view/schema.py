@@ -2,11 +2,24 @@
 
 from __future__ import annotations
 
-from app.session.url import Old
+from dataclasses import replace
+
+from app.session.url import Known, Old
 from laplace_core.parameters import Parameter
+from laplace_core.study.settings import BY_NAME
 
 ACTION = Parameter("action", None, help="Action whose spaces are shown.", kind=str)
 LOOK = Parameter("look", "heatmap", help="How the spaces are drawn.", choices=("heatmap", "surface"))
+
+_DRAWN = {"solver": "tikhonov", "selector": "typed", "weighting": "equal", "filter": "none"}
+_UNDRAWN = ("noise_level", "filter_window", "filter_order")
+"""They only act beside what is not drawn."""
+DRAWN: Known = {
+    name: replace(parameter, choices=(_DRAWN[name],)) if name in _DRAWN else parameter
+    for name, parameter in BY_NAME.items()
+    if name not in _UNDRAWN
+}
+"""Settings of a study that a page can show: the lens computes the inverse in the browser, and knows one solver."""
 
 YES_NO = {"yes": "true", "no": "false"}
 

@@ -9,7 +9,7 @@ from dataclasses import replace
 from app.catalogue import tabular
 from app.session.link import unpack
 from app.session.url import Check, Entries, Schema, Values, by_name, check_of
-from app.view.schema import ACTION, LOOK, OLD_SWITCHES
+from app.view.schema import ACTION, DRAWN, LOOK, OLD_SWITCHES
 from app.view.subjects import PARAM
 from app.worlds import sources
 from app.worlds.sources import LEARN
@@ -84,7 +84,7 @@ _ENTRIES = (
     Entries(by_name(*WORLD)),
     Check(_is_listed, lead=""),
     Entries(lambda values: by_name(*parameters_of(values["world"])), PARAM, owner=lambda values: str(values["world"])),
-    Entries({**BY_NAME, **by_name(*VIEW)}),
+    Entries({**DRAWN, **by_name(*VIEW)}),
     Entries(by_name(*LEARN_SCHEMA), prefix=LEARN),
 )
 _CHECKS = (

@@ -14,22 +14,24 @@ import numpy as np
 
 from laplace_core.agents.settings import SETTINGS
 from laplace_core.cli.evaluate import add_evaluate
-from laplace_core.cli.learn import add_learn, study_of_file
-from laplace_core.cli.options import action_runs, add_parameters, checked_number, named_params, study_notes
+from laplace_core.cli.learn import add_learn
+from laplace_core.cli.options import action_runs, study_notes
 from laplace_core.cli.race import add_race
 from laplace_core.cli.report import add_report
 from laplace_core.cli.reproduce import add_reproduce
 from laplace_core.cli.search import add_search
+from laplace_core.cli.subject import add_subject, study_of_options
+from laplace_core.cli.sweep import add_sweep
 from laplace_core.cli.train import add_train
 from laplace_core.code.ties import ROUNDING
 from laplace_core.errors import InputError
 from laplace_core.study.artefacts import Artefact, find_artefacts
-from laplace_core.study.npz import read_gamma_space, save_study
-from laplace_core.study.pipeline import Study, study, study_of_gamma_space
-from laplace_core.study.settings import SCHEMA, check_paper_grid, flag, parse_settings
+from laplace_core.study.npz import save_study
+from laplace_core.study.pipeline import Study
+from laplace_core.study.settings import SCHEMA, flag
 from laplace_core.study.verdict import Verdict, judge
 from laplace_core.tabular.settings import LEARN_SCHEMA
-from laplace_core.worlds import PRESETS, TOY_TEXT, load_world
+from laplace_core.worlds import PRESETS, TOY_TEXT
 
 
 class _Parser(argparse.ArgumentParser):
@@ -85,20 +87,14 @@ def _parser() -> argparse.ArgumentParser:
         description="From a world's exact gamma-space to its tau-space and the action of every horizon. "
         "Every option has a default that suits the world.",
     )
-    decode.add_argument(
-        "world",
-        metavar="WORLD",
-        help="a preset, a world file (.json), gym:NAME, a gamma-space (.npz) or a learned agent (.safetensors)",
-    )
-    decode.add_argument("--param", action="append", default=[], metavar="name=value", help="a parameter of the world")
-    add_parameters(decode, SCHEMA)
-    decode.add_argument("--seed-index", metavar="N", help="which learner of a learned agent, from 0")
+    add_subject(decode)
     decode.add_argument(
         "--explain", action="store_true", help="search for the cause of what is wrong: every single setting is tried"
     )
     decode.add_argument("--out", metavar="FILE.npz", help="write all arrays and the settings here")
     decode.add_argument("--json", action="store_true", help="print JSON")
     decode.set_defaults(run=_decode)
+    add_sweep(verbs)
     add_learn(verbs)
     add_train(verbs)
     add_evaluate(verbs)
@@ -138,30 +134,9 @@ def _worlds(options: argparse.Namespace) -> None:
 
 
 def _decode(options: argparse.Namespace) -> None:
-    params = named_params(options.param)
-    if options.seed_index is not None:
-        params["seed_index"] = options.seed_index
-    given = {parameter.name: getattr(options, parameter.name) for parameter in SCHEMA}
-    settings = parse_settings(options.world, params, given)
-    check_paper_grid(given)
-    if options.noise is None and options.noise_seed is not None:
-        raise InputError("--noise-seed changes nothing without --noise: give both, or neither.")
-    if settings.theta_scale and settings.theta_spacing in (None, "uniform"):
-        raise InputError("--theta-scale changes nothing beside --theta-spacing uniform: leave it out.")
     if options.out is not None and not options.out.lower().endswith(".npz"):
         raise InputError(f"--out {options.out[:60]!r} must end in .npz.")
-    ending = options.world.lower().rpartition(".")[2]
-    if ending == "safetensors":
-        result = study_of_file(options.world, settings)
-    elif ending == "npz":
-        if settings.deadline == "constant" and not settings.used:
-            raise InputError("--deadline changes nothing for a saved gamma-space: no episode is acted without a world.")
-        result = study_of_gamma_space(read_gamma_space(options.world, settings.state), settings)
-    else:
-        result = study(load_world(options.world, params), settings)
-    if options.horizon is not None:  # at a time_step of 1 there is no T between two whole ones
-        kind, least = (int, 1) if result.settings.time_step == 1.0 else (float, float(result.horizons[0]))
-        checked_number("horizon", options.horizon, kind, least, high=float(result.horizons[-1]))
+    result = study_of_options(options)
     if options.out is not None:
         save_study(result, options.out)
     row = result.row
@@ -210,6 +185,7 @@ def summary(result: Study) -> dict[str, object]:
     decoded, truth = result.decoded, result.truth
     payload: dict[str, object] = {
         "settings": {**vars(result.settings), "params": dict(result.settings.params)},
+        "alpha_record": json.loads(result.alpha_record.as_json()),
         "actions": list(result.action_names),
         "expected_reward": decoded.expected_reward.tolist(),
         "survival": decoded.survival.tolist(),
@@ -233,7 +209,7 @@ def _report(result: Study, most: int = 8) -> str:
     lines = [
         f"{s.world}, state {s.state or 0}: "
         f"{len(result.gamma_space.gammas)} discounts, {len(result.gamma_space.thetas)} sensitivities, "
-        f"alpha {s.alpha:g}, {s.steps} {'step' if s.steps == 1 else 'steps'}, normalise {s.normalise}",
+        f"{_inverse(result)}, {s.steps} {'step' if s.steps == 1 else 'steps'}, normalise {s.normalise}",
         f"expected reward at tau = {', '.join(f'{tau:g}' for tau in result.taus[:rows])}{more}",
     ]
     width = max(map(len, result.action_names))
@@ -255,6 +231,19 @@ def _report(result: Study, most: int = 8) -> str:
         lines.append(f"best by T     {action_runs(result, truth.optimal_action)}")
     lines += study_notes(result)
     return "\n".join(lines)
+
+
+def _inverse(result: Study) -> str:
+    """Alpha, and whatever else of the inverse is not the usual."""
+    s, record = result.settings, result.alpha_record
+    words = [f"alpha {s.alpha:g}"]
+    if s.selector != "typed":
+        edge = "" if record.edge == "none" else f", the {record.edge} edge of the sweep"
+        words = [f"alpha {s.alpha:.4g} by {record.criterion}{edge}"]
+    words += [f"solver {s.solver}"] if s.solver != "tikhonov" else []
+    words += ["discounts weighed by their deviation"] if s.weighting != "equal" else []
+    words += [f"filter {s.filter}"] if s.filter != "none" else []
+    return ", ".join(words)
 
 
 def _numbers(values: np.ndarray, largest: float) -> str:

@@ -12,7 +12,7 @@ import numpy as np
 from laplace_core.code.encoding import sigmoid
 from laplace_core.code.ties import greedy_action
 from laplace_core.errors import InputError
-from laplace_core.inverse.tikhonov import filter_factors
+from laplace_core.inverse.linear import filter_factors
 from laplace_core.inverse.transform import transform_factors, transform_matrix
 
 

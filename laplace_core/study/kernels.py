@@ -7,8 +7,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from laplace_core.study.horizon import deadline_weights, discount_kernel, readout_weights
-from laplace_core.study.pipeline import Study, rows_decoded
+from laplace_core.study.horizon import deadline_weights, discount_kernel
+from laplace_core.study.pipeline import Study, decoder, rows_decoded
 
 
 def target_of(study: Study) -> np.ndarray:
@@ -29,7 +29,7 @@ def weights_of(study: Study, target: np.ndarray) -> np.ndarray:
     """
     s, gammas = study.settings, study.gamma_space.gammas
     rows = rows_decoded(s, study.reading(study.row)[0])
-    weights = readout_weights(gammas, target[:rows], s.alpha, s.time_step)
+    weights = target[:rows] @ decoder(gammas, s, rows)
     # Decoding values that are shifted by one is decoding by weights that are shifted back.
     return np.append(weights[1:], 0.0) if s.shift else weights
 

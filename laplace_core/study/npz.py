@@ -19,6 +19,7 @@ from laplace_core.code.gamma_space import GammaSpace, check_gammas, check_shapes
 from laplace_core.code.ties import greedy_action
 from laplace_core.errors import InputError
 from laplace_core.files.atomic import atomic_write
+from laplace_core.inverse import is_linear
 from laplace_core.study.conventions import check_convention, order_of_axes
 from laplace_core.study.horizon import regret
 from laplace_core.study.kernels import averaging_kernel_of, discount_kernel_of
@@ -30,7 +31,7 @@ _WANTED = ("gamma_space", "gammas", "thetas", "constant_channel", "open_ends", "
 
 
 def study_arrays(study: Study) -> dict[str, Any]:
-    """Every array of a study by its name in the file (design: ``decode``), float64, and ``settings`` as JSON."""
+    """Every array of a study by its name in the file (design: ``decode``), float64; settings and alpha record as JSON."""
     decoded, truth = study.decoded, study.truth
     read, left = study.reading(study.row)
     chosen = greedy_action(decoded.horizon_values[:, read], scale=decoded.scale)
@@ -46,9 +47,10 @@ def study_arrays(study: Study) -> dict[str, Any]:
         "thetas": study.gamma_space.thetas,
         "theta_midpoints": study.midpoints,
         "horizons": study.horizons,
-        "discount_kernel": discount_kernel_of(study),
-        "averaging_kernel": averaging_kernel_of(study, 0),
+        "alpha": np.array(study.settings.alpha),
     }
+    if is_linear(study.settings.solver):  # else no kernel says what a value is made of
+        arrays |= {"discount_kernel": discount_kernel_of(study), "averaging_kernel": averaging_kernel_of(study, 0)}
     if study.gamma_space.open_ends:
         arrays["open_ends"] = np.array(1.0)
     if study.gamma_space.places is not None:
@@ -67,7 +69,10 @@ def study_arrays(study: Study) -> dict[str, Any]:
         arrays["regret"] = regret(truth.optimum[:, [left]], np.array([chosen]))[0]
     settings = asdict(study.settings) | {"params": dict(study.settings.params)}
     settings |= {"actions": study.action_names, "command": study.settings.to_command()}
-    return arrays | {"settings": np.array(json.dumps(settings))}
+    return arrays | {
+        "settings": np.array(json.dumps(settings)),
+        "alpha_record": np.array(study.alpha_record.as_json()),
+    }
 
 
 def save_study(study: Study, path: str | Path) -> None:

@@ -11,14 +11,25 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import lru_cache
-from typing import Self
+from typing import Self, TypeVar
 
 import numpy as np
 
 from laplace_core.code.encoding import PAPER_GAMMAS, bin_masses, discount_grid, sensitivity_grid
 from laplace_core.code.gamma_space import GammaSpace, encode, shifted, softened, with_noise
 from laplace_core.errors import InputError
-from laplace_core.inverse import decode, normalise_rows, rounding_of_rows
+from laplace_core.inverse import (
+    AlphaRecord,
+    Problem,
+    choose_alpha,
+    decode_matrix,
+    is_linear,
+    normalise_rows,
+    problem_of,
+    rounding_of_rows,
+    solve,
+)
+from laplace_core.inverse.smoothing import filtered, probability_filter
 from laplace_core.planning import (
     check_policy,
     finite_horizon_optimum,
@@ -32,6 +43,7 @@ from laplace_core.study.horizon import choose_actions, expected_rewards, horizon
 from laplace_core.study.settings import Resolved, ResolvedForWorld, Settings, resolve, resolve_for_gamma_space
 from laplace_core.worlds import World
 
+AnyResolved = TypeVar("AnyResolved", bound=Resolved)
 MAX_VALUES = 50_000_000
 """Largest array a study may hold, in numbers; 50 million are 400 MB."""
 MAX_FOLDED = 200_000_000
@@ -88,7 +100,8 @@ class Study:
 
     ``midpoints`` are what each column of the tau-space counts as: the bin values of the gamma-space, ``(B,)``.
     ``learned`` is the learned reward-indicator basis, ``(A, G, V)``, that was decoded in place of the exact one;
-    ``policy`` is the one that was given in place of the target policy of the settings.
+    ``policy`` is the one that was given in place of the target policy of the settings. ``automatic`` says how a rule
+    chose the alpha that stands in the settings; None where it was typed.
     """
 
     settings: Resolved
@@ -101,6 +114,12 @@ class Study:
     truth: Truth | None = None
     learned: np.ndarray | None = None
     policy: np.ndarray | None = None
+    automatic: AlphaRecord | None = None
+
+    @property
+    def alpha_record(self) -> AlphaRecord:
+        """How alpha was chosen; a typed value is recorded as typed."""
+        return self.automatic or AlphaRecord("typed", self.settings.alpha, solver=self.settings.solver)
 
     @property
     def horizons(self) -> np.ndarray:
@@ -136,7 +155,8 @@ class Study:
 
     def under(self, settings: Resolved) -> Self:
         """The same gamma-space, decoded and read by other settings; a truth stays as it is."""
-        return replace(self, settings=settings, decoded=read_study(self.gamma_space, settings))
+        settings, automatic = with_alpha(self.gamma_space, settings)
+        return replace(self, settings=settings, decoded=read_study(self.gamma_space, settings), automatic=automatic)
 
     def check_view(self, row: int | None = None, action: int | None = None) -> None:
         """Refuse a row of no horizon, or an action that this study does not have.
@@ -201,11 +221,14 @@ def study(
         clipped = clipped_sensitivities(s, world, timeline)
         thetas = thetas if clipped is None else clipped
     gamma_space = with_noise(encode(basis, world.reward_values, gammas, thetas, s.slope), s.noise, s.noise_seed)
+    s, automatic = with_alpha(gamma_space, s)
     optimum = _optimum(world, state, s.acting_gamma, length)
     truth = _truth(world, timeline, optimum, thetas, settings=s)
     midpoints = gamma_space.bin_values
     decoded = read_study(gamma_space, s)
-    return WorldStudy(s, world.actions, gamma_space, midpoints, decoded, world, state, truth, learned, policy)
+    return WorldStudy(
+        s, world.actions, gamma_space, midpoints, decoded, world, state, truth, learned, policy, automatic
+    )
 
 
 def study_of_gamma_space(gamma_space: GammaSpace, settings: Settings, *, own_convention: bool = True) -> Study:
@@ -226,7 +249,9 @@ def study_of_gamma_space(gamma_space: GammaSpace, settings: Settings, *, own_con
     _check_size(actions, discounts, thetas, resolved.steps)
     check_fold(resolved, discounts, actions * (thetas if resolved.normalise == "paper" else 2))
     names = tuple(f"action {a}" for a in range(len(gamma_space.values)))
-    return Study(resolved, names, gamma_space, gamma_space.bin_values, read_study(gamma_space, resolved))
+    resolved, automatic = with_alpha(gamma_space, resolved)
+    decoded = read_study(gamma_space, resolved)
+    return Study(resolved, names, gamma_space, gamma_space.bin_values, decoded, automatic=automatic)
 
 
 def grids(settings: ResolvedForWorld) -> tuple[np.ndarray, np.ndarray]:
@@ -261,16 +286,74 @@ def rows_decoded(settings: Resolved, row: int | None) -> int:
     return row + 1 if settings.fold and row is not None else settings.steps
 
 
+def deviations_of(settings: Resolved, gammas: np.ndarray) -> np.ndarray | None:
+    """Standard deviations that the inverse divides each discount by, ``(G,)``; None where all count alike."""
+    s = settings
+    return None if s.weighting == "equal" else (s.noise_level or 1.0) / (1.0 - gammas)
+
+
+def noise_of(settings: Resolved, gammas: np.ndarray) -> np.ndarray | None:
+    """Standard deviation of the error that each discount is taken to have, ``(G,)``; None where it is not known."""
+    return None if settings.noise_level is None else settings.noise_level / (1.0 - gammas)
+
+
+def decoder(
+    gammas: np.ndarray, settings: Resolved, rows: int | None = None, alpha: float | None = None
+) -> np.ndarray:  # fmt: skip
+    """The matrix from gamma-space to tau-space of a linear solver, ``(rows, G)``: the inverse after any filter.
+
+    Args:
+        rows, alpha: default to those of the settings.
+
+    Raises:
+        InputError: a solver that has no matrix, or a filter that does not fit the grid.
+    """
+    s = settings
+    matrix = decode_matrix(
+        gammas, s.steps if rows is None else rows, s.alpha if alpha is None else alpha, s.time_step,
+        solver=s.solver, deviations=deviations_of(s, gammas),
+    )  # fmt: skip
+    return matrix if s.filter == "none" else matrix @ probability_filter(gammas, s.filter_window, s.filter_order)
+
+
 def inverted(values: np.ndarray, gammas: np.ndarray, settings: Resolved, row: int | None = None) -> np.ndarray:
     """Anything that lies over the discounts, ``(..., G, n)``, over the rows instead, ``(..., K, n)``.
 
-    Rows that are not decoded, because the horizon of ``row`` has fewer, are 0.
+    The solver of the settings has to be a linear one. Rows that are not decoded, because the horizon of ``row`` has fewer, are 0.
     """
-    s, rows = settings, rows_decoded(settings, row)
-    decoded = decode(shifted(values) if s.shift else values, gammas, rows, s.alpha, s.time_step)
-    return (
-        decoded if rows == s.steps else np.pad(decoded, [(0, 0)] * (decoded.ndim - 2) + [(0, s.steps - rows), (0, 0)])
-    )
+    s = settings
+    decoded = decoder(gammas, s, rows_decoded(s, row)) @ (shifted(values) if s.shift else values)
+    return _with_all_rows(decoded, s)
+
+
+def _with_all_rows(decoded: np.ndarray, settings: Resolved) -> np.ndarray:
+    """Rows ``(..., rows, n)`` with those that were not decoded, which are 0, ``(..., K, n)``."""
+    missing = settings.steps - decoded.shape[-2]
+    return decoded if not missing else np.pad(decoded, [(0, 0)] * (decoded.ndim - 2) + [(0, missing), (0, 0)])
+
+
+def problem_for(gamma_space: GammaSpace, settings: Resolved, row: int | None = None) -> Problem:
+    """The problem that settings make of a gamma-space, before any filter; with as many rows as :func:`inverted` has."""
+    s = settings
+    problem = problem_of(gamma_space, rows_decoded(s, row), s.time_step, deviations_of(s, gamma_space.gammas))
+    return replace(problem, masses=shifted(problem.masses)) if s.shift else problem
+
+
+def with_alpha(gamma_space: GammaSpace, settings: AnyResolved) -> tuple[AnyResolved, AlphaRecord | None]:
+    """Settings with the alpha that their rule chooses for a gamma-space, and its record; None of a typed one.
+
+    A rule looks at the values as they are, before any filter, whose output no longer has independent errors.
+
+    Raises:
+        InputError: a rule that cannot choose, for lack of a noise level, of discounts, or of a linear solver.
+    """
+    s = settings
+    if s.selector == "typed":
+        return s, None
+    problem = problem_for(gamma_space, s, row_read(s))
+    record = choose_alpha(problem, s.solver, s.selector, noise=noise_of(s, gamma_space.gammas))
+    assert isinstance(record.value, float)  # one for all bins
+    return replace(s, alpha=record.value), record
 
 
 def decode_and_read(gamma_space: GammaSpace, settings: Resolved, row: int | None = None) -> Decoded:
@@ -280,14 +363,21 @@ def decode_and_read(gamma_space: GammaSpace, settings: Resolved, row: int | None
         row: of the horizon that is read. Under ``fold`` it decides how many rows are decoded: of the values, only that
             of this horizon is then meant.
     """
-    s, gammas, differences = settings, gamma_space.gammas, gamma_space.differences
-    tau_space = inverted(differences, gammas, s, row)
-    survival = inverted(gamma_space.constant[..., None], gammas, s, row)[..., 0]
+    s, gammas = settings, gamma_space.gammas
     rounding = None
-    if s.normalise == "paper":
-        rows = rows_decoded(s, row)
-        least = rounding_of_rows(shifted(differences) if s.shift else differences, gammas, rows, s.alpha, s.time_step)
-        rounding = np.pad(least, [(0, 0)] * (least.ndim - 1) + [(0, s.steps - rows)])
+    if is_linear(s.solver):
+        differences = gamma_space.differences
+        tau_space = inverted(differences, gammas, s, row)
+        survival = inverted(gamma_space.constant[..., None], gammas, s, row)[..., 0]
+        if s.normalise == "paper":
+            matrix = decoder(gammas, s, rows_decoded(s, row))
+            least = rounding_of_rows(shifted(differences) if s.shift else differences, matrix)
+            rounding = _with_all_rows(least[..., None], s)[..., 0]
+    else:
+        space = gamma_space if s.filter == "none" else filtered(gamma_space, s.filter_window, s.filter_order)
+        solution = solve(problem_for(space, s, row), s.solver, s.alpha)
+        tau_space = _with_all_rows(solution.tau_space(open_ends=gamma_space.open_ends), s)
+        survival = _with_all_rows(solution.survival[..., None], s)[..., 0]
     tau_space = normalise_rows(tau_space, survival, s.normalise, s.time_step, rounding)
     rewards = expected_rewards(tau_space, gamma_space.bin_values)
     values = horizon_values(rewards, s.value_gamma, s.softness, s.time_step)
@@ -312,11 +402,16 @@ def reading(settings: Resolved, horizon: float) -> tuple[int, int]:
     return (int(np.argmin(np.abs(horizons - horizon))) if s.deadline == "constant" else left), left
 
 
+def row_read(settings: Resolved) -> int:
+    """The column of the horizon values that is read for the horizon of settings, or the longest one."""
+    s = settings
+    return reading(s, float(row_horizons(s.steps, s.time_step)[-1]) if s.horizon is None else s.horizon)[0]
+
+
 def read_study(gamma_space: GammaSpace, settings: Resolved) -> Decoded:
     """The decoded part of a study: the rows that the horizon of its settings has, and the value of every horizon."""
     s = settings
-    row = reading(s, float(row_horizons(s.steps, s.time_step)[-1]) if s.horizon is None else s.horizon)[0]
-    decoded = decode_and_read(gamma_space, s, row)
+    decoded = decode_and_read(gamma_space, s, row_read(s))
     if not s.fold:
         return decoded
     return replace(decoded, horizon_values=folded_values(lambda each: rewards_of(gamma_space, s, each), s))
@@ -362,11 +457,16 @@ def check_fold(settings: Resolved, discounts: int, columns: int) -> None:
 def rewards_of(gamma_space: GammaSpace, settings: Resolved, row: int | None = None) -> np.ndarray:
     """Decoded E[r_tau], ``(A, K)``, as :func:`decode_and_read` has it.
 
-    Unless rows are clipped and rescaled, it is linear in gamma-space and needs no tau-space.
+    Where it is linear in gamma-space (:func:`is_linear_reading`), it needs no tau-space.
     """
-    if settings.normalise == "paper":
+    if not is_linear_reading(settings):
         return decode_and_read(gamma_space, settings, row).expected_reward
     return rewards_of_parts(linear_parts(gamma_space), gamma_space.gammas, settings, row)
+
+
+def is_linear_reading(settings: Resolved) -> bool:
+    """Whether expected rewards are linear in gamma-space: by a linear solver, without rows that are clipped."""
+    return is_linear(settings.solver) and settings.normalise != "paper"
 
 
 def linear_parts(gamma_space: GammaSpace) -> np.ndarray:

@@ -10,21 +10,24 @@ import os
 import re
 import shlex
 from collections.abc import Mapping
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 from functools import partial
-from typing import Any
+from typing import Any, Self
 
 import numpy as np
 
 from laplace_core.code.encoding import GAMMA_SPACINGS, PAPER_GAMMAS, THETA_SCALE_HELP, THETA_SPACINGS, sensitivity_grid
 from laplace_core.errors import InputError
-from laplace_core.inverse import MAX_STEPS, NORMALISATIONS
+from laplace_core.inverse import ALPHA_CHOICES, MAX_STEPS, NORMALISATIONS, SOLVERS
+from laplace_core.inverse.smoothing import FILTERS
 from laplace_core.parameters import Parameter, as_text, choice, schema_of, setting, switch, text
 from laplace_core.planning import TARGET_POLICIES
 from laplace_core.study.horizon import row_horizons
 from laplace_core.worlds import World
 
-SOLVERS = ("tikhonov",)
+WEIGHTINGS = ("equal", "deviation")
+"""``deviation`` divides the values of a discount by the standard deviation of their error, which grows like
+1 / (1 - gamma); ``equal`` does not."""
 DEADLINES = ("time_to_go", "constant")
 """``time_to_go`` acts by V_{T-t} at step t; ``constant`` by V_T at every step, as the paper's experiment does."""
 SLOPE_TIMES_SPACING = 2.35
@@ -78,7 +81,24 @@ class Settings:
         0.0, 0, 10, "Width of the deadline, as a fraction of the horizon; 0 is a hard one."
     )
     deadline: str | None = _choice("time_to_go", DEADLINES, "The T that an episode is acted with at each step.")
-    solver: str | None = _choice("tikhonov", SOLVERS, "How the transform is inverted.")
+    solver: str | None = _choice("tikhonov", tuple(SOLVERS), "How the transform is inverted.")
+    selector: str | None = _choice(
+        "typed", ALPHA_CHOICES, "Rule that chooses alpha, also --alpha NAME; typed is a number."
+    )
+    noise_level: float | None = _setting(
+        None,
+        1e-12,
+        1,
+        "Random error that gamma-space is taken to have: standard deviation of (1 - gamma) Q; discrepancy needs it.",
+    )
+    weighting: str | None = _choice(
+        None, WEIGHTINGS,
+        "How discounts count: alike, or divided by the deviation of their error, 1/(1-gamma), which is the default "
+        "where a rule chooses alpha or --noise-level is given.",
+    )  # fmt: skip
+    filter: str | None = _choice("none", FILTERS, "Filter over the discounts before the inverse.")
+    filter_window: int | None = _setting(5, 1, 499, "Discounts in a window of --filter savgol, an odd number.")
+    filter_order: int | None = _setting(2, 0, 20, "Order of the polynomial of --filter savgol.")
     noise: float | None = _setting(
         0.0, 0, 1, "Random error of gamma-space: standard deviation of (1 - gamma) Q, a probability."
     )
@@ -113,15 +133,25 @@ class Settings:
         words = ["python", "-m", "laplace_core", "decode", self.world]
         for name, value in self.params:
             words += ["--param", f"{name}={as_text(value)}"]
-        for parameter in SCHEMA:
-            value = getattr(self, parameter.name)
-            if value is not None and not self._is_off(parameter):
-                words += [flag(parameter), as_text(value)]
+        for parameter, value in self._said():
+            words += ["--alpha" if parameter.name == "selector" else flag(parameter), as_text(value)]
         return shlex.join(words + (["--out", out] if out else []))
+
+    def _said(self) -> list[tuple[Parameter, object]]:
+        """The settings that have to be said to repeat this study, with their values."""
+        chosen = [(parameter, getattr(self, parameter.name)) for parameter in SCHEMA]
+        ruled = self.selector not in (None, "typed")  # then alpha is what the rule finds
+        return [
+            (parameter, value)
+            for parameter, value in chosen
+            if value is not None and not self._is_off(parameter) and not (ruled and parameter.name == "alpha")
+        ]
 
     def _is_off(self, parameter: Parameter) -> bool:
         """Whether a switch is off, which no later default can change: a command without it says the same."""
         value = getattr(self, parameter.name)
+        if parameter.name == "weighting":
+            return bool(value == _weighting(vars(self)))
         return parameter.name in SWITCHES and value == parameter.default
 
     def to_python(self, world_expression: str | None = None) -> str:
@@ -131,10 +161,7 @@ class Settings:
             world_expression: how to get the world, such as ``read_world("edited.json")``, where ``world`` does not
                 name it.
         """
-        chosen = [
-            (p.name, getattr(self, p.name)) for p in SCHEMA if getattr(self, p.name) is not None and not self._is_off(p)
-        ]
-        words = [f"{name}={_literal(value)}" for name, value in chosen]
+        words = [f"{parameter.name}={_literal(value)}" for parameter, value in self._said()]
         if world_expression is None and self.world.lower().endswith(".npz"):
             state = "" if self.state is None else f", {_literal(self.state)}"
             words.insert(0, f"world={_literal(self.world)}")
@@ -172,6 +199,11 @@ class Resolved(Settings):
     softness: float
     deadline: str
     solver: str
+    selector: str
+    weighting: str
+    filter: str
+    filter_window: int
+    filter_order: int
     noise: float
     noise_seed: int
     used: float
@@ -189,7 +221,11 @@ class Resolved(Settings):
     @staticmethod
     def _open() -> tuple[str, ...]:
         """Names of the settings that may be None."""
-        return ("state", "horizon", *ENCODING_NAMES)
+        return ("state", "horizon", "noise_level", *ENCODING_NAMES)
+
+    def at_alpha(self, alpha: float) -> Self:
+        """The same settings with this very alpha, whatever rule chose theirs."""
+        return replace(self, alpha=alpha, selector="typed")
 
     def chosen(self) -> Settings:
         """The same values as if each had been chosen, so that any of them may be given up again."""
@@ -216,13 +252,16 @@ class ResolvedForWorld(Resolved):
 
     @staticmethod
     def _open() -> tuple[str, ...]:
-        return ("theta_scale", "horizon")
+        return ("theta_scale", "horizon", "noise_level")
 
 
 SCHEMA = schema_of(Settings)
 """One entry a setting, in the order of the line from world to action."""
 
-SWITCHES = ("used", "fold", "shift", "clip", "paper_grid", "slope_share")
+SWITCHES = (
+    "used", "fold", "shift", "clip", "paper_grid", "slope_share",
+    "selector", "weighting", "filter", "filter_window", "filter_order",
+)  # fmt: skip
 """Settings that do nothing unless they are chosen."""
 
 BY_NAME: Mapping[str, Parameter] = {parameter.name: parameter for parameter in SCHEMA}
@@ -312,6 +351,7 @@ def resolve(settings: Settings, world: World) -> ResolvedForWorld:
     values["gammas"] = values["gammas"] or 15
     if values["value_gamma"] is None:
         values["value_gamma"] = values["acting_gamma"]
+    values["weighting"] = values["weighting"] or _weighting(values)
     if values["slope_share"] != 1.0:
         raise InputError("--slope-share softens the slope of a trained agent; for a world choose --slope.")
     low, high = float(world.reward_values[0]), float(world.reward_values[-1])
@@ -374,9 +414,15 @@ def resolve_for_gamma_space(settings: Settings, gammas: np.ndarray) -> Resolved:
     }
     if values["value_gamma"] is None:
         values["value_gamma"] = values["acting_gamma"]
+    values["weighting"] = values["weighting"] or _weighting(values)
     values["steps"] = settings.steps or min(MAX_STEPS, int(np.ceil(length / (settings.time_step or 1.0))))
     values["horizon"] = _nearest_horizon(values)
     return Resolved(world=settings.world, **values)
+
+
+def _weighting(values: Mapping[str, Any]) -> str:
+    """The weighting that suits a typed alpha, or a rule: most rules take the error of all discounts for equal."""
+    return "equal" if values["selector"] in (None, "typed") and values["noise_level"] is None else "deviation"
 
 
 def _nearest_horizon(values: Mapping[str, Any]) -> float | None:

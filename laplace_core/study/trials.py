@@ -30,6 +30,7 @@ from laplace_core.study.pipeline import (
     Decoded,
     WorldStudy,
     decode_and_read,
+    is_linear_reading,
     linear_parts,
     noiseless,
     rewards_of,
@@ -115,8 +116,9 @@ class Remedy:
         return any(name.startswith("param:") for name in self.changes)
 
     def apply(self, settings: AnySettings) -> AnySettings:
-        """The settings with the changes made, as complete as they were."""
+        """The settings with the changes made, as complete as they were; an alpha that is changed is a typed one."""
         fields: dict[str, Any] = {name: value for name, value in self.changes.items() if not name.startswith("param:")}
+        fields |= {"selector": "typed"} if "alpha" in fields else {}
         params = dict(settings.params)
         params |= {name.removeprefix("param:"): v for name, v in self.changes.items() if name.startswith("param:")}
         return replace(settings, params=tuple(params.items()), **fields)
@@ -365,7 +367,7 @@ class Trials:
         return None
 
     def _with_alpha(self, alpha: float) -> WorldStudy:
-        return self.study.under(replace(self.settings, alpha=alpha))
+        return self.study.under(self.settings.at_alpha(alpha))
 
     @cached_property
     def _repairing(self) -> dict[float, Grade]:
@@ -392,7 +394,7 @@ class Trials:
         return timeline_error(self.study, self.action, self._decoded_at(alpha))
 
     def _decoded_at(self, alpha: float) -> Decoded:
-        return decode_and_read(self.study.gamma_space, replace(self.settings, alpha=alpha), self._read)
+        return decode_and_read(self.study.gamma_space, self.settings.at_alpha(alpha), self._read)
 
     @property
     def _read(self) -> int:
@@ -421,13 +423,13 @@ class Part:
 
     @classmethod
     def of(cls, space: GammaSpace, settings: Resolved) -> Part:
-        if settings.normalise == "paper":
+        if not is_linear_reading(settings):
             return cls(space, space.gammas)
         return cls(linear_parts(space), space.gammas)
 
     def rewards(self, settings: Resolved, alpha: float, row: int) -> np.ndarray:
         """Decoded E[r_tau] at an alpha, ``(A, K)``, for the horizon of a row."""
-        s = replace(settings, alpha=alpha)
+        s = settings.at_alpha(alpha)
         if isinstance(self.source, GammaSpace):
             return rewards_of(self.source, s, row)
         return rewards_of_parts(self.source, self.gammas, s, row)
@@ -460,7 +462,7 @@ class _Fresh:
     def decoded(self, seed: int, alpha: float | None = None) -> Decoded:
         """The whole tau-space under the noise of a seed."""
         s = self._study.settings
-        s_ = s if alpha is None else replace(s, alpha=alpha)
+        s_ = s if alpha is None else s.at_alpha(alpha)
         return decode_and_read(with_noise(self._clean, s.noise, seed), s_, self._read)
 
 

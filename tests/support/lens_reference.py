@@ -78,6 +78,11 @@ def _settings(header: Mapping[str, Any], state: Mapping[str, Any]) -> Resolved:
         acting_gamma=header["acting_gamma"],
         deadline="constant" if state["constant"] else "time_to_go",
         solver="tikhonov",
+        selector="typed",
+        weighting="equal",
+        filter="none",
+        filter_window=5,
+        filter_order=2,
         slope_share=1.0,
         **{name: state[name] for name in same},
     )

@@ -6,6 +6,7 @@ removes it. Each size has the unit that its name suggests and is listed from one
 
 from __future__ import annotations
 
+from laplace_core.inverse import LINEAR, is_linear
 from laplace_core.study.artefacts import deadline, inverse, noise, process, rewards, rows
 from laplace_core.study.artefacts.look import Look, Measure
 from laplace_core.study.artefacts.model import VISIBLE, Artefact, Remedy
@@ -44,6 +45,8 @@ def find_artefacts(
         InputError: an action that the study does not have.
     """
     study.check_view(action=action)
+    if not is_linear(study.settings.solver):
+        return [_not_taken_apart(study.settings.solver)]
     look = Look(study, action, horizon, searching=searching)
     artefacts = [artefact for measure in LISTED.values() if (artefact := measure(look)) is not None]
     if not searching:
@@ -51,6 +54,15 @@ def find_artefacts(
     if trials is None and isinstance(study, WorldStudy):
         trials = Trials(study, len(study.horizons) - 1 if horizon is None else study.row_at(horizon), action)
     return offered(artefacts, look, LISTED, trials)
+
+
+def _not_taken_apart(solver: str) -> Artefact:
+    """What stands in place of the artefacts of a picture that is no sum of parts."""
+    sentence = (
+        "Only the picture of a linear solver is a sum of parts, one for each artefact: choose one of "
+        f"{', '.join(LINEAR)} to see them."
+    )
+    return Artefact("not taken apart", VISIBLE, f"the solver {solver} is not linear", sentence, ())
 
 
 __all__ = ["LISTED", "MEASURES", "VISIBLE", "Artefact", "Remedy", "find_artefacts"]

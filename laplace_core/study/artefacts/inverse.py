@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from laplace_core.inverse import decode
 from laplace_core.study.artefacts.look import Look, Measure, largest_change, of_a_row
 from laplace_core.study.artefacts.model import VISIBLE, Artefact, Remedy
+from laplace_core.study.pipeline import decoder
 from laplace_core.study.trials import ALPHAS, WHY
 
 LEAST_ALPHA = ALPHAS[0]
@@ -45,7 +45,7 @@ def shifted_index(look: Look) -> Artefact | None:
     s = look.settings
     if not s.shift:
         return None
-    right = decode(look.differences, look.gammas, look.steps, s.alpha, s.time_step) / s.time_step
+    right = decoder(look.gammas, s, look.steps) @ look.differences / s.time_step
     size = largest_change(look.decode(look.differences) - right)
     if size < VISIBLE:
         return None

@@ -21,10 +21,10 @@ import numpy as np
 
 from laplace_core.code.encoding import bin_masses
 from laplace_core.code.gamma_space import shifted
-from laplace_core.inverse import decode, decode_matrix, normalise_rows
+from laplace_core.inverse import normalise_rows
 from laplace_core.study.artefacts.model import VISIBLE, Artefact
 from laplace_core.study.horizon import deadline_weights, row_horizons
-from laplace_core.study.pipeline import Study, WorldStudy, basis_of, rows_decoded, timeline_of
+from laplace_core.study.pipeline import Study, WorldStudy, basis_of, decoder, rows_decoded, timeline_of
 
 
 @dataclass(frozen=True, eq=False)
@@ -127,14 +127,13 @@ class Look:
     def decode(self, values: np.ndarray, alpha: float | None = None, steps: int | None = None) -> np.ndarray:
         """D @ values for ``(G, n)``, as probability a row, ``(steps, n)``."""
         s = self.settings
-        alpha = s.alpha if alpha is None else alpha
         values = shifted(values) if s.shift else values
-        return decode(values, self.gammas, steps or self.steps, alpha, s.time_step) / s.time_step
+        return decoder(self.gammas, s, steps or self.steps, alpha) @ values / s.time_step
 
     def decode_matrix(self, alpha: float | None = None) -> np.ndarray:
         """D, as probability a row, ``(K, G)``."""
         s = self.settings
-        matrix = decode_matrix(self.gammas, self.steps, s.alpha if alpha is None else alpha, s.time_step) / s.time_step
+        matrix = decoder(self.gammas, s, self.steps, alpha) / s.time_step
         return np.append(matrix[:, 1:], np.zeros((len(matrix), 1)), axis=1) if s.shift else matrix
 
     def rows(self, alpha: float) -> np.ndarray:

@@ -1,0 +1,195 @@
+"""What the rules for alpha need to know of the data: a few numbers for each component of the transform.
+
+Everything that a rule asks (residual, size of the solution, degrees of freedom, spectrum of the residual) follows for
+every alpha from the same sums over components, so that a sweep costs no decomposition and no solution.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from laplace_core.errors import InputError
+from laplace_core.inverse.linear import LINEAR, linear_solver, shares_kept, shares_lost
+from laplace_core.inverse.problem import Problem
+from laplace_core.inverse.solvers import spectrum_for
+from laplace_core.inverse.spectrum import Spectrum
+
+SWEEP = 200
+"""Alphas of a sweep."""
+
+
+def sweep_alphas(spectrum: Spectrum, solver: str, count: int = SWEEP) -> np.ndarray:
+    """Alphas worth trying, increasing: from a hundredth of the smallest usable singular value to ten of the largest.
+
+    At the ends everything is fitted, or hardly anything. Truncation has no more results than components: one alpha for
+    each number of them, halfway to the next in the logarithm. For all other solvers ``count`` alphas, evenly spaced in
+    the logarithm.
+    """
+    s = spectrum.s[spectrum.usable]
+    if not s.size:  # nothing is smoothed, whatever alpha is
+        return np.array([spectrum.largest])
+    if LINEAR[solver].filter == "truncated":
+        return np.sqrt(s * np.append(s[1:], s[-1] / 2.0))[::-1]
+    return np.geomspace(s[-1] / 100.0, 10.0 * s[0], count)
+
+
+@dataclass(frozen=True, eq=False)
+class Sweep:
+    """A problem at many alphas: n groups of columns, each of which is given one alpha, at a alphas.
+
+    A group is what shares one alpha, its m columns are independent data for it. Of a whole space the columns are the
+    *tails*, the constant channel and the values of all sensitivities of all actions: their errors are independent and
+    of one size, whereas those of neighbouring masses correlate at -1/2. Of a single bin they are its masses, one an
+    action, whose error has twice the variance (the last bin is a tail, and has it once).
+
+    Attributes:
+        spectrum: the components.
+        solver: the linear solver.
+        alphas: ``(a,)``, increasing.
+        columns: m, in each group.
+        energy: ``(n, r)``, sum over the columns of the squared component.
+        outside: ``(n, G, m)``, what no component reaches.
+        components: ``(n, r, m)``, of the weighted data.
+        expected: ``(n,)``, sum of squares that the error alone has, over all discounts and columns; None where its
+            size is not known.
+    """
+
+    spectrum: Spectrum
+    solver: str
+    alphas: np.ndarray
+    columns: int
+    energy: np.ndarray
+    outside: np.ndarray
+    components: np.ndarray
+    expected: np.ndarray | None
+
+    @property
+    def discounts(self) -> int:
+        return len(self.spectrum.U)
+
+    @cached_property
+    def between(self) -> np.ndarray:
+        """Which alphas lie between the singular values, where alpha decides between components, bool ``(a,)``.
+
+        Below and above them all curves are flat or straight. At least two decades count, however few components are.
+        """
+        s = self.spectrum.s[self.spectrum.usable]
+        if not s.size:
+            return np.ones(self.alphas.size, dtype=bool)
+        low = min(s[-1] / 2.0, s[0] / 100.0)
+        return (low <= self.alphas) & (self.alphas <= s[0])
+
+    @cached_property
+    def kept(self) -> np.ndarray:
+        """What the data of each component are multiplied by, ``(a, r)``."""
+        return self._reached(shares_kept)
+
+    @cached_property
+    def lost(self) -> np.ndarray:
+        """Share of each component that stays in the residual, ``(a, r)``."""
+        return self._reached(shares_lost)
+
+    def _reached(self, shares: Callable[[Spectrum, np.ndarray, str], np.ndarray]) -> np.ndarray:
+        kind = LINEAR[self.solver].filter
+        return shares(self.spectrum, self.alphas, kind)[:, _reached(self.spectrum)]
+
+    @cached_property
+    def degrees(self) -> np.ndarray:
+        """Effective degrees of freedom of one column, the trace of the influence matrix, ``(a,)``."""
+        return (1.0 - self.lost).sum(axis=-1)
+
+    @cached_property
+    def left(self) -> np.ndarray:
+        """Degrees of freedom that are left to the residual of one column, G - ``degrees``, ``(a,)``."""
+        return self.lost.sum(axis=-1) + (self.discounts - self.lost.shape[-1])
+
+    @cached_property
+    def residual(self) -> np.ndarray:
+        """Sum of squares of the weighted residual, ``(n, a)``."""
+        beyond = np.einsum("ngm,ngm->n", self.outside, self.outside)
+        return beyond[:, None] + self.energy @ (self.lost**2).T
+
+    @cached_property
+    def size(self) -> np.ndarray:
+        """Sum of squares of L x, ``(n, a)``: of the solution itself at order 0."""
+        free = self.spectrum.free
+        return self.energy[:, free:] @ (self.kept[:, free:] ** 2).T
+
+    def power(self, functional: Callable[[np.ndarray], np.ndarray]) -> np.ndarray:
+        """Squares of q linear functionals of the weighted residual, summed over the columns, ``(n, a, q)``.
+
+        The residual is what lies outside plus the lost share of each component; its squares are a quadratic form in
+        these shares, and need no residual of any alpha.
+
+        Args:
+            functional: from ``(..., G, m)`` to ``(..., q, m)``, linear, perhaps complex.
+        """
+        reach = functional(self.spectrum.U[:, _reached(self.spectrum)])  # (q, r)
+        beyond = functional(self.outside)
+        own = (np.abs(beyond) ** 2).sum(axis=-1)  # (n, q)
+        cross = np.real((beyond.conj() @ self.components.swapaxes(-1, -2)) * reach)  # (n, q, r)
+        inner = self.components @ self.components.swapaxes(-1, -2)  # (n, r, r)
+        total = own[:, None] + 2.0 * np.einsum("nqr,ar->naq", cross, self.lost)
+        shares = self.lost[:, None, :] * reach  # (a, q, r)
+        for group, gram in enumerate(inner):
+            total[group] += np.real(np.einsum("aqr,aqr->aq", shares @ gram, shares.conj()))
+        return np.maximum(total, 0.0)
+
+
+def _reached(spectrum: Spectrum) -> np.ndarray:
+    """Which components are more than rounding, bool ``(r,)``."""
+    return np.concatenate([np.ones(spectrum.free, dtype=bool), spectrum.usable])
+
+
+def sweep_of(
+    problem: Problem,
+    solver: str,
+    *,
+    alphas: np.ndarray | None = None,
+    noise: np.ndarray | None = None,
+    each_bin: bool = False,
+) -> Sweep:
+    """A problem at many alphas, for a linear solver.
+
+    Args:
+        alphas: increasing; default :func:`sweep_alphas`.
+        noise: ``(G,)``, standard deviation of the error of one sensitivity's value at each discount, in the units of
+            the masses; None where its size is not known. That of ``problem.deviations`` may be relative.
+        each_bin: whether every bin has an alpha of its own.
+
+    Raises:
+        InputError: a solver that is not linear, or noise that does not fit.
+    """
+    linear_solver(solver)
+    spectrum, masses = spectrum_for(problem, solver), problem.masses
+    G, bins = masses.shape[-2:]
+    stacked = masses.reshape(-1, G, bins)
+    if each_bin:
+        data = np.ascontiguousarray(stacked.transpose(2, 1, 0))
+    else:
+        tails = np.cumsum(stacked[..., ::-1], axis=-1)
+        data = np.ascontiguousarray(tails.transpose(1, 0, 2)).reshape(1, G, -1)
+    data = spectrum.weighted(data)
+    directions = spectrum.U[:, _reached(spectrum)]
+    components = directions.T @ data
+    expected = None
+    if noise is not None:
+        if np.shape(noise) != (G,) or not np.all(np.isfinite(noise) & (np.asarray(noise) > 0)):
+            raise InputError(f"the noise must be {G} numbers above 0, one for each discount.")
+        error = spectrum.weighted(np.asarray(noise, dtype=float)[:, None])
+        variances = np.array([2.0] * (bins - 1) + [1.0]) if each_bin else np.ones(1)
+        expected = variances * data.shape[-1] * float((error**2).sum())
+    return Sweep(
+        spectrum=spectrum,
+        solver=solver,
+        alphas=sweep_alphas(spectrum, solver) if alphas is None else np.asarray(alphas, dtype=float),
+        columns=data.shape[-1],
+        energy=(components**2).sum(axis=-1),
+        outside=data - directions @ components,
+        components=components,
+        expected=expected,
+    )
