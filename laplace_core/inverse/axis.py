@@ -15,9 +15,10 @@ import numpy as np
 
 from laplace_core.inverse.transform import transform_matrix
 
-GROWTH = 0.15
-"""Length of a window over its distance. A reward at one step, spread over the window that holds it and mixed with its
-neighbour, changes (1 - gamma) Q by at most GROWTH^2 / 24 * max u^2 exp(-u) (1 - gamma) < 6e-6 at gamma .99."""
+GROWTH = 0.05
+"""Length of a window over its distance. Averaging over a window changes (1 - gamma) Q by at most GROWTH^2 / 8 * u^2
+exp(-u), 1.7e-4, with u the distance in time constants: so much if a reward comes in every step of its first half and in
+none of the second. A single step is spread by 1e-6 at gamma .99."""
 FORGOTTEN = 1e-6
 """The last window, without end, begins where the largest discount leaves this share of a reward."""
 
