@@ -63,6 +63,17 @@ class Problem:
         """F, ``(G, K)``."""
         return transform_matrix(self.gammas, self.steps, self.time_step)
 
+    @property
+    def weights(self) -> np.ndarray:
+        """How much each discount's row counts in the fit, ``(G,)``: in proportion to 1 / deviation, mean square 1.
+
+        Equal deviations, or none, make them 1, so that alpha keeps its unit.
+        """
+        if self.deviations is None:
+            return np.ones(len(self.gammas))
+        precision = 1.0 / self.deviations
+        return precision / np.sqrt(np.mean(precision**2))
+
 
 @dataclass(frozen=True, eq=False)
 class Solution:
