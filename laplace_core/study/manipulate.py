@@ -167,7 +167,7 @@ def round_trip_losses(gamma_space: GammaSpace, masses: np.ndarray, time_step: fl
 
 
 def values_of(
-    masses: np.ndarray, thetas: np.ndarray, gamma: float, softness: float = 0.0, time_step: float = 1.0
+    masses: np.ndarray, thetas: np.ndarray, gamma: float, *, softness: float = 0.0, time_step: float = 1.0
 ) -> tuple[np.ndarray, np.ndarray]:
     """What a timeline ``(A, K, H+1)`` is worth for every horizon, and the action that is chosen for each.
 
