@@ -79,10 +79,28 @@ def add_report(verbs: argparse._SubParsersAction[argparse.ArgumentParser]) -> No
     interpolation.add_argument("--json", action="store_true", help="print JSON")
     interpolation.set_defaults(run=_interpolation)
 
+    grids = kinds.add_parser("grids", help="a designed grid of discounts against the usual ones, on random worlds")
+    grids.add_argument("--gammas", default="15", metavar="N", help="number of discounts (default: 15)")
+    grids.add_argument("--horizon", default="100", metavar="T", help="longest horizon, in steps (default: 100)")
+    grids.add_argument("--noise", default="0.001", metavar="S", help="as in grid (default: 0.001)")
+    _add_cases(grids, "200")
+    grids.set_defaults(run=_grids)
+
+    neural = kinds.add_parser("neural", help="the neural inverse against Tikhonov, on random worlds")
+    neural.add_argument("network", nargs="?", metavar="FILE", help="a trained network (default: each one that ships)")
+    _add_cases(neural, "200")
+    neural.set_defaults(run=_neural)
+
     searches = kinds.add_parser("searches", help="results of searches over settings")
     searches.add_argument("files", nargs="+", metavar="FILE", help="results of searches: their search.json")
     searches.add_argument("--json", action="store_true", help="print JSON")
     searches.set_defaults(run=_searches)
+
+
+def _add_cases(parser: argparse.ArgumentParser, cases: str) -> None:
+    parser.add_argument("--cases", default=cases, metavar="N", help=f"random worlds (default: {cases})")
+    parser.add_argument("--seed", default="0", metavar="N", help="seed of the worlds (default: 0)")
+    parser.add_argument("--json", action="store_true", help="print JSON")
 
 
 def _detectors(options: argparse.Namespace) -> None:
@@ -157,6 +175,38 @@ def _interpolation(options: argparse.Namespace) -> None:
 
     numbers, text = interpolation.report(Path(options.checkpoint), seed)
     print(json.dumps(numbers, indent=1) if options.json else text)
+
+
+def _cases(options: argparse.Namespace) -> tuple[int, int]:
+    """Number and seed of random worlds."""
+    return (
+        checked_number("cases", options.cases, int, 1, high=10_000),
+        checked_number("seed", options.seed, int, 0, high=2**31 - 1),
+    )
+
+
+def _grids(options: argparse.Namespace) -> None:
+    cases, seed = _cases(options)
+    count = checked_number("gammas", options.gammas, int, 2, high=100)
+    horizon = checked_number("horizon", options.horizon, int, 2, high=1_000)
+    noise = checked_number("noise", options.noise, float, 0.0, high=1.0)
+    from laplace_core.experiments.inverse import grid_report  # only this verb needs it
+
+    numbers, text = grid_report.report(count, horizon, noise, cases, seed=seed)
+    print(json.dumps(numbers, indent=1) if options.json else text)
+
+
+def _neural(options: argparse.Namespace) -> None:
+    cases, seed = _cases(options)
+    from laplace_core.experiments.inverse import neural_report  # only this verb needs it
+    from laplace_core.inverse.neural import SHIPPED, read_network
+
+    paths = sorted(SHIPPED.glob("*.safetensors")) if options.network is None else [Path(options.network)]
+    reports = {path.stem: neural_report.report(read_network(path), cases, seed) for path in paths}
+    if options.json:
+        print(json.dumps({name: numbers for name, (numbers, _) in reports.items()}, indent=1))
+    else:
+        print("\n\n".join(f"{name}: {text}" for name, (_, text) in reports.items()))
 
 
 def _searches(options: argparse.Namespace) -> None:

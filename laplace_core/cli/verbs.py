@@ -16,6 +16,9 @@ from laplace_core.agents.settings import SETTINGS
 from laplace_core.cli.evaluate import add_evaluate
 from laplace_core.cli.learn import add_learn
 from laplace_core.cli.options import action_runs, study_notes
+from laplace_core.cli.grid import add_grid
+from laplace_core.cli.learn import add_learn, study_of_file
+from laplace_core.cli.options import action_runs, add_parameters, checked_number, named_params, study_notes
 from laplace_core.cli.race import add_race
 from laplace_core.cli.report import add_report
 from laplace_core.cli.reproduce import add_reproduce
@@ -23,6 +26,7 @@ from laplace_core.cli.search import add_search
 from laplace_core.cli.subject import add_subject, study_of_options
 from laplace_core.cli.sweep import add_sweep
 from laplace_core.cli.train import add_train
+from laplace_core.cli.train_inverse import add_train_inverse
 from laplace_core.code.ties import ROUNDING
 from laplace_core.errors import InputError
 from laplace_core.study.artefacts import Artefact, find_artefacts
@@ -102,6 +106,8 @@ def _parser() -> argparse.ArgumentParser:
     add_report(verbs)
     add_search(verbs)
     add_reproduce(verbs)
+    add_grid(verbs)
+    add_train_inverse(verbs)
     return parser
 
 

@@ -1,6 +1,7 @@
-"""Random worlds for the test of the detector: some end within nine steps, others last for hundreds, or for ever.
+"""Random worlds: some end within nine steps, others last for hundreds, or for ever, or pay dozens of rewards.
 
-A world of the second kind comes with a length: how many steps an episode is looked at for.
+A world of the later kinds comes with a length: how many steps an episode is looked at for. The test of the detector and
+the study of the inverse draw from them.
 """
 
 from __future__ import annotations
@@ -20,6 +21,13 @@ def short_world(rng: np.random.Generator) -> World:
 def lasting_world(rng: np.random.Generator) -> tuple[World, int]:
     """A world with cycles, with hundreds of steps or without an end, and a length that suits it."""
     return (_cycles, _long_chain, _grid, _continuing, _idling)[rng.choice(5, p=[0.25, 0.2, 0.15, 0.2, 0.2])](rng)
+
+
+def rich_world(rng: np.random.Generator) -> tuple[World, int]:
+    """A world with cycles that pays some twenty to fifty distinct rewards, and a length that suits it."""
+    rewards = np.round(rng.uniform(-10.0, 10.0, int(rng.integers(20, 51))), 1)
+    ending = float(rng.choice([0.0, 0.01, 0.05, 0.2]))
+    return _wandering(rng, "rich", ending, states=int(rng.integers(8, 25)), rewards=np.unique(np.append(0.0, rewards)))
 
 
 # --- within nine steps ---
@@ -112,16 +120,20 @@ def _tree(rng: np.random.Generator) -> World:
 
 def _cycles(rng: np.random.Generator) -> tuple[World, int]:
     """A random MDP in which a step may stay, lead anywhere, or end, with some chance of each."""
-    return _wandering(rng, "cycles", float(rng.choice([0.02, 0.05, 0.1, 0.2, 0.4])))
+    ending = float(rng.choice([0.02, 0.05, 0.1, 0.2, 0.4]))
+    return _wandering(rng, "cycles", ending, states=int(rng.integers(2, 9)))
 
 
 def _continuing(rng: np.random.Generator) -> tuple[World, int]:
     """The same without an end."""
-    return _wandering(rng, "continuing", 0.0)
+    return _wandering(rng, "continuing", 0.0, states=int(rng.integers(2, 9)))
 
 
-def _wandering(rng: np.random.Generator, name: str, ending: float) -> tuple[World, int]:
-    states, actions, rewards = int(rng.integers(2, 9)), int(rng.integers(2, 4)), _rewards(rng)
+def _wandering(
+    rng: np.random.Generator, name: str, ending: float, *, states: int, rewards: np.ndarray | None = None
+) -> tuple[World, int]:
+    actions = int(rng.integers(2, 4))
+    rewards = _rewards(rng) if rewards is None else rewards
     rows: list[Outcome] = []
     for state in range(states):
         first = len(rows)
