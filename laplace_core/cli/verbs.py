@@ -14,11 +14,9 @@ import numpy as np
 
 from laplace_core.agents.settings import SETTINGS
 from laplace_core.cli.evaluate import add_evaluate
+from laplace_core.cli.grid import add_grid
 from laplace_core.cli.learn import add_learn
 from laplace_core.cli.options import action_runs, study_notes
-from laplace_core.cli.grid import add_grid
-from laplace_core.cli.learn import add_learn, study_of_file
-from laplace_core.cli.options import action_runs, add_parameters, checked_number, named_params, study_notes
 from laplace_core.cli.race import add_race
 from laplace_core.cli.report import add_report
 from laplace_core.cli.reproduce import add_reproduce

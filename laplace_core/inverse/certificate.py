@@ -147,9 +147,7 @@ def quantisation(
 class _Fit:
     """The linear programme of one action: constraints that do not depend on its values."""
 
-    def __init__(
-        self, axis: Axis, deviations: np.ndarray, gains: list[float], actions: int, confidence: float
-    ) -> None:
+    def __init__(self, axis: Axis, deviations: np.ndarray, gains: list[float], actions: int, confidence: float) -> None:
         from scipy.sparse import bmat, eye, kron, vstack  # slow to import
         from scipy.special import ndtri
 

@@ -206,9 +206,7 @@ def _step(A: np.ndarray, axis: Axis, penalty: np.ndarray, point: _Point, residua
     reached = _moved(point, aim, share)
     left = ((reached.x * reached.zx).sum(axis=(1, 2)) + (reached.d * reached.zd).sum(axis=1)) / number
     centre = (left / gap) ** 3 * gap
-    move = direction(
-        x * zx + aim.x * aim.zx - centre[:, None, None], d * zd + aim.d * aim.zd - centre[:, None]
-    )
+    move = direction(x * zx + aim.x * aim.zx - centre[:, None, None], d * zd + aim.d * aim.zd - centre[:, None])
     return _moved(point, move, np.minimum(1.0, TO_THE_EDGE * _to_the_edge(point, move)))
 
 
