@@ -21,6 +21,7 @@ from laplace_core.cli.race import add_race
 from laplace_core.cli.report import add_report
 from laplace_core.cli.reproduce import add_reproduce
 from laplace_core.cli.search import add_search
+from laplace_core.cli.study import add_study
 from laplace_core.cli.subject import add_subject, study_of_options
 from laplace_core.cli.sweep import add_sweep
 from laplace_core.cli.train import add_train
@@ -96,6 +97,7 @@ def _parser() -> argparse.ArgumentParser:
     decode.add_argument("--out", metavar="FILE.npz", help="write all arrays and the settings here")
     decode.add_argument("--json", action="store_true", help="print JSON")
     decode.set_defaults(run=_decode)
+    add_study(verbs)
     add_sweep(verbs)
     add_learn(verbs)
     add_train(verbs)

@@ -9,7 +9,10 @@ from functools import partial
 import numpy as np
 
 from laplace_core.errors import InputError
+from laplace_core.inverse.feasible import feasible
 from laplace_core.inverse.linear import LINEAR, linear_solver, shares_kept, shares_lost
+from laplace_core.inverse.neural import shipped_network
+from laplace_core.inverse.nonnegative import nonnegative
 from laplace_core.inverse.problem import Problem, Solution
 from laplace_core.inverse.spectrum import Spectrum, spectrum_of
 
@@ -56,8 +59,37 @@ def solve_linear(problem: Problem, alpha: float | np.ndarray, *, solver: str) ->
     return Solution(masses, problem.masses - problem.transform @ masses, degrees)
 
 
-SOLVERS: Mapping[str, Solver] = {name: Solver(partial(solve_linear, solver=name), linear=True) for name in LINEAR}
+def _of_one_alpha(
+    solve_it: Callable[[Problem, float], Solution], problem: Problem, alpha: float | np.ndarray
+) -> Solution:  # fmt: skip
+    """A solver that has one alpha for all bins.
+
+    Raises:
+        InputError: one alpha for each bin.
+    """
+    if np.ndim(alpha):
+        raise InputError("this solver couples the bins: it takes one alpha for all of them.")
+    return solve_it(problem, float(alpha))
+
+
+def _neural(problem: Problem, alpha: float | np.ndarray) -> Solution:
+    return shipped_network(problem.gammas).solve(problem)
+
+
+SOLVERS: Mapping[str, Solver] = {
+    **{name: Solver(partial(solve_linear, solver=name), linear=True) for name in LINEAR},
+    "nonnegative": Solver(partial(_of_one_alpha, nonnegative)),
+    "feasible": Solver(partial(_of_one_alpha, feasible)),
+    "neural": Solver(_neural, has_alpha=False),
+}
 """Every solver that settings may name; a further one is a further entry."""
+ALPHA_OF = "tikhonov"
+"""The linear solver by which alpha is chosen for one that is not linear: rules for alpha need an influence matrix."""
+
+
+def selecting(solver: str) -> str:
+    """The linear solver by which alpha is chosen for a solver."""
+    return solver if is_linear(solver) else ALPHA_OF
 
 
 def is_linear(solver: str) -> bool:

@@ -1,0 +1,185 @@
+"""The study of the inverse: random worlds x noises x grids x solvers x selectors, with the truth beside them.
+
+For each world, noise and grid (a job) every solver decodes with the alpha of each selector and with every alpha of a
+sweep, of which the one of least distance from the truth is the best that any selector could have chosen. ``distance``
+is :func:`laplace_core.inverse.distances.mean_time_distance` (Wasserstein-1 over time), mean over the actions;
+``regret`` is :func:`laplace_core.inverse.distances.choice_regret`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from laplace_core.code.encoding import PAPER_GAMMAS, discount_grid
+from laplace_core.errors import InputError
+from laplace_core.experiments.inverse.random_cases import RandomCase, random_case
+from laplace_core.experiments.inverse.table_file import TableFile
+from laplace_core.inverse import SELECTORS, SOLVERS, Problem, choose_alpha, is_linear, solve
+from laplace_core.inverse.components import sweep_alphas
+from laplace_core.inverse.distances import (
+    choice_regret, mean_time_distance, relative_error, total_variation, value_error,
+)  # fmt: skip
+from laplace_core.inverse.solvers import selecting, spectrum_for
+from laplace_core.supervise.parallel import in_parallel
+
+NOISES = (1e-4, 1e-3, 1e-2)
+GRIDS = ("paper", "inverse-log", "log")
+ALPHAS = 41
+"""Alphas of a sweep, of a solver that is linear."""
+FEW_ALPHAS = 9
+"""The same of one that is not, each of which takes a tenth of a second or more."""
+NO_SELECTOR = "best"
+"""In place of a selector: the alpha of least distance, which only somebody who knows the truth can choose."""
+COLUMNS = ("case", "noise", "grid", "solver", "selector", "alpha", "distance", "least", "regret", "regret_at_least",
+           "relative_error", "variation", "value_error", "degrees")  # fmt: skip
+"""Of the table: ``least`` is the distance of the best alpha, ``regret_at_least`` the regret there."""
+Row = dict[str, Any]
+
+
+class Job(NamedTuple):
+    """One world, noise and grid."""
+
+    case: int
+    noise: float
+    grid: str
+
+
+@dataclass(frozen=True)
+class Plan:
+    """What a study covers.
+
+    Attributes:
+        cases: how many random worlds, counted from 0.
+        seed: of the worlds and of their noise.
+
+    Raises:
+        InputError: names that there are not, or a number out of range.
+    """
+
+    cases: int = 100
+    noises: Sequence[float] = NOISES
+    grids: Sequence[str] = GRIDS
+    solvers: Sequence[str] = ("tikhonov", "tikhonov1", "tikhonov2")
+    selectors: Sequence[str] = tuple(name for name in SELECTORS)
+    seed: int = 0
+
+    def __post_init__(self) -> None:
+        known = {"grid": (self.grids, GRIDS), "solver": (self.solvers, tuple(SOLVERS)),
+                 "selector": (self.selectors, tuple(SELECTORS))}  # fmt: skip
+        for what, (given, names) in known.items():
+            for name in given:
+                if name not in names:
+                    raise InputError(f"{what} {name[:40]!r} is not one of {', '.join(names)}.")
+            if len(set(given)) < len(given) or not given:
+                raise InputError(f"name each {what} of the study once, and at least one.")
+        if not self.noises or not all(np.isfinite(noise) and 0.0 < noise <= 1.0 for noise in self.noises):
+            raise InputError("the noise of a study must be numbers above 0 and at most 1.")
+        if not 1 <= self.cases <= 100_000:
+            raise InputError(f"the study has {self.cases} worlds; it must be from 1 to 100,000.")
+
+    def jobs(self) -> list[Job]:
+        """Every world, noise and grid, world by world."""
+        return [Job(case, noise, grid) for case in range(self.cases) for noise in self.noises for grid in self.grids]
+
+    def rows_of(self, job: Job) -> int:
+        """How many rows of the table a job has."""
+        return sum(1 + (len(self.selectors) if SOLVERS[solver].has_alpha else 0) for solver in self.solvers)
+
+
+def gammas_of(grid: str) -> np.ndarray:
+    """Fifteen discounts from .01 to .99."""
+    return np.array(PAPER_GAMMAS) if grid == "paper" else discount_grid(15, grid, 0.01, 0.99)
+
+
+def rows_of(job: Job, plan: Plan) -> list[Row]:
+    """The rows of one job."""
+    case = random_case(np.random.default_rng([plan.seed, job.case]))
+    problem = case.problem(job.noise, seed=job.case, gammas=gammas_of(job.grid))
+    rows = []
+    for solver in plan.solvers:
+        measured = _Measured(case, problem, solver)
+        for selector, alpha in _alphas(problem, solver, plan.selectors):
+            rows.append(dict(zip(COLUMNS, (*job, solver, selector, *measured.row(alpha)), strict=True)))
+    return rows
+
+
+def _alphas(problem: Problem, solver: str, selectors: Sequence[str]) -> list[tuple[str, float | None]]:
+    """The alpha of every selector; None is the best one."""
+    if not SOLVERS[solver].has_alpha:
+        return [(NO_SELECTOR, None)]
+    noise = problem.deviations
+    chosen = {
+        name: float(choose_alpha(problem, selecting(solver), name, noise=noise).value) for name in selectors
+    }  # fmt: skip
+    return [(NO_SELECTOR, None), *chosen.items()]
+
+
+class _Measured:
+    """One solver on one problem: what each alpha gives, computed once."""
+
+    def __init__(self, case: RandomCase, problem: Problem, solver: str):
+        self._case, self._problem, self._solver = case, problem, solver
+        self._truth = case.values_of(case.rewards)
+        self._known: dict[float, tuple[float, ...]] = {}
+        count = ALPHAS if is_linear(solver) else FEW_ALPHAS
+        spectrum = spectrum_for(problem, selecting(solver))
+        alphas = sweep_alphas(spectrum, selecting(solver), count) if SOLVERS[solver].has_alpha else np.ones(1)
+        self._best = min(alphas.tolist(), key=lambda alpha: self._at(alpha)[0])
+
+    def row(self, alpha: float | None) -> tuple[Any, ...]:
+        """The columns from ``alpha`` on; None is the alpha of least distance."""
+        alpha = self._best if alpha is None else alpha
+        distance, regret, *more = self._at(alpha)
+        # A selector may hit an alpha between those of the sweep that is better still.
+        least, regret_at_least, *_ = min(self._at(self._best), self._at(alpha))
+        return alpha, distance, least, regret, regret_at_least, *more
+
+    def _at(self, alpha: float) -> tuple[float, ...]:
+        if alpha not in self._known:
+            case = self._case
+            solution = solve(self._problem, self._solver, alpha)
+            values = case.values_of(solution.masses @ case.worth)
+            self._known[alpha] = (
+                float(mean_time_distance(solution.masses, case.masses, case.settings.time_step).mean()),
+                choice_regret(values, self._truth),
+                float(relative_error(solution.masses, case.masses).mean()),
+                float(total_variation(solution.masses, case.masses).mean()),
+                value_error(values, self._truth),
+                float(np.mean(solution.degrees_of_freedom)),
+            )
+        return self._known[alpha]
+
+
+def run(
+    plan: Plan, path: Path, *, processes: int = 1, cluster: str | None = None
+) -> Iterator[tuple[int, int]]:  # fmt: skip
+    """Measure all jobs that are not in the table yet; their rows are in the file as soon as they are measured.
+
+    Args:
+        path: a CSV file; one that is there is gone on with.
+        processes, cluster: as in :func:`laplace_core.supervise.parallel.in_parallel`.
+
+    Yields:
+        how many jobs are done, and of how many.
+
+    Raises:
+        InputError: a file that is no table of such a study.
+    """
+    jobs, table = plan.jobs(), TableFile(path, COLUMNS, ("case", "noise", "grid"), about=f"seed {plan.seed}")
+    counts = table.counts()
+    complete = {key for key, count in counts.items() if count == plan.rows_of(Job(0, 0.0, ""))}
+    left = [job for job in jobs if table.key(job._asdict()) not in complete]
+    if any(table.key(job._asdict()) in counts for job in left):
+        raise InputError(f"{path} is a study of other solvers or selectors: name another file with --out.")
+    done = len(jobs) - len(left)
+    yield done, len(jobs)
+    for _, rows in in_parallel(partial(rows_of, plan=plan), left, processes, cluster):
+        table.append(rows)
+        done += 1
+        yield done, len(jobs)
