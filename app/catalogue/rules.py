@@ -36,8 +36,9 @@ def for_deadline(rule: str) -> bool:
 
 
 def rules_of(agent: Agent) -> dict[str, str]:
-    """Rules that an agent can act by, the first one by default, and what they are called."""
-    titles = {name: title_of(name) for name in (*rules.rules_of(agent), RANDOM)}
+    """Rules that an agent can act by with nothing given, the first one by default, and what they are called."""
+    suitable = (name for name in rules.rules_of(agent) if not RULES[name].needs)
+    titles = {name: title_of(name) for name in (*suitable, RANDOM)}
     if isinstance(agent, HasTimeToGo):
         titles["greedy"] = "greedy for the longest T"
     elif not isinstance(agent, HasDiscounts):

@@ -59,6 +59,7 @@ def _standard_error(values: np.ndarray) -> np.ndarray:
 def evaluate(
     agent: Agent, environment: str, *, episodes: int = 100, seed: int = 0, horizon: int | None = None,
     softness: float = 0.2, rule: str = "greedy", alpha: float = 1.0, steps: int = 1000, stretch: float = 1.5,
+    solver: str = "tikhonov", selector: str = "typed", noise_level: float | None = None,
     first_seed: int = FIRST_SEED, discounts: np.ndarray | None = None, head: int | None = None,
     progress: Callable[[int, int], None] | None = None,
 ) -> Scores:  # fmt: skip
@@ -84,7 +85,7 @@ def evaluate(
     length = horizon or spec.time_limit
     if horizon is not None and not 1 <= horizon <= 10_000:
         raise InputError(f"the horizon is {horizon}; it must be from 1 to 10,000 steps.")
-    choose = RULES[rule](agent, length, Options(softness, alpha, steps, stretch, head))
+    choose = RULES[rule](agent, length, Options(softness, alpha, steps, stretch, head, solver, selector, noise_level))
     starts = [first_seed + seed * 100_000 + i for i in range(episodes)]
     return played(choose, environment, starts, length, discounts=discounts, progress=progress)
 

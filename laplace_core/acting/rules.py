@@ -11,7 +11,7 @@ evaluations follow. What the page calls it is a row of ``app.agents.episode.TITL
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -20,8 +20,10 @@ from laplace_core.agents.capabilities import HasDiscounts, HasGammaSpace, HasTim
 from laplace_core.code.gamma_space import GammaSpace
 from laplace_core.code.ties import greedy_action
 from laplace_core.errors import InputError
+from laplace_core.inverse import is_linear
+from laplace_core.inverse.certificate import certify
 from laplace_core.study.horizon import readout_weights, target_discounts
-from laplace_core.study.pipeline import decode_and_read
+from laplace_core.study.pipeline import decode_and_read, with_alpha
 from laplace_core.study.settings import Settings, resolve_for_gamma_space
 
 FADING_ALPHA = 1e-2
@@ -42,6 +44,9 @@ class Options:
         alpha, steps: regularisation and length of the inverse; it is never shorter than the episode.
         stretch: time constant of a fading deadline over the time to go.
         head: another one than the acting head to be greedy at.
+        solver, selector: of the inverse, as in :class:`laplace_core.study.settings.Settings`; a selector other than
+            ``typed`` chooses alpha anew for every observation, in place of ``alpha``.
+        noise_level: standard deviation of (1 - gamma) Q; None where it is not known.
     """
 
     softness: float = 0.2
@@ -49,6 +54,9 @@ class Options:
     steps: int = 1000
     stretch: float = 1.5
     head: int | None = None
+    solver: str = "tikhonov"
+    selector: str = "typed"
+    noise_level: float | None = None
 
 
 def greedy(agent: Agent, length: int | None, options: Options) -> Judge:
@@ -100,19 +108,55 @@ def _by_weights(agent: Agent, weights: np.ndarray, length: int) -> Judge:
 
 
 def decoded(agent: Agent, length: int | None, options: Options) -> Judge:
-    """The same as ``readout`` by way of the tau-space, which is slower."""
+    """V_T of a tau-space that is decoded for every observation, by any solver and selector.
+
+    With Tikhonov and a typed alpha it is the same as ``readout``, and slower. A solver that keeps survival in its
+    constraints has columns for what comes after its last row, and is given as many rows as steps are left.
+    """
     gammas, length = _discounts(agent, length, "decoded")
+    longest = max(options.steps, length)
     chosen = Settings(
-        alpha=options.alpha, steps=max(options.steps, length), time_step=1.0, normalise="none",
+        alpha=options.alpha, steps=longest, time_step=1.0, normalise="none", solver=options.solver,
+        selector=options.selector, noise_level=options.noise_level,
         acting_gamma=float(gammas[agent.acting_head]), softness=options.softness,
     )  # fmt: skip
     settings = resolve_for_gamma_space(chosen, gammas)
 
     def judge(observations: np.ndarray, time: int) -> np.ndarray:
         assert isinstance(agent, HasGammaSpace)  # its discounts were asked for
-        pairs = zip(*agent.gamma_spaces(observations), strict=True)
-        spaces = [GammaSpace(values, constant, gammas, agent.thetas, open_ends=True) for values, constant in pairs]
-        return np.array([decode_and_read(one, settings).horizon_values[:, length - time - 1] for one in spaces])
+        left = length - time
+        here = settings if is_linear(settings.solver) else replace(settings, steps=left)
+        values = []
+        for tails, constant in zip(*agent.gamma_spaces(observations), strict=True):
+            space = GammaSpace(tails, constant, gammas, agent.thetas, open_ends=True)
+            values.append(decode_and_read(space, with_alpha(space, here)[0]).horizon_values[:, left - 1])
+        return np.array(values)
+
+    return judge
+
+
+def certified(agent: Agent, length: int | None, options: Options) -> Judge:
+    """Greedy, unless another action is certainly worth more for the time to go.
+
+    An action is certain where it is best in every feasible timeline that fits the values within their noise
+    (:func:`laplace_core.inverse.certificate.certify`). Errors of different sensitivities come from one network: they
+    are not taken to be independent.
+    """
+    gammas, length = _discounts(agent, length, "certified")
+    if options.noise_level is None:
+        raise InputError("rule 'certified' needs the size of the values' error: give --noise-level.")
+    acting = float(gammas[agent.acting_head])
+    deviations = options.noise_level / (1.0 - gammas)
+
+    def judge(observations: np.ndarray, time: int) -> np.ndarray:
+        assert isinstance(agent, HasGammaSpace)  # its discounts were asked for
+        values = agent.action_values(observations, agent.acting_head)
+        for i, (tails, constant) in enumerate(zip(*agent.gamma_spaces(observations), strict=True)):
+            space = GammaSpace(tails, constant, gammas, agent.thetas, open_ends=True)
+            best = certify(space, length - time, deviations, value_gamma=acting, independent=False).best
+            if best is not None:
+                values[i] = np.eye(agent.n_actions)[best]
+        return values
 
     return judge
 
@@ -136,12 +180,14 @@ class Rule:
         suits: whether an agent has learned enough for it.
         for_deadline: whether it acts for the T of an episode; else T changes nothing.
         options: names of the :class:`Options` that it uses, besides ``steps`` and ``head``.
+        needs: those of them that have to be given.
     """
 
     values: Callable[[Agent, int | None, Options], Judge]
     suits: Callable[[Agent], bool]
     for_deadline: bool = True
     options: tuple[str, ...] = ()
+    needs: tuple[str, ...] = ()
 
     def __call__(self, agent: Agent, length: int | None, options: Options) -> Choose:
         judge = self.values(agent, length, options)
@@ -165,7 +211,8 @@ RULES: dict[str, Rule] = {
     "matched": Rule(matched, _has_discounts),
     "fading": Rule(fading, _has_discounts, options=("stretch",)),
     "readout": Rule(readout, _has_discounts, options=("softness", "alpha")),
-    "decoded": Rule(decoded, _has_gamma_space, options=("softness", "alpha")),
+    "decoded": Rule(decoded, _has_gamma_space, options=("softness", "alpha", "solver", "selector", "noise_level")),
+    "certified": Rule(certified, _has_gamma_space, options=("noise_level",), needs=("noise_level",)),
     "own": Rule(own, _has_time_to_go),
 }
 
@@ -185,7 +232,9 @@ def check_rule_options(rule: str, given: Iterable[str]) -> None:
     for name in given if rule in RULES else ():
         if name not in RULES[rule].options:
             takers = " and ".join(taker for taker, other in RULES.items() if name in other.options)
-            raise InputError(f"--{name} changes nothing under the rule {rule[:40]!r}: it is of {takers}.")
+            raise InputError(
+                f"--{name.replace('_', '-')} changes nothing under the rule {rule[:40]!r}: it is of {takers}."
+            )
 
 
 def suited(agent: Agent, horizon: int | None) -> str:

@@ -7,6 +7,8 @@ import json
 from typing import Any
 
 from laplace_core.cli.options import checked_number
+from laplace_core.errors import InputError
+from laplace_core.inverse import ALPHA_CHOICES, SOLVERS
 
 
 def add_evaluate(verbs: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
@@ -25,7 +27,17 @@ def add_evaluate(verbs: argparse._SubParsersAction[argparse.ArgumentParser]) -> 
         metavar="W",
         help="of readout and decoded: width of the deadline over the time to go (default: .2)",
     )
-    evaluate.add_argument("--alpha", metavar="A", help="of readout and decoded: regularisation (default: 1)")
+    evaluate.add_argument(
+        "--alpha", metavar="A",
+        help="of readout and decoded: regularisation (default: 1); of decoded also auto or a rule that chooses it for "
+        "every observation",
+    )  # fmt: skip
+    evaluate.add_argument(
+        "--solver", metavar="NAME", help="of decoded: how the transform is inverted (default: tikhonov)"
+    )
+    evaluate.add_argument(
+        "--noise-level", metavar="S", help="of decoded and certified: standard deviation of (1 - gamma) Q"
+    )
     evaluate.add_argument(
         "--rule",
         metavar="NAME",
@@ -43,9 +55,17 @@ def run_evaluate(options: argparse.Namespace) -> None:
     seed = checked_number("seed", options.seed, int, 0, high=10**6)
     rule_options: dict[str, Any] = {
         name: checked_number(name, getattr(options, name), float, low, high=high)
-        for name, low, high in (("softness", 0.0, 10.0), ("alpha", 1e-9, 1e6), ("stretch", 1e-2, 100.0))
-        if getattr(options, name) is not None
-    }
+        for name, low, high in (
+            ("softness", 0.0, 10.0), ("alpha", 1e-9, 1e6), ("stretch", 1e-2, 100.0), ("noise_level", 1e-12, 1.0)
+        )
+        if getattr(options, name) is not None and not (name == "alpha" and options.alpha in ALPHA_CHOICES)
+    }  # fmt: skip
+    if options.alpha in ALPHA_CHOICES:
+        rule_options["selector"] = options.alpha
+    if options.solver is not None:
+        if options.solver not in SOLVERS:
+            raise InputError(f"solver must be one of {', '.join(SOLVERS)}, not {options.solver[:40]!r}.")
+        rule_options["solver"] = options.solver
     horizon = None if options.horizon is None else checked_number("horizon", options.horizon, int, 1, high=10_000)
     from laplace_core.acting.evaluation import evaluate, own_discount, return_notes
     from laplace_core.acting.rules import check_rule_options, suited

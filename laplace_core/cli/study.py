@@ -9,6 +9,7 @@ from pathlib import Path
 
 from laplace_core.cli.options import checked_number
 from laplace_core.errors import InputError
+from laplace_core.inverse import SELECTORS
 
 OUT = "inverse_study.csv"
 
@@ -55,7 +56,7 @@ def _study(options: argparse.Namespace) -> None:
             noises=[checked_number("noise", word, float, 0.0, high=1.0) for word in options.noise.split(",")],
             grids=options.grids.split(","),
             solvers=options.solvers.split(","),
-            selectors=tuple(selection.SELECTORS) if options.selectors is None else options.selectors.split(","),
+            selectors=tuple(SELECTORS) if options.selectors is None else options.selectors.split(","),
             seed=seed,
         )
         jobs = checked_number("jobs", options.jobs, int, 1, high=256)

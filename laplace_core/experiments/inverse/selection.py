@@ -114,10 +114,12 @@ def _alphas(problem: Problem, solver: str, selectors: Sequence[str]) -> list[tup
     if not SOLVERS[solver].has_alpha:
         return [(NO_SELECTOR, None)]
     noise = problem.deviations
-    chosen = {
-        name: float(choose_alpha(problem, selecting(solver), name, noise=noise).value) for name in selectors
-    }  # fmt: skip
-    return [(NO_SELECTOR, None), *chosen.items()]
+    chosen: list[tuple[str, float | None]] = []
+    for name in selectors:
+        alpha = choose_alpha(problem, selecting(solver), name, noise=noise).value
+        assert isinstance(alpha, float)  # one for all bins
+        chosen.append((name, alpha))
+    return [(NO_SELECTOR, None), *chosen]
 
 
 class _Measured:

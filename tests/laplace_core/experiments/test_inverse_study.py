@@ -1,0 +1,109 @@
+"""The study of solvers and selectors: its table, how it goes on, and its sums."""
+
+from __future__ import annotations
+
+import csv
+import json
+
+import numpy as np
+import pytest
+
+from laplace_core import InputError
+from laplace_core.cli import main
+from laplace_core.experiments.inverse.random_cases import random_case
+from laplace_core.experiments.inverse.selection import COLUMNS, Job, Plan, gammas_of, rows_of, run
+from laplace_core.experiments.inverse.selection_report import summed
+from laplace_core.experiments.inverse.table_file import TableFile
+from laplace_core.inverse import choose_alpha, solve
+from laplace_core.inverse.distances import choice_regret, mean_time_distance
+
+SMALL = Plan(cases=2, noises=(1e-3,), grids=("log", "paper"), solvers=("tikhonov",), selectors=("gcv", "quasiopt"))
+WORDS = ["study", "--worlds", "2", "--noise", "1e-3", "--grids", "log,paper", "--solvers", "tikhonov", "--selectors",
+         "gcv,quasiopt"]  # fmt: skip
+
+
+def test_a_row_is_what_the_parts_say():
+    job = Job(1, 1e-3, "log")
+    rows = rows_of(job, SMALL)
+    assert [row["selector"] for row in rows] == ["best", "gcv", "quasiopt"]
+    case = random_case(np.random.default_rng([0, 1]))
+    problem = case.problem(1e-3, seed=1, gammas=gammas_of("log"))
+    alpha = choose_alpha(problem, "tikhonov", "gcv").value
+    masses = solve(problem, "tikhonov", alpha).masses
+    assert rows[1]["alpha"] == alpha
+    assert rows[1]["distance"] == mean_time_distance(masses, case.masses, case.settings.time_step).mean()
+    assert rows[1]["regret"] == choice_regret(case.values_of(masses @ case.worth), case.values_of(case.rewards))
+    assert all(row["distance"] >= row["least"] for row in rows)
+    assert rows[0]["distance"] == rows[0]["least"]
+
+
+def test_a_study_is_gone_on_with_where_it_was_stopped(tmp_path):
+    whole, parts = tmp_path / "whole.csv", tmp_path / "parts.csv"
+    assert list(run(SMALL, whole))[-1] == (4, 4)
+    study = run(SMALL, parts)
+    assert [next(study) for _ in range(3)] == [(0, 4), (1, 4), (2, 4)]
+    study.close()
+    with parts.open("ab") as file:  # killed in the middle of a write
+        file.write(b"1,0.001,log,tikhonov,gcv,0.")
+    assert next(run(SMALL, parts)) == (2, 4)
+    assert list(run(SMALL, parts))[-1] == (4, 4)
+    assert parts.read_bytes() == whole.read_bytes()
+    assert list(run(SMALL, parts)) == [(4, 4)]
+
+
+def test_a_file_of_something_else_is_left_alone(tmp_path, subtests):
+    other = tmp_path / "other.csv"
+    for content in (b"", b"a,b\n1,2\n", b"# seed 1\n", b"\xff\xfe"):
+        with subtests.test(content=content):
+            other.write_bytes(content)
+            with pytest.raises(InputError, match="no table of a study like this one"):
+                list(run(SMALL, other))
+            assert other.read_bytes() == content
+    list(run(SMALL, tmp_path / "mine.csv"))
+    with pytest.raises(InputError, match="of other solvers or selectors"):
+        list(run(Plan(cases=1, noises=(1e-3,), grids=("log",), solvers=("tikhonov",), selectors=("gcv",)),
+                 tmp_path / "mine.csv"))  # fmt: skip
+
+
+def test_sums_are_medians_and_shares(tmp_path):
+    table = TableFile(tmp_path / "t.csv", COLUMNS, ("case", "noise", "grid"), about="seed 0")
+    for case, (distance, regret) in enumerate([(2.0, 0.1), (2.6, 0.0), (8.0, 0.3)]):
+        row = dict.fromkeys(COLUMNS, 0) | {"case": case, "solver": "tikhonov", "selector": "gcv", "grid": "log"}
+        table.append([row | {"distance": distance, "least": 2.0, "regret": regret, "regret_at_least": 0.1}])
+    (entry,) = summed(table.rows())
+    # Ratios 1, 1.3 and 4: two are at most 1.3. Excess regret 0, -.1 and .2.
+    assert entry["near"] == pytest.approx(2 / 3)
+    assert entry["ratio"]["median"] == pytest.approx(1.3)
+    assert entry["excess"]["median"] == pytest.approx(0.0)
+    assert entry["excess"]["nine tenths"] == pytest.approx(0.16)  # .8 of the way from 0 to .2
+
+
+def test_the_command_writes_a_table_and_sums_it_up(tmp_path, capsys):
+    path = tmp_path / "study.csv"
+    assert main([*WORDS, "--out", str(path), "--json", "--jobs", "2"]) == 0
+    entries = json.loads(capsys.readouterr().out)
+    assert [(entry["solver"], entry["selector"], entry["cases"]) for entry in entries] == [
+        ("tikhonov", "best", 4), ("tikhonov", "gcv", 4), ("tikhonov", "quasiopt", 4)
+    ]  # fmt: skip
+    with path.open() as file:
+        assert len(list(csv.reader(line for line in file if line.strip()))) == 2 + 4 * 3
+    assert main(["study", "--summary", "--out", str(path), "--by", "grid,selector"]) == 0
+    assert "paper" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("words", "sentence"),
+    [
+        (["--solvers", "magic"], "solver 'magic' is not one of"),
+        (["--selectors", "gcv,gcv"], "name each selector of the study once"),
+        (["--grids", ""], "grid '' is not one of"),
+        (["--noise", "0"], "the noise of a study must be numbers above 0"),
+        (["--worlds", "0"], "worlds must be"),
+        (["--by", "alpha"], "--by takes noise, grid, solver and selector"),
+        (["--summary"], "run the study first"),
+    ],
+)
+def test_bad_words_are_one_sentence_and_write_nothing(tmp_path, capsys, words, sentence):
+    assert main(["study", "--out", str(tmp_path / "no.csv"), *words]) == 2
+    assert sentence in capsys.readouterr().err
+    assert not list(tmp_path.iterdir())
