@@ -23,7 +23,11 @@ from laplace_core.experiments.inverse.table_file import TableFile
 from laplace_core.inverse import SELECTORS, SOLVERS, Problem, choose_alpha, is_linear, solve
 from laplace_core.inverse.components import sweep_alphas
 from laplace_core.inverse.distances import (
-    choice_regret, mean_time_distance, relative_error, total_variation, value_error,
+    choice_regret,
+    mean_time_distance,
+    relative_error,
+    total_variation,
+    value_error,
 )  # fmt: skip
 from laplace_core.inverse.solvers import selecting, spectrum_for
 from laplace_core.supervise.parallel import in_parallel
