@@ -31,7 +31,7 @@ _WANTED = ("gamma_space", "gammas", "thetas", "constant_channel", "open_ends", "
 
 
 def study_arrays(study: Study) -> dict[str, Any]:
-    """Every array of a study by its name in the file (design: ``decode``), float64; settings and alpha record as JSON."""
+    """Every array of a study by its name in the file, float64; settings and alpha record as JSON."""
     decoded, truth = study.decoded, study.truth
     read, left = study.reading(study.row)
     chosen = greedy_action(decoded.horizon_values[:, read], scale=decoded.scale)
