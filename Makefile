@@ -36,7 +36,7 @@ coverage: .venv/.dev
 	$(BIN)/python -m pytest --ignore=tests/browser -n 2 --dist worksteal --cov --cov-report=term-missing:skip-covered
 
 # What takes long: random views against an independent judge, detectors against ground truth, the lens on 1,000 views.
-verify: .venv/.dev
+verify: .venv/.verify
 	$(BIN)/python -m laplace_core report verdicts --jobs 2 --check
 	$(BIN)/python -m laplace_core report detectors --check
 	$(BIN)/python -m pytest -m long
@@ -56,6 +56,10 @@ clean:
 
 .venv/.bench: .venv/.dev requirements-bench.txt
 	$(BIN)/python -m pip install --quiet -r requirements-bench.txt
+	touch $@
+
+.venv/.verify: .venv/.dev requirements-verify.txt
+	$(BIN)/python -m pip install --quiet -r requirements-verify.txt
 	touch $@
 
 .venv/.dev: .venv/.app requirements-dev.txt package-lock.json

@@ -3,8 +3,9 @@
 With r the weighted residual, G discounts, m columns that share one alpha, d the degrees of freedom of a column and
 n = G m numbers in all. Only ``discrepancy`` needs the size of the error. Sources: Hansen, Discrete Inverse Problems
 (2010), chapter 5, for ``gcv``, ``lcurve``, ``discrepancy`` and ``ncp``; Lukas, Inverse Problems 22 (2006) 1883, for
-``rgcv``; Hurvich and Tsai, Biometrika 76 (1989) 297, for ``aic``; Edwards and Stoll, J. Magn. Reson. 288 (2018) 58, for
-``bic`` and ``corner``; Tikhonov, Glasko and Kriksin, Dokl. Akad. Nauk 248 (1979) 531, for ``quasiopt``.
+``rgcv``; Hurvich and Tsai, Biometrika 76 (1989) 297, for ``aic``; McQuarrie, Stat. Probab. Lett. 44 (1999) 79, for
+``bic``; Edwards and Stoll, J. Magn. Reson. 288 (2018) 58, for ``corner``; Tikhonov, Glasko and Kriksin, Dokl. Akad.
+Nauk 248 (1979) 531, for ``quasiopt``.
 """
 
 from __future__ import annotations
@@ -25,6 +26,8 @@ AUTO = "aic"
 """The rule that ``auto`` stands for."""
 ROBUSTNESS = 0.9
 """Share of plain cross-validation in ``rgcv``; the rest is weighed by how much of the noise is fitted."""
+NOTHING_LEFT = 1e-13
+"""Share of the degrees of freedom up to which the residual is rounding, and says nothing."""
 TYPED = "typed"
 
 
@@ -40,7 +43,7 @@ def gcv(sweep: Sweep) -> np.ndarray:
         sweep.residual / (sweep.discounts * sweep.columns),
         share**2,
         out=np.full_like(sweep.residual, np.inf),
-        where=share > 0,
+        where=share > NOTHING_LEFT,
     )
 
 
@@ -59,23 +62,26 @@ def loo(sweep: Sweep) -> np.ndarray:
     reached = sweep.spectrum.U[:, : sweep.lost.shape[-1]]
     left = sweep.lost @ (reached**2).T + (1.0 - (reached**2).sum(axis=-1))  # 1 - A_gg, (a, G)
     power = sweep.power(lambda values: values)
-    terms = np.divide(power, left**2, out=np.full_like(power, np.inf), where=left > 0)
+    terms = np.divide(power, left**2, out=np.full_like(power, np.inf), where=left > NOTHING_LEFT)
     return terms.sum(axis=-1) / (sweep.discounts * sweep.columns)
 
 
 def aic(sweep: Sweep) -> np.ndarray:
     """Akaike's criterion, corrected for small samples: n log(|r|^2 / n) + 2 k n / (n - k - 1), with k = m d."""
-    numbers = sweep.discounts * sweep.columns
-    room = sweep.columns * sweep.left - 1.0
-    fitted = 2.0 * sweep.columns * sweep.degrees * numbers
-    penalty = np.divide(fitted, room, out=np.full_like(room, np.inf), where=room > 0)
-    return numbers * _log(sweep.residual / numbers) + penalty
+    return _criterion(sweep, price=2.0, spare=1.0)
 
 
 def bic(sweep: Sweep) -> np.ndarray:
-    """The Bayesian criterion: n log(|r|^2 / n) + k log n, with k = m d; as ``aic`` only where n - k exceeds 1."""
+    """Bayesian criterion, corrected for small samples: n log(|r|^2 / n) + k n log(n) / (n - k - 2), with k = m d."""
+    return _criterion(sweep, price=math.log(sweep.discounts * sweep.columns), spare=2.0)
+
+
+def _criterion(sweep: Sweep, *, price: float, spare: float) -> np.ndarray:
+    """n log(|r|^2 / n) + price k n / (n - k - spare); without the correction it would reward a fit of everything."""
     numbers = sweep.discounts * sweep.columns
-    penalty = np.where(sweep.columns * sweep.left > 1.0, math.log(numbers) * sweep.columns * sweep.degrees, np.inf)
+    room = sweep.columns * sweep.left - spare
+    fitted = price * sweep.columns * sweep.degrees * numbers
+    penalty = np.divide(fitted, room, out=np.full_like(room, np.inf), where=room > 0)
     return numbers * _log(sweep.residual / numbers) + penalty
 
 
@@ -107,7 +113,7 @@ def lcurve(sweep: Sweep) -> np.ndarray:
 
 
 def corner(sweep: Sweep) -> np.ndarray:
-    """Distance of the L-curve from its lower left corner, both axes scaled to their span between the singular values."""
+    """Distance of the L-curve from its lower left corner, each axis scaled to its span between the singular values."""
     here = sweep.between
 
     def scaled(values: np.ndarray) -> np.ndarray:
@@ -115,7 +121,8 @@ def corner(sweep: Sweep) -> np.ndarray:
         return np.divide(values - low, span, out=np.zeros_like(values), where=span > 0)
 
     curve = np.full_like(sweep.residual, np.inf)
-    curve[:, here] = np.hypot(*(scaled(values[:, here]) for values in _bends(sweep)))
+    if here.any():
+        curve[:, here] = np.hypot(*(scaled(values[:, here]) for values in _bends(sweep)))
     return curve
 
 

@@ -31,7 +31,7 @@ _WANTED = ("gamma_space", "gammas", "thetas", "constant_channel", "open_ends", "
 
 
 def study_arrays(study: Study) -> dict[str, Any]:
-    """Every array of a study by its name in the file (design: ``decode``), float64; settings and alpha record as JSON."""
+    """Every array of a study by its name in the file, float64; settings and alpha record as JSON."""
     decoded, truth = study.decoded, study.truth
     read, left = study.reading(study.row)
     chosen = greedy_action(decoded.horizon_values[:, read], scale=decoded.scale)
@@ -47,7 +47,6 @@ def study_arrays(study: Study) -> dict[str, Any]:
         "thetas": study.gamma_space.thetas,
         "theta_midpoints": study.midpoints,
         "horizons": study.horizons,
-        "alpha": np.array(study.settings.alpha),
     }
     if is_linear(study.settings.solver):  # else no kernel says what a value is made of
         arrays |= {"discount_kernel": discount_kernel_of(study), "averaging_kernel": averaging_kernel_of(study, 0)}
@@ -63,7 +62,7 @@ def study_arrays(study: Study) -> dict[str, Any]:
             "true_horizon_values": truth.horizon_values,
         }
     arrays = {name: np.ascontiguousarray(array, dtype=np.float64) for name, array in arrays.items()}
-    arrays |= {"read_row": np.array(read), "chosen": chosen}
+    arrays |= {"read_row": np.array(read), "chosen": chosen, "alpha": np.array(study.settings.alpha)}
     if truth is not None:
         arrays["optimal_action"] = truth.optimal_action
         arrays["regret"] = regret(truth.optimum[:, [left]], np.array([chosen]))[0]

@@ -320,7 +320,8 @@ def decoder(
 def inverted(values: np.ndarray, gammas: np.ndarray, settings: Resolved, row: int | None = None) -> np.ndarray:
     """Anything that lies over the discounts, ``(..., G, n)``, over the rows instead, ``(..., K, n)``.
 
-    The solver of the settings has to be a linear one. Rows that are not decoded, because the horizon of ``row`` has fewer, are 0.
+    The solver of the settings has to be a linear one. Rows that are not decoded, because the horizon of ``row`` has
+    fewer, are 0.
     """
     s = settings
     decoded = decoder(gammas, s, rows_decoded(s, row)) @ (shifted(values) if s.shift else values)
@@ -343,10 +344,11 @@ def problem_for(gamma_space: GammaSpace, settings: Resolved, row: int | None = N
 def with_alpha(gamma_space: GammaSpace, settings: AnyResolved) -> tuple[AnyResolved, AlphaRecord | None]:
     """Settings with the alpha that their rule chooses for a gamma-space, and its record; None of a typed one.
 
-    A rule looks at the values as they are, before any filter, whose output no longer has independent errors.
+    A rule looks at the values as they are, before any filter, whose output no longer has independent errors. A solver
+    that is not linear takes the alpha that the rule chooses for Tikhonov; the record says so.
 
     Raises:
-        InputError: a rule that cannot choose, for lack of a noise level, of discounts, or of a linear solver.
+        InputError: a rule that cannot choose, for lack of a noise level or of discounts.
     """
     s = settings
     if s.selector == "typed":
