@@ -24,6 +24,8 @@ import numpy as np
 from laplace_core.inverse.axis import Axis
 
 MOST_STEPS = 80
+PATIENCE, EARLY = 6, 20
+"""Steps without a smaller residual after which rounding is taken to stop a problem, and first steps that do not count."""
 TO_THE_EDGE = 0.995
 """Share of the way to the edge that a step goes at most."""
 
@@ -65,7 +67,7 @@ def solve_feasible(
     """The feasible masses of least misfit and penalty, for n problems at once.
 
     Args:
-        A: weighted transform, ``(r, C)``, or one for each problem and bin, ``(n, B, r, C)``.
+        A: weighted transform, ``(r, C)``, or one for each bin, ``(B, r, C)``, or each problem and bin, ``(n, B, r, C)``.
         z: weighted data, ``(n, B, r)``.
         penalty: p, ``(C,)``, not negative; 0 is allowed.
         tolerance: of the relative KKT residual. A problem that does not reach it, because rounding stops it, is
@@ -90,18 +92,18 @@ def solve_feasible(
     misfit = np.zeros(n)
     moving, since = np.arange(n), np.zeros(n, dtype=int)
     for turn in range(MOST_STEPS):
-        own, data = A if A.ndim == 2 else A[moving], z[moving]
+        own, data = A[moving] if A.ndim == 4 else A, z[moving]
         residuals, kkt, fit = _residuals(own, data, axis, penalty, point=point, terms=terms[moving])
         better = kkt < best_kkt[moving]
         best = _put(best, moving[better], _Point(*(array[better] for array in point)))
         best_kkt[moving[better]], misfit[moving[better]] = kkt[better], fit[better]
         since[moving] = np.where(better, 0, since[moving] + 1)
-        still = (best_kkt[moving] > tolerance) & (since[moving] < 8) & np.isfinite(kkt)
+        still = (best_kkt[moving] > tolerance) & ((since[moving] < PATIENCE) | (turn < EARLY)) & np.isfinite(kkt)
         if not still.any():
             break
         if not still.all():
             moving, point = moving[still], _Point(*(array[still] for array in point))
-            own, residuals = A if A.ndim == 2 else A[moving], tuple(array[still] for array in residuals)
+            own, residuals = A[moving] if A.ndim == 4 else A, tuple(array[still] for array in residuals)
         point = _step(own, axis, penalty, point, residuals)
         steps[moving] = turn + 1
     return Optimum(best.x, best.d, best.prices, best.zx, misfit, best_kkt, steps)
