@@ -23,7 +23,7 @@ import numpy as np
 from laplace_core.code.encoding import sigmoid
 from laplace_core.code.gamma_space import GammaSpace
 from laplace_core.errors import InputError
-from laplace_core.inverse.axis import Axis, axis_of
+from laplace_core.inverse.axis import Axis, axis_of, growth_for
 from laplace_core.inverse.channels import channel_gains, layered
 
 CONFIDENCE = 0.99
@@ -97,7 +97,7 @@ def certify(
         InputError: a horizon, deviations, confidence or layers that make no sense.
     """
     _check(gamma_space, horizon, deviations, confidence=confidence, layers=layers)
-    axis = axis_of(gamma_space.gammas, horizon)
+    axis = axis_of(gamma_space.gammas, horizon, growth=growth_for(deviations, gamma_space.gammas))
     channels, weights, widths = layered(gamma_space, layers)
     gains = channel_gains(weights, independent=independent)
     fit = _Fit(axis, deviations, gains, len(channels), confidence)
@@ -142,9 +142,7 @@ def quantisation(
 class _Fit:
     """The linear programme of one action: constraints that do not depend on its values."""
 
-    def __init__(
-        self, axis: Axis, deviations: np.ndarray, gains: np.ndarray, actions: int, confidence: float
-    ) -> None:
+    def __init__(self, axis: Axis, deviations: np.ndarray, gains: np.ndarray, actions: int, confidence: float) -> None:
         from scipy.sparse import bmat, eye, kron, vstack  # slow to import
         from scipy.special import ndtri
 

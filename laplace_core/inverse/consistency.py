@@ -20,13 +20,13 @@ import numpy as np
 
 from laplace_core.code.gamma_space import GammaSpace
 from laplace_core.errors import InputError
-from laplace_core.inverse.axis import FORGOTTEN, Axis, axis_of
+from laplace_core.inverse.axis import FORGOTTEN, Axis, axis_of, growth_for
 from laplace_core.inverse.channels import channel_gains, channel_weights, channels_of
 from laplace_core.inverse.interior import Optimum, solve_feasible
 
 LAYERS = 2
-ROWS, GROWTH = 20, 0.15
-"""Of the time axis: the exact steps, and how the windows after them grow."""
+ROWS = 20
+"""Of the time axis: the exact steps. The windows after them grow as the noise permits."""
 DRAWS = 199
 LEVEL = 0.05
 TOLERANCE = 1e-4
@@ -104,7 +104,7 @@ def check_noise(
     gains = channel_gains(weights, independent=independent)
     sizes = gains[:, None] * deviations
     whiten = 1.0 / np.sqrt(_sum_of_neighbours(sizes**2))  # (B, G)
-    axis = _axis(gamma_space.gammas)
+    axis = _axis(gamma_space.gammas, deviations)
 
     def draw(rng: np.random.Generator, fitted: np.ndarray, n: int) -> tuple[np.ndarray, np.ndarray]:
         errors = sizes * rng.normal(size=(n, actions, count, discounts))
@@ -140,7 +140,8 @@ def check_seeds(
     _, actions, bins, discounts = masses.shape
     flat = masses.reshape(n, actions, bins * discounts)
     roots = np.array([np.linalg.cholesky(shrunk_covariance(flat[:, a])) for a in range(actions)])
-    axis = _axis(gamma_space.gammas)
+    deviations = constant.std(axis=0, ddof=1) / np.sqrt(n)
+    axis = _axis(gamma_space.gammas, np.exp(np.log(np.maximum(deviations, 1e-300)).mean(axis=0)))
 
     def whitening(samples: np.ndarray) -> np.ndarray:
         """1 / standard error of the mean, ``(..., n, A, B * G)`` to ``(..., A, B, G)``."""
@@ -153,7 +154,6 @@ def check_seeds(
         mean = fitted + seeds.mean(axis=1).reshape(many, actions, bins, discounts)
         return mean, whitening(seeds)
 
-    deviations = constant.std(axis=0, ddof=1) / np.sqrt(n)
     return _test(masses.mean(axis=0), whitening(flat), draw, axis, gamma_space.gammas, alive=starts_alive, draws=draws,
                  seed=seed, deviations=deviations)  # fmt: skip
 
@@ -188,9 +188,9 @@ def _moderate(errors: np.ndarray) -> np.ndarray:
     return np.asarray(np.exp((logs + (logs @ basis) @ basis.T) / 2.0))
 
 
-def _axis(gammas: np.ndarray) -> Axis:
+def _axis(gammas: np.ndarray, deviations: np.ndarray) -> Axis:
     last = np.log(FORGOTTEN) / np.log(gammas.max())
-    return axis_of(gammas, int(min(ROWS, np.ceil(last) + 1)), growth=GROWTH)
+    return axis_of(gammas, int(min(ROWS, np.ceil(last) + 1)), growth=growth_for(deviations, gammas))
 
 
 def _masses(channels: np.ndarray) -> np.ndarray:
@@ -234,9 +234,7 @@ def _fit(masses: np.ndarray, whiten: np.ndarray, axis: Axis, *, alive: bool) -> 
     most = max(1, int(heard.sum(axis=-1).max()))
     rotation = np.swapaxes(vectors[..., -most:] * heard[..., None, -most:], -1, -2)
     data = (rotation @ (whiten * masses)[..., None])[..., 0]
-    return solve_feasible(
-        rotation @ system, data, axis, PENALTY * axis.size, starts_alive=alive, tolerance=TOLERANCE
-    )
+    return solve_feasible(rotation @ system, data, axis, PENALTY * axis.size, starts_alive=alive, tolerance=TOLERANCE)
 
 
 def _without(masses: np.ndarray, whiten: np.ndarray, axis: Axis, *, alive: bool) -> np.ndarray:

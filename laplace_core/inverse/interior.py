@@ -25,7 +25,7 @@ from laplace_core.inverse.axis import Axis
 
 MOST_STEPS = 80
 PATIENCE, EARLY = 6, 20
-"""Steps without a smaller residual after which rounding is taken to stop a problem, and first steps that do not count."""
+"""Rounding is taken to stop a problem after so many steps without a smaller residual; its first steps do not count."""
 TO_THE_EDGE = 0.995
 """Share of the way to the edge that a step goes at most."""
 
@@ -67,7 +67,7 @@ def solve_feasible(
     """The feasible masses of least misfit and penalty, for n problems at once.
 
     Args:
-        A: weighted transform, ``(r, C)``, or one for each bin, ``(B, r, C)``, or each problem and bin, ``(n, B, r, C)``.
+        A: weighted transform: one, ``(r, C)``, or one of each bin, ``(B, r, C)``, or of each problem, ``(n, B, r, C)``.
         z: weighted data, ``(n, B, r)``.
         penalty: p, ``(C,)``, not negative; 0 is allowed.
         tolerance: of the relative KKT residual. A problem that does not reach it, because rounding stops it, is
@@ -132,7 +132,7 @@ def _later(d: np.ndarray, stretches: int) -> np.ndarray:
 
 
 def _earlier(prices: np.ndarray, d: np.ndarray) -> np.ndarray:
-    """What an end costs by the prices of the steps that are alive until it, less that of all ends, ``(n, N or N+1)``."""
+    """What an end costs by the prices of the steps alive until it, less that of all ends, ``(n, N or N + 1)``."""
     sums = np.cumsum(prices[:, :-1], axis=1)
     if d.shape[1] > sums.shape[1]:
         sums = np.concatenate([sums, np.zeros((len(sums), 1))], axis=1)
@@ -164,7 +164,7 @@ def _residuals(
 
 def _step(A: np.ndarray, axis: Axis, penalty: np.ndarray, point: _Point, residuals: tuple[np.ndarray, ...]) -> _Point:
     """One predictor and corrector of every problem."""
-    x, d, prices, zx, zd = point
+    x, d, _, zx, zd = point
     of_x, of_d, of_survival, of_sum = residuals
     n, bins, count = x.shape
     stretches = len(axis.first)
@@ -208,9 +208,7 @@ def _step(A: np.ndarray, axis: Axis, penalty: np.ndarray, point: _Point, residua
     reached = _moved(point, aim, share)
     left = ((reached.x * reached.zx).sum(axis=(1, 2)) + (reached.d * reached.zd).sum(axis=1)) / number
     centre = (left / gap) ** 3 * gap
-    move = direction(
-        x * zx + aim.x * aim.zx - centre[:, None, None], d * zd + aim.d * aim.zd - centre[:, None]
-    )
+    move = direction(x * zx + aim.x * aim.zx - centre[:, None, None], d * zd + aim.d * aim.zd - centre[:, None])
     return _moved(point, move, np.minimum(1.0, TO_THE_EDGE * _to_the_edge(point, move)))
 
 

@@ -160,9 +160,7 @@ def _freedom(A: np.ndarray, found: np.ndarray, alpha: float) -> np.ndarray:
     gram = ((found > 0.0) @ pairs).reshape(-1, rank, rank)
     eigenvalues = np.maximum(np.linalg.eigvalsh(gram), 0.0)
     least = rank * np.finfo(float).eps * eigenvalues.max(axis=-1, keepdims=True, initial=0.0)
-    shares = np.divide(
-        eigenvalues, eigenvalues + alpha**2, out=np.zeros_like(eigenvalues), where=eigenvalues > least
-    )
+    shares = np.divide(eigenvalues, eigenvalues + alpha**2, out=np.zeros_like(eigenvalues), where=eigenvalues > least)
     return shares.sum(axis=-1)
 
 
