@@ -58,7 +58,7 @@ def draw_timelines(rng: np.random.Generator, count: int, steps: int, bins: int) 
             beyond[n, c, used] = weights[c] * rows[-1]
     if bins > 2:  # the activation blurs a reward over neighbouring bins
         blurred = rng.random(count) < 0.7
-        for n in np.flatnonzero(blurred):
+        for n in np.flatnonzero(blurred).tolist():
             blur = _blur(rng, bins)
             masses[n], beyond[n] = masses[n] @ blur, beyond[n] @ blur
     return Timelines(masses, beyond, endings)
