@@ -32,7 +32,8 @@ class Timelines:
         """Masses over the discounts, ``(N, G, B)``; what lies after the last row is a geometric series."""
         steps = self.masses.shape[1]
         later = gammas[:, None, None] ** steps / (1.0 - gammas[:, None, None] * (1.0 - self.endings))  # (G, N, C)
-        return transform_matrix(gammas, steps) @ self.masses + np.einsum("gnc,ncb->ngb", later, self.beyond)
+        rows = np.tensordot(self.masses, transform_matrix(gammas, steps), axes=(1, 1))  # (N, B, G), by one product
+        return np.swapaxes(rows, 1, 2) + np.einsum("gnc,ncb->ngb", later, self.beyond)
 
 
 MOST_COMPONENTS = 3

@@ -38,7 +38,7 @@ def test_grids_on_random_worlds(capsys):
     )
     designed, *others = numbers["rows"]
     (usual,) = [row for row in others if row["grid"] == "inverse-log"]
-    assert designed["worlds"]["median"] < usual["worlds"]["median"]
+    assert designed["worlds"]["error"] < usual["worlds"]["error"]
     assert usual["worlds"]["designed nearer"] > 0.5
 
 
@@ -88,3 +88,13 @@ def test_bad_input_is_one_line(capsys, tmp_path, monkeypatch, words, named):
     (line,) = capsys.readouterr().err.splitlines()
     assert named in line
     assert list(tmp_path.iterdir()) == []
+
+
+def test_a_check_that_is_not_met_ends_with_status_1(capsys, tmp_path):
+    """A network of one update is further from the truth than Tikhonov."""
+    path = tmp_path / "a.safetensors"
+    printed(capsys, "train-inverse", "--gammas", "3", "--updates", "1", "--samples", "100", "--out", str(path))
+    with pytest.raises(SystemExit) as ended:
+        main(["report", "neural", str(path), "--cases", "3", "--check"])
+    assert ended.value.code == 1
+    assert "at noise 0.001" in capsys.readouterr().err
