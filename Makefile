@@ -35,10 +35,14 @@ lint-js: .venv/.dev
 coverage: .venv/.dev
 	$(BIN)/python -m pytest --ignore=tests/browser -n 2 --dist worksteal --cov --cov-report=term-missing:skip-covered
 
-# What takes long: random views against an independent judge, detectors against ground truth, the lens on 1,000 views.
+# What takes long: random views against an independent judge, detectors against ground truth, the lens on 1,000 views;
+# neural inverses and a designed grid on random worlds.
 verify: .venv/.verify
 	$(BIN)/python -m laplace_core report verdicts --jobs 2 --check
 	$(BIN)/python -m laplace_core report detectors --check
+	$(BIN)/python -m laplace_core report neural --check
+	$(BIN)/python -m laplace_core report grids --horizon 50 --check
+	$(BIN)/python -m laplace_core report grids --horizon 200 --noise 0.01 --check
 	$(BIN)/python -m pytest -m long
 	LENS_VIEWS=1000 $(BIN)/python -m pytest tests/test_js.py
 

@@ -134,6 +134,7 @@ def _add_cases(parser: argparse.ArgumentParser, cases: str) -> None:
     parser.add_argument("--cases", default=cases, metavar="N", help=f"random worlds (default: {cases})")
     parser.add_argument("--seed", default="0", metavar="N", help="seed of the worlds (default: 0)")
     parser.add_argument("--json", action="store_true", help="print JSON")
+    parser.add_argument("--check", action="store_true", help="end with status 1 where another does better")
 
 
 def _detectors(options: argparse.Namespace) -> None:
@@ -227,6 +228,8 @@ def _grids(options: argparse.Namespace) -> None:
 
     numbers, text = grid_report.report(count, horizon, noise, cases, seed=seed)
     print(json.dumps(numbers, indent=1) if options.json else text)
+    if options.check:
+        _check([f"less error than with the grid {name}" for name in numbers["missed"]])
 
 
 def _neural(options: argparse.Namespace) -> None:
@@ -240,6 +243,9 @@ def _neural(options: argparse.Namespace) -> None:
         print(json.dumps({name: numbers for name, (numbers, _) in reports.items()}, indent=1))
     else:
         print("\n\n".join(f"{name}: {text}" for name, (_, text) in reports.items()))
+    if options.check:
+        missed = [(name, noise) for name, (numbers, _) in reports.items() for noise in numbers["missed"]]
+        _check([f"the least distance of {name} at noise {noise:g}" for name, noise in missed])
 
 
 def _searches(options: argparse.Namespace) -> None:

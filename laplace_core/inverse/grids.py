@@ -65,20 +65,23 @@ class Task:
         return np.where(tau < self.horizons[:, None], self.value_gamma**tau, 0.0)
 
     @cached_property
+    def truth(self) -> np.ndarray:
+        """V_T of each timeline and horizon, ``(N, n)``."""
+        return self.rewards.masses[..., 0] @ self.targets(self.rewards.masses.shape[1]).T
+
+    @cached_property
     def sizes(self) -> np.ndarray:
         """E[V_T^2] of each horizon, ``(n,)``: what an error of V_T is compared with."""
-        return ((self.rewards.masses[..., 0] @ self.targets(self.rewards.masses.shape[1]).T) ** 2).mean(axis=0)
+        return (self.truth**2).mean(axis=0)
 
     def judge(self, gammas: np.ndarray, name: str = "") -> Judged:
         """A grid ``(G,)`` at the alpha of :data:`ALPHAS` that reads best."""
-        steps = self.rewards.masses.shape[1]
-        targets = self.targets(steps)
-        truth = self.rewards.masses[..., 0] @ targets.T  # (N, n)
+        targets = self.targets(self.rewards.masses.shape[1])
         values = self.rewards.transformed(gammas)[..., 0]  # (N, G)
         passed_on = (self.noise / (1.0 - gammas)) ** 2
         squares = np.array(
             [
-                (((values @ w - truth) ** 2).mean(axis=0) + passed_on @ w**2) / self.sizes
+                (((values @ w - self.truth) ** 2).mean(axis=0) + passed_on @ w**2) / self.sizes
                 for w in readout_of_all_alphas(gammas, targets)
             ]
         )

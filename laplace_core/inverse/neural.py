@@ -252,6 +252,15 @@ def shipped_network(gammas: np.ndarray) -> NeuralInverse:
     )
 
 
+def solve(problem: Problem) -> Solution:
+    """A problem solved by the network that ships for its discounts.
+
+    Raises:
+        InputError: none does, or it is a problem that no network is for (:meth:`NeuralInverse.solve`).
+    """
+    return shipped_network(problem.gammas).solve(problem)
+
+
 @lru_cache(maxsize=8)
 def _read_once(path: Path) -> NeuralInverse:
     return read_network(path)

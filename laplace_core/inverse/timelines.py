@@ -32,7 +32,8 @@ class Timelines:
         """Masses over the discounts, ``(N, G, B)``; what lies after the last row is a geometric series."""
         steps = self.masses.shape[1]
         later = gammas[:, None, None] ** steps / (1.0 - gammas[:, None, None] * (1.0 - self.endings))  # (G, N, C)
-        return transform_matrix(gammas, steps) @ self.masses + np.einsum("gnc,ncb->ngb", later, self.beyond)
+        rows = np.tensordot(self.masses, transform_matrix(gammas, steps), axes=(1, 1))  # (N, B, G), by one product
+        return np.swapaxes(rows, 1, 2) + np.einsum("gnc,ncb->ngb", later, self.beyond)
 
 
 MOST_COMPONENTS = 3
@@ -58,7 +59,7 @@ def draw_timelines(rng: np.random.Generator, count: int, steps: int, bins: int) 
             beyond[n, c, used] = weights[c] * rows[-1]
     if bins > 2:  # the activation blurs a reward over neighbouring bins
         blurred = rng.random(count) < 0.7
-        for n in np.flatnonzero(blurred):
+        for n in np.flatnonzero(blurred).tolist():
             blur = _blur(rng, bins)
             masses[n], beyond[n] = masses[n] @ blur, beyond[n] @ blur
     return Timelines(masses, beyond, endings)

@@ -10,6 +10,7 @@ import pytest
 
 from app.catalogue import checkpoints, training_runs
 from laplace_core.cli import main
+from laplace_core.inverse.neural import read_network
 from laplace_core.tabular import read_learned
 from laplace_core.training.checkpoint import load_checkpoint
 from laplace_core.training.progress import read_progress
@@ -78,5 +79,7 @@ def test_every_file_that_ships_opens(subtests):
         with subtests.test(path.stem):
             if path.stem.endswith("_td"):
                 assert read_learned(path).finished
+            elif path.parent.name == "inverse":
+                assert read_network(path).about["updates"] > 0
             else:
                 assert load_checkpoint(path).step > 0
