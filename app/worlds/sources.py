@@ -5,13 +5,13 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from functools import lru_cache
 from typing import Any
 
 from app import session
 from app.session.link import pack, unpack
 from app.view.subjects import PARAM, Exact, FromFile, Learner, Subject, Values, View, plain_name
 from laplace_core import PRESETS, InputError, Settings, World, load_world
+from laplace_core.caching import cached
 from laplace_core.study.npz import read_gamma_space, states_of
 from laplace_core.study.settings import BY_NAME, ENCODING_NAMES, Resolved, resolve, resolve_for_gamma_space
 from laplace_core.tabular import Learned
@@ -52,12 +52,12 @@ def timeline_rows_of(word: str) -> tuple[list[dict], str]:
         raise InputError("the link holds no timeline; copy it again in full.") from None
 
 
-@lru_cache(maxsize=16)
+@cached(16)
 def _timeline(word: str) -> World:
     return timeline_world(*timeline_rows_of(word))
 
 
-@lru_cache(maxsize=16)
+@cached(16)
 def own_world(word: str) -> World:
     return parse_world(unpack(word))
 
@@ -100,7 +100,7 @@ def open_gamma_space(name: str, data: bytes) -> str:
     return session.keep_opened(GammaSpaceFile(name, data, states_of(data, name=name)), data)
 
 
-@lru_cache(maxsize=8)
+@cached(8)
 def _from_file(data: bytes, state: str | None) -> FromFile:
     return FromFile(read_gamma_space(data, state))
 
@@ -112,19 +112,19 @@ def world_values(world: World) -> dict[str, Any]:
     return {"world": OWN, OWN: pack(dump_world(world))}
 
 
-@lru_cache(maxsize=16)
+@cached(16)
 def about(learned: Learned, world: World) -> Learned:
     """The same tables about the world object that the page holds, so that what is cached per world is found again."""
     return replace(learned, world=world)
 
 
-@lru_cache(maxsize=16)
+@cached(16)
 def fits(learned: Learned, world: World) -> bool:
     """Whether an agent from a file learned this very world."""
     return dump_world(learned.world) == dump_world(world)
 
 
-@lru_cache(maxsize=32)
+@cached(32)
 def learner(world: World, learned: Learned, index: int | None) -> Learner:
     """The same object for the same words, so that what is cached per learner is found again."""
     return Learner(world, learned, index)

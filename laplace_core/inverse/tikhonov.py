@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from functools import lru_cache
-
 import numpy as np
 
+from laplace_core.caching import cached
 from laplace_core.code.ties import ROUNDING
 from laplace_core.errors import InputError
 from laplace_core.inverse.transform import transform_factors, transform_matrix
@@ -36,7 +35,7 @@ def decode_matrix(gammas: np.ndarray, steps: int, alpha: float, time_step: float
     return _decode_matrix(np.asarray(gammas, dtype=float).tobytes(), int(steps), float(alpha), float(time_step))
 
 
-@lru_cache(maxsize=64)
+@cached(64)
 def _decode_matrix(gammas: bytes, steps: int, alpha: float, time_step: float) -> np.ndarray:
     grid = np.frombuffer(gammas)
     U, s, Vt = transform_factors(grid, steps, time_step)

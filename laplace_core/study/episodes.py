@@ -6,10 +6,9 @@ backward induction over the world, so that a regret is never a matter of samplin
 
 from __future__ import annotations
 
-from functools import lru_cache
-
 import numpy as np
 
+from laplace_core.caching import cached
 from laplace_core.code.encoding import bin_masses, theta_midpoints
 from laplace_core.code.gamma_space import encode
 from laplace_core.code.ties import greedy_action
@@ -86,19 +85,19 @@ def values_everywhere(world: World, settings: ResolvedForWorld, learned: np.ndar
     return np.array(decoded)
 
 
-@lru_cache(maxsize=4)
+@cached(4)
 def _proxies(world: World, rewards: bytes, gammas: bytes, policy: str, *, acting_gamma: float) -> np.ndarray:
     """Cached :func:`laplace_core.planning.proxy_gamma_space`, ``(S, A, G)``."""
     grid = np.frombuffer(gammas)
     return proxy_gamma_space(world, np.frombuffer(rewards), grid, policies_of(world, grid, policy, acting_gamma))
 
 
-@lru_cache(maxsize=4)
+@cached(4)
 def _optimum(world: World, horizon: int, gamma: float) -> np.ndarray:
     return finite_horizon_optimum(world, horizon, gamma)
 
 
-@lru_cache(maxsize=4)
+@cached(4)
 def _bases(world: World, gammas: bytes, policy: str, acting_gamma: float) -> np.ndarray:
     """The reward-indicator basis of every state, ``(S, A, G, V)``, so that alpha and slope cost no solve."""
     grid = np.frombuffer(gammas)
@@ -180,7 +179,7 @@ def constant_horizon_loss(world: World, settings: ResolvedForWorld) -> tuple[np.
     return by_time_to_go - constant, best
 
 
-@lru_cache(maxsize=4)
+@cached(4)
 def _episodes(world: World, settings: ResolvedForWorld) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Cached :func:`_played` by exact values."""
     return _played(world, settings)

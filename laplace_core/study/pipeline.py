@@ -10,11 +10,11 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from functools import lru_cache
 from typing import Self
 
 import numpy as np
 
+from laplace_core.caching import cached
 from laplace_core.code.encoding import PAPER_GAMMAS, bin_masses, discount_grid, sensitivity_grid
 from laplace_core.code.gamma_space import GammaSpace, encode, shifted, softened, with_noise
 from laplace_core.errors import InputError
@@ -433,7 +433,7 @@ def policies_of(world: World, gammas: np.ndarray, kind: str, acting_gamma: float
     return _policies(world, gammas.tobytes(), kind, acting_gamma)
 
 
-@lru_cache(maxsize=16)
+@cached(16)
 def _policies(world: World, gammas: bytes, kind: str, acting_gamma: float) -> list[np.ndarray]:
     grid = np.frombuffer(gammas)
     if kind == "shared":
@@ -441,24 +441,24 @@ def _policies(world: World, gammas: bytes, kind: str, acting_gamma: float) -> li
     return target_policies(world, grid, kind, acting_gamma)
 
 
-@lru_cache(maxsize=16)
+@cached(16)
 def _acting_policy(world: World, acting_gamma: float) -> np.ndarray:
     return greedy_policy(world, acting_gamma)
 
 
-@lru_cache(maxsize=16)
+@cached(16)
 def _basis(world: World, state: int, gammas: bytes, kind: str, *, acting_gamma: float) -> np.ndarray:
     basis = reward_indicator_basis(world, state, np.frombuffer(gammas), _policies(world, gammas, kind, acting_gamma))
     basis.setflags(write=False)
     return basis
 
 
-@lru_cache(maxsize=16)
+@cached(16)
 def _optimum(world: World, state: int, acting_gamma: float, horizon: int) -> np.ndarray:
     return finite_horizon_optimum(world, horizon, acting_gamma, state)
 
 
-@lru_cache(maxsize=16)
+@cached(16)
 def _timeline(world: World, state: int, acting_gamma: float, length: int) -> np.ndarray:
     return reward_timeline(world, state, _acting_policy(world, acting_gamma), length)
 

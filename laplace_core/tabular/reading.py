@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from functools import lru_cache
 
 import numpy as np
 
+from laplace_core.caching import cached
 from laplace_core.errors import InputError
 from laplace_core.study.pipeline import WorldStudy, policies_of, study
 from laplace_core.study.settings import Settings
@@ -154,7 +154,7 @@ def _point(value: float) -> tuple[np.ndarray, np.ndarray]:
     return np.array([float(value)]), np.ones(1)
 
 
-@lru_cache(maxsize=16)
+@cached(16)
 def _true_return(world: World, state: int, action: int, acting_gamma: float, *, gamma: float) -> ReturnDistribution:
     return return_distribution(world, state, action, _best_policy(world, acting_gamma), gamma=gamma)
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping
 from dataclasses import replace
-from functools import lru_cache
 from pathlib import Path
 
+from laplace_core.caching import cached
 from laplace_core.errors import InputError
 from laplace_core.parameters import Parameter, parse_named
 from laplace_core.worlds.files import dump_world, parse_world, parse_world_bytes, read_world, world_text
@@ -75,7 +75,7 @@ def _from_file(source: str, params: Mapping[str, object] | None) -> World:
     return replace(read_world(source), source=source)
 
 
-@lru_cache(maxsize=32)
+@cached(32)
 def _built(source: str, params: tuple[tuple[str, object], ...]) -> World:
     """The same world object for the same words, so that caches by world are hit again."""
     if source.startswith("gym:"):
