@@ -27,10 +27,12 @@ from laplace_core.study.pipeline import (
     timeline_from,
 )
 from laplace_core.study.settings import ResolvedForWorld
+from laplace_core.study.size import largest_study
 from laplace_core.worlds import World
 
 MAX_WORK = 100_000_000
-"""Numbers decoded for all states together before :func:`values_everywhere` refuses (a second or two of work)."""
+"""Numbers decoded for all states together before :func:`values_everywhere` refuses (a second or two of work); twice the
+largest study where that is less."""
 
 MAX_SOLVES = 2_000
 """States x discounts that are solved one by one where rows are rescaled (a second or two as well)."""
@@ -63,10 +65,11 @@ def values_everywhere(world: World, settings: ResolvedForWorld, learned: np.ndar
             "leave the rows as they are."
         )
     check_fold(s, len(gammas), world.n_states * world.n_actions * width)
-    if work > MAX_WORK:
+    most = min(MAX_WORK, 2 * largest_study())
+    if work > most:
         raise InputError(
             f"a whole episode in {world.n_states:,} states at {s.steps} steps is {work:,} numbers, above "
-            f"{MAX_WORK:,}: lower steps or thetas, or leave the rows as they are."
+            f"{most:,}: lower steps or thetas, or leave the rows as they are."
         )
     if s.normalise == "none":
         proxy = bin_masses(world.reward_values, thetas, s.slope) @ theta_midpoints(thetas)

@@ -11,7 +11,7 @@ from laplace_core.caching import cached
 from laplace_core.errors import InputError
 from laplace_core.parameters import Parameter, parse_named
 from laplace_core.worlds.files import dump_world, parse_world, parse_world_bytes, read_world, world_text
-from laplace_core.worlds.model import END, Outcome, World
+from laplace_core.worlds.model import END, MAX_STATES, Outcome, World
 from laplace_core.worlds.presets import PRESETS, Preset
 from laplace_core.worlds.table import rescaled, world_from_rows, world_rows
 from laplace_core.worlds.timeline import MAX_TAU, TIMELINE_RESTS, timeline_rows, timeline_world
@@ -19,6 +19,7 @@ from laplace_core.worlds.toy_text import TOY_TEXT, toy_text_limit, toy_text_name
 
 __all__ = [
     "END",
+    "MAX_STATES",
     "MAX_TAU",
     "PRESETS",
     "TIMELINE_RESTS",
