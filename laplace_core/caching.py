@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import sys
 import threading
+import weakref
 from collections import deque
 from collections.abc import Callable, Hashable, Iterable, Mapping
 from dataclasses import dataclass
@@ -29,6 +30,8 @@ MEGABYTES = 1_000
 """Budget of a process that sets none."""
 _BUFFER = 1_024
 """Bytes from which on a buffer is worth remembering by its identity."""
+_CONTENT = 100_000
+"""Bytes from which on a buffer tells whose content an entry holds."""
 _NO_CONTENT = (type, ModuleType, FunctionType, BuiltinFunctionType, MethodType)
 _NUMBERS = frozenset({int, float, complex, bool, type(None)})
 _TEXTS = frozenset({str, bytes, bytearray})
@@ -147,6 +150,7 @@ class Budget:
         self._buffers: dict[int, list[int]] = {}  # holders and bytes, by identity
         self.clock = count()  # of uses
         self._caches: list[Cache[Any]] = []
+        self._late: deque[tuple[Cache[Any], Hashable]] = deque()
 
     @property
     def limit(self) -> int:
@@ -182,6 +186,21 @@ class Budget:
             caches = [cache for cache in self._caches if not cache.fixed]
         for cache in caches:
             cache.clear()
+
+    def drop_with_owner(self, owner: object, cache: Cache[Any], key: Hashable) -> None:
+        """Let a value go, and whatever any cache holds of its content, as soon as its owner is gone."""
+        weakref.finalize(owner, self._owner_gone, cache, key).atexit = False
+
+    def _owner_gone(self, cache: Cache[Any], key: Hashable) -> None:
+        self._late.append((cache, key))
+        # The collector calls this in whatever a thread is at; in the middle of our own work it has to wait.
+        if not self.lock._is_owned():  # type: ignore[attr-defined]  # which C has and typeshed has not
+            self._drop_late()
+
+    def _drop_late(self) -> None:
+        while self._late:
+            cache, key = self._late.popleft()
+            cache.drop_content(key)
 
     # ---- for the caches, which hold the lock
 
@@ -276,6 +295,7 @@ class Cache(Generic[Value]):
 
     def put(self, key: Hashable, value: Value) -> bool:
         """Keep a value and its key; whether there is room for it at all, once others have made room."""
+        self._budget._drop_late()
         weight = weigh(key, value)
         with self._budget.lock:
             gone = self._drop(key)
@@ -311,6 +331,20 @@ class Cache(Generic[Value]):
         """Drop a value, if it is there."""
         with self._budget.lock:
             self._drop(key)
+
+    def drop_content(self, key: Hashable) -> None:
+        """Drop a value, and whatever any cache that is not fixed holds of its large buffers."""
+        with self._budget.lock:
+            entry = self._entries.get(key)
+            if entry is None:
+                return
+            content = {identity for identity, size in entry.weight.buffers.items() if size >= _CONTENT}
+            gone = self._drop(key)
+            for cache in self._budget._caches:
+                if not cache.fixed:
+                    sharing = [at for at, one in cache._entries.items() if not content.isdisjoint(one.weight.buffers)]
+                    gone += [each for at in sharing for each in cache._drop(at)]
+        _tell(gone)
 
     def clear(self) -> None:
         """Drop all values."""

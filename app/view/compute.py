@@ -200,18 +200,32 @@ def comparison(a: View, b: View, what: Space) -> tuple[str, dict[str, str]]:
     except InputError as error:
         return f"{error} {summary(None, values)}", {}
     drawn = figures.comparison(apart)
-    note = f" {apart.note}" if apart.note else ""
-    return summary(apart, values) + note, {name: figures.to_json(figure) for name, figure in drawn.items()}
+    notes = "".join(f" {note}" for note in (apart.note, figures.thinning(apart)) if note)
+    return summary(apart, values) + notes, {name: figures.to_json(figure) for name, figure in drawn.items()}
+
+
+MOST_PAYLOAD = 25
+"""Megabytes that the lens may send to a browser."""
 
 
 def lens_payload(view: View, simulated: Simulated | None = None) -> bytes:
-    """What the lens needs of a view: its factors, on whatever of the settings does not move in the browser."""
+    """What the lens needs of a view: its factors, on whatever of the settings does not move in the browser.
+
+    Raises:
+        InputError: it is more than a browser should be sent.
+    """
     return _lens_payload(view.subject, structure(view.settings, view.world), simulated)
 
 
 @cached(16)
 def _lens_payload(subject: Subject, settings: Resolved, simulated: Simulated | None) -> bytes:
-    return payload(_study(subject, settings), simulated, subject.places, subject.added)[0]
+    data = payload(_study(subject, settings), simulated, subject.places, subject.added)[0]
+    if len(data) > MOST_PAYLOAD * 1_000_000:
+        raise InputError(
+            f"the lens of this view would take {len(data) / 1e6:.0f} MB in the browser, above {MOST_PAYLOAD}: lower "
+            "thetas, gammas or steps, or round the rewards."
+        )
+    return data
 
 
 def forget() -> None:

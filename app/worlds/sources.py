@@ -76,13 +76,24 @@ def world_of(values: Values) -> World | None:
     return load_world(name, {key.removeprefix(PARAM): v for key, v in values.items() if key.startswith(PARAM)})
 
 
-@dataclass(frozen=True)
+@dataclass(eq=False)
 class GammaSpaceFile:
-    """An uploaded ``.npz``, checked, and how many states it holds."""
+    """An uploaded ``.npz``, checked, how many states it holds, and the state of it that was looked at last."""
 
     name: str
     data: bytes
     states: int
+    shown: tuple[str | None, FromFile]
+
+    def at(self, state: str | None) -> FromFile:
+        """The gamma-space of a state; the same object while no other state is looked at.
+
+        Raises:
+            InputError: no such state.
+        """
+        if self.shown[0] != state:
+            self.shown = state, FromFile(read_gamma_space(self.data, state))
+        return self.shown[1]
 
 
 def gamma_space_files() -> Mapping[str, GammaSpaceFile]:
@@ -96,13 +107,8 @@ def open_gamma_space(name: str, data: bytes) -> str:
     Raises:
         InputError: not such a file.
     """
-    read_gamma_space(data, name=name)
-    return session.keep_opened(GammaSpaceFile(name, data, states_of(data, name=name)), data)
-
-
-@cached(8)
-def _from_file(data: bytes, state: str | None) -> FromFile:
-    return FromFile(read_gamma_space(data, state))
+    first = FromFile(read_gamma_space(data, name=name))
+    return session.keep_opened(GammaSpaceFile(name, data, states_of(data, name=name), (None, first)), data)
 
 
 def world_values(world: World) -> dict[str, Any]:
@@ -145,7 +151,7 @@ def view_of(values: Values, learned: Learned | None = None) -> View:
         if file is None:
             raise InputError(DATA_IS_GONE)
         state = given.get("state")
-        subject = opened = _from_file(file.data, None if state is None else str(state))
+        subject = opened = file.at(None if state is None else str(state))
         given = {name: value for name, value in given.items() if name not in ENCODING_NAMES}
         settings = resolve_for_gamma_space(Settings(world=file.name, **given), opened.gamma_space.gammas)
     else:
