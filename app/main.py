@@ -9,10 +9,17 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent))  # streamlit put
 
 from app.catalogue import training_runs
 from app.components import chart
+from app.session import limits
+from laplace_core import InputError
 
 st.set_page_config(page_title="Laplace code workbench", page_icon="∑", layout="wide")
 st.html(Path(__file__).with_name("style.css"))
 chart.preload()
+try:
+    limits.enforce()
+except InputError as error:
+    st.error(str(error))
+    st.stop()
 training_runs.wake()
 st.sidebar.html('<div class="brand">Laplace code workbench</div>')
 PAGES = [

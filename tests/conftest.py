@@ -21,6 +21,17 @@ settings.load_profile("suite")
 manifest_scanner.scan_component_manifests = cache(manifest_scanner.scan_component_manifests)
 
 
+@pytest.fixture(autouse=True)
+def no_server():
+    """A page that a test has drawn sets the limits of a server for its process: the next test has the library's."""
+    from laplace_core import caching
+    from laplace_core.study import size
+
+    yield
+    caching.BUDGET.limit = caching.MEGABYTES * 1_000_000
+    size.set_largest_study(size.MAX_VALUES)
+
+
 @pytest.fixture
 def runs(tmp_path, monkeypatch):
     """The queue of the page of training, on an empty folder."""

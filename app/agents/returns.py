@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from functools import lru_cache
 from html import escape
 
 import numpy as np
@@ -28,6 +27,7 @@ from laplace_core.acting.return_laws import (
     says_more_than_a_mean,
 )
 from laplace_core.acting.rollout import Rollout
+from laplace_core.caching import cached
 from laplace_core.environments import vector
 from laplace_core.figures.returns import ReturnRow, rows_height
 from laplace_core.training.checkpoint import Loaded
@@ -118,7 +118,7 @@ def _summary(observed: Sequence[SimulatedReturns], step: int, name: str) -> str:
     return f"{name.capitalize()} at step {step}, then each agent's own greedy policy, {times}; {cut}. Shaded: W1."
 
 
-@lru_cache(maxsize=128)
+@cached(128)
 def law_of(loaded: Loaded, observation: tuple[float, ...], action: int, alpha: float) -> ReturnLaw:
     """What an agent says of one return."""
     return return_laws(loaded.agent, np.array(observation), [action], alpha)[0]

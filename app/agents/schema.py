@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from functools import cache, lru_cache
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -16,6 +16,7 @@ from app.view.schema import ACTION, DRAWN, LOOK, OLD_SWITCHES
 from app.view.subjects import Observed, View
 from laplace_core import InputError, Settings, load_world
 from laplace_core.agents.capabilities import HasGammaSpace
+from laplace_core.caching import cached
 from laplace_core.code.interpolation import with_added
 from laplace_core.environments import GYMNASIUM_ENVIRONMENTS, Environment, environment_of
 from laplace_core.parameters import Parameter
@@ -77,7 +78,7 @@ def observation_of(scene: Environment, values: Mapping[str, Any]) -> tuple[float
     return tuple(float(values.get(f"{OBSERVED}{i}", part.start)) for i, part in enumerate(scene.components))
 
 
-@lru_cache(maxsize=64)
+@cached(64)
 def observe(
     loaded: Loaded, observation: tuple[float, ...], action_names: tuple[str, ...], added: int = 0
 ) -> Observed:  # fmt: skip

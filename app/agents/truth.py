@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from functools import lru_cache
-
 import streamlit as st
 
 from app.agents import jobs
@@ -21,6 +19,7 @@ from laplace_core.acting.continuations import Continuations, Outcomes, steps_kno
 from laplace_core.acting.rollout import Rollout
 from laplace_core.acting.simulated_truth import Confronted, confront, confront_states, empirical
 from laplace_core.agents.agent import Agent
+from laplace_core.caching import cached
 from laplace_core.environments import vector
 from laplace_core.training.checkpoint import Loaded
 
@@ -110,14 +109,14 @@ def _summary(confronted: Confronted, view: View) -> str:
     )
 
 
-@lru_cache(maxsize=8)
+@cached(8)
 def _for_lens(simulated: Continuations | Outcomes, agent: Agent, action: int) -> Simulated:
     """What the lens draws of continuations; the same object for the same ones."""
     assert isinstance(simulated, Continuations)  # of many states the lens draws nothing
     return Simulated(action, empirical(agent, simulated))
 
 
-@lru_cache(maxsize=16)
+@cached(16)
 def _confronted(
     simulated: Continuations | Outcomes, loaded: Loaded, subject: Subject, action: int, *, alpha: float
 ) -> Confronted:

@@ -6,7 +6,7 @@ from __future__ import annotations
 import re
 import tempfile
 from collections.abc import Mapping
-from functools import cache, lru_cache
+from functools import cache
 from pathlib import Path
 
 from app import session
@@ -14,6 +14,7 @@ from app.catalogue import training_runs
 from app.session.url import Entries, by_name, check_of
 from laplace_core import InputError
 from laplace_core.agents.settings import ENVIRONMENTS, SETTINGS, algorithm_title
+from laplace_core.caching import cached
 from laplace_core.experiments.shipping import TrainingCurve, curves_of, manifest
 from laplace_core.parameters import Parameter
 from laplace_core.training.checkpoint import Loaded, load_checkpoint
@@ -74,7 +75,7 @@ def curves(name: str) -> tuple[TrainingCurve, ...]:
     return _shipped_curves(name)
 
 
-@lru_cache(maxsize=32)
+@cached(32, fixed=True)
 def _shipped_curves(name: str) -> tuple[TrainingCurve, ...]:
     for entry in manifest(SHIPPED):
         if entry["file"] == f"{name}.safetensors":
@@ -97,7 +98,7 @@ def _shipped_for(environment: str) -> list[str]:
     return [name for name in shipped() if _parts(name)[1] == environment.replace(":", "-")]
 
 
-@lru_cache(maxsize=16)
+@cached(16, fixed=True)
 def _shipped(name: str) -> Loaded:
     return load_checkpoint(SHIPPED / f"{name}.safetensors")
 
@@ -111,7 +112,7 @@ def trained() -> tuple[str, ...]:
     return tuple(RUN + run.name for run in runs if training_runs.best(run))
 
 
-@lru_cache(maxsize=8)
+@cached(8)
 def _trained(path: Path, written: int) -> Loaded:
     return load_checkpoint(path)
 

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from functools import cache, lru_cache
+from functools import cache
 from pathlib import Path
 
 from app import session
 from laplace_core import InputError
+from laplace_core.caching import cached
 from laplace_core.tabular import Learned, parse_learned, read_learned
 
 SHIPPED = Path(__file__).resolve().parents[2] / "checkpoints"
@@ -19,7 +20,7 @@ def shipped_agents() -> tuple[str, ...]:
     return tuple(sorted(path.stem for path in SHIPPED.glob("*_td.safetensors")))
 
 
-@lru_cache(maxsize=8)
+@cached(8, fixed=True)
 def shipped_agent(name: str) -> Learned:
     if name not in shipped_agents():
         raise InputError(f"no agent {name[:40]!r} comes with the workbench; there are: {', '.join(shipped_agents())}.")

@@ -8,6 +8,9 @@ from typing import Any
 
 import numpy as np
 import streamlit as st
+from streamlit.runtime.memory_uploaded_file_manager import MemoryUploadedFileManager
+from streamlit.runtime.scriptrunner import get_script_run_ctx
+from streamlit.runtime.uploaded_file_manager import DeletedFile, UploadedFile
 
 from app import session
 from app.session import store
@@ -94,11 +97,22 @@ def upload(label: str, endings: Sequence[str], key: str, take: Callable[[str, by
 
 def _uploaded(key: str, take: Callable[[str, bytes], None]) -> None:
     """Callback: an uploaded file replaces the view, or says in one sentence why it cannot."""
-    session.current().refusals.pop(key, None)
     file = st.session_state[key]
+    if isinstance(file, DeletedFile):  # it was taken, and Streamlit has let its copy go
+        return
+    session.current().refusals.pop(key, None)
     if file is None:
         return
     try:
         take(file.name, file.getvalue())
     except InputError as error:
         session.current().refusals[key] = str(error)
+    _let_go(file)
+
+
+def _let_go(file: UploadedFile) -> None:
+    """What was read from a file is kept; Streamlit's own copy of it is not needed any more."""
+    context = get_script_run_ctx()
+    if context is not None and isinstance(context.uploaded_file_mgr, MemoryUploadedFileManager):
+        context.uploaded_file_mgr.remove_file(context.session_id, file.file_id)
+    file.truncate(0)

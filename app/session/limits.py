@@ -6,6 +6,7 @@ such as ``LAPLACE_MEMORY=2000``.
 
 from __future__ import annotations
 
+import ctypes
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -13,7 +14,9 @@ from functools import cache
 from typing import Any
 
 from laplace_core import InputError
+from laplace_core.caching import BUDGET
 from laplace_core.parameters import schema_of, setting, switch
+from laplace_core.study.size import set_largest_study
 
 
 @dataclass(frozen=True)
@@ -66,6 +69,34 @@ def limits() -> Limits:
         InputError: a variable that states no limit.
     """
     return limits_of(os.environ)
+
+
+_MMAP_THRESHOLD, _OWN_PAGES = -3, 1_000_000  # of mallopt in glibc
+
+
+@cache
+def _return_memory() -> None:
+    """Let arrays of a megabyte and more go back to the system when they are dropped.
+
+    The C library would raise that size to 32 MB by itself, and keep what is freed below it in a heap of each thread:
+    a server then holds twice what its caches count.
+    """
+    try:
+        mallopt = ctypes.CDLL(None).mallopt
+    except (OSError, AttributeError, TypeError):  # no glibc: nothing to be told
+        return
+    mallopt(_MMAP_THRESHOLD, _OWN_PAGES)
+
+
+def enforce() -> None:
+    """Let the library keep the limits of this server: bytes of its caches, numbers of a study.
+
+    Raises:
+        InputError: a variable that states no limit.
+    """
+    _return_memory()
+    BUDGET.limit = limits().memory * 1_000_000
+    set_largest_study(limits().largest_study)
 
 
 def may_train(environment: str, variables: Mapping[str, str] = os.environ) -> bool:

@@ -6,9 +6,9 @@ import base64
 import binascii
 import zlib
 from collections.abc import Mapping
-from functools import lru_cache
 
 from laplace_core import InputError
+from laplace_core.caching import cached
 
 LONGEST = 7_000
 """Characters of a link's values; proxies and chat programs cut much longer ones off."""
@@ -20,7 +20,7 @@ def pack(text: str) -> str:
     return base64.urlsafe_b64encode(zlib.compress(text.encode(), 9)).decode().rstrip("=")
 
 
-@lru_cache(maxsize=64)
+@cached(64)
 def unpack(word: str) -> str:
     """The text of :func:`pack`; a short word that unfolds without end is stopped.
 

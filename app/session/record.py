@@ -16,6 +16,8 @@ import streamlit as st
 
 from app.session.echoes import Shown
 from app.session.message import Channel
+from laplace_core import InputError
+from laplace_core.caching import BUDGET, Cache, weigh
 
 KEY = "session"
 """Of the record in ``st.session_state``."""
@@ -104,8 +106,29 @@ def opened(kind: type[Kind]) -> Mapping[str, Kind]:
     return current().opened.get(kind, {})
 
 
+_OPENED: Cache[object] = Cache("files that sessions have opened", 10_000, fixed=True)
+
+
 def keep_opened(file: object, data: bytes) -> str:
-    """Keep what was read from a file, in place of the last one of its kind; returns the digest of ``data``."""
-    digest = hashlib.sha256(data).hexdigest()[:12]
-    current().opened[type(file)] = {digest: file}
+    """Keep what was read from a file until the session ends, in place of the last one of its kind.
+
+    Returns:
+        the digest of ``data``.
+
+    Raises:
+        InputError: the files of all sessions together would take more than half of the server's memory for caches.
+    """
+    digest, record = hashlib.sha256(data).hexdigest()[:12], current()
+    key, before = (id(record), type(file)), record.opened.get(type(file))
+    _OPENED.drop_content(key)
+    if not _OPENED.put(key, file) or BUDGET.fixed > BUDGET.limit // 2:
+        _OPENED.pop(key)
+        record.opened.pop(type(file), None)
+        raise InputError(
+            f"this file takes {weigh(file).bytes / 1e6:,.0f} MB, and the files that are open on this server may take "
+            f"{BUDGET.limit / 2e6:,.0f} MB together: open a smaller one, or close other tabs that have opened one."
+        )
+    if before is None:
+        BUDGET.drop_with_owner(record, _OPENED, key)
+    record.opened[type(file)] = {digest: file}
     return digest

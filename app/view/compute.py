@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from functools import lru_cache
 from threading import Lock
 from typing import Any
 
@@ -12,6 +11,7 @@ import numpy as np
 from app.components.lens.payload import Simulated, payload, structure
 from app.view.subjects import Learner, Subject, View, state_in
 from laplace_core import InputError, Study, World, figures
+from laplace_core.caching import Cached, cached
 from laplace_core.planning import greedy_policy
 from laplace_core.study.artefacts import Artefact, find_artefacts
 from laplace_core.study.compare import Space, difference, summary, value_difference
@@ -23,7 +23,7 @@ from laplace_core.study.verdict import Verdict, judge
 from laplace_core.tabular import Bands, Learned, bands, return_distributions
 
 
-@lru_cache(maxsize=32)
+@cached(32)
 def _study(subject: Subject, settings: Resolved) -> Study:
     return subject.study(settings)
 
@@ -38,14 +38,16 @@ def horizon_of(view: View) -> float:
     return float(study.horizons[study.row])
 
 
-@lru_cache(maxsize=128)
+@cached(128)
 def _graded(view: View) -> Verdict:
     return judge(study_for(view), study_for(view).row, view.action, explain=False)
 
 
-@lru_cache(maxsize=128)
+@cached(128)
 def _explained_verdict(view: View) -> Verdict:
-    return judge(study_for(view), study_for(view).row, view.action, trials=_trials(view))
+    judged = judge(study_for(view), study_for(view).row, view.action, trials=_trials(view))
+    _trials.recount(view)  # they keep what they have tried
+    return judged
 
 
 def verdict_for(view: View) -> Verdict:
@@ -58,7 +60,7 @@ def verdict_for(view: View) -> Verdict:
     return judged
 
 
-@lru_cache(maxsize=8)
+@cached(8)
 def _trials(view: View) -> Trials | None:
     """What single changes make of a view, for its verdict and its list of artefacts alike."""
     study = study_for(view)
@@ -87,10 +89,11 @@ def verdict_at_once(view: View) -> tuple[Verdict, bool]:
     return verdict_for(view) if explained else _graded(view), explained
 
 
-@lru_cache(maxsize=128)
+@cached(128)
 def _artefacts(view: View, action: int, *, searching: bool) -> tuple[Artefact, ...]:
     trials = _trials(view) if searching and action == view.action else None
     listed = find_artefacts(study_for(view), action, horizon_of(view), searching=searching, trials=trials)
+    _trials.recount(view)
     return tuple(listed if searching else (replace(each, remedies=()) for each in listed))
 
 
@@ -114,7 +117,7 @@ def artefacts_elsewhere(view: View) -> str:
     return " ".join(f"Also {name}, in {', '.join(actions)}." for name, actions in lines.items())
 
 
-@lru_cache(maxsize=32)
+@cached(32)
 def _episode_regrets(subject: Subject, settings: Resolved) -> np.ndarray | None:
     study = _study(subject, settings)
     if not isinstance(study, WorldStudy):
@@ -149,13 +152,13 @@ def world_figure(view: View) -> str:
     return _world_figure(world, view.subject.learner, replace(view.settings, **_UNSEEN), view.action)
 
 
-@lru_cache(maxsize=64)
+@cached(64)
 def _world_figure(world: World, learner: Learner | None, settings: Resolved, action: int) -> str:
     policy = greedy_policy(world, settings.acting_gamma) if learner is None else learner.policy
     return figures.to_json(figures.world_graph(world, world.state_index(state_in(settings)), action, policy))
 
 
-@lru_cache(maxsize=8)
+@cached(8)
 def _bands(learned: Learned, settings: Resolved) -> Bands:
     return bands(learned, settings)
 
@@ -169,7 +172,7 @@ def learning_figure(name: str, view: View) -> str:
     return _learning_figure(name, learner, settings, view.action, row=study_for(view).row if name == "values" else 0)
 
 
-@lru_cache(maxsize=32)
+@cached(32)
 def _learning_figure(name: str, subject: Learner, settings: Resolved, action: int, *, row: int) -> str:
     learned, index, state = subject.learned, subject.index or 0, state_in(settings)
     drawn = {
@@ -184,7 +187,7 @@ def _learning_figure(name: str, subject: Learner, settings: Resolved, action: in
     return figures.to_json(drawn)
 
 
-@lru_cache(maxsize=16)
+@cached(16)
 def comparison(a: View, b: View, what: Space) -> tuple[str, dict[str, str]]:
     """One sentence on two views, and the pictures of a space of A, of B and of B - A.
 
@@ -197,24 +200,38 @@ def comparison(a: View, b: View, what: Space) -> tuple[str, dict[str, str]]:
     except InputError as error:
         return f"{error} {summary(None, values)}", {}
     drawn = figures.comparison(apart)
-    note = f" {apart.note}" if apart.note else ""
-    return summary(apart, values) + note, {name: figures.to_json(figure) for name, figure in drawn.items()}
+    notes = "".join(f" {note}" for note in (apart.note, figures.thinning(apart)) if note)
+    return summary(apart, values) + notes, {name: figures.to_json(figure) for name, figure in drawn.items()}
+
+
+MOST_PAYLOAD = 25
+"""Megabytes that the lens may send to a browser."""
 
 
 def lens_payload(view: View, simulated: Simulated | None = None) -> bytes:
-    """What the lens needs of a view: its factors, on whatever of the settings does not move in the browser."""
+    """What the lens needs of a view: its factors, on whatever of the settings does not move in the browser.
+
+    Raises:
+        InputError: it is more than a browser should be sent.
+    """
     return _lens_payload(view.subject, structure(view.settings, view.world), simulated)
 
 
-@lru_cache(maxsize=16)
+@cached(16)
 def _lens_payload(subject: Subject, settings: Resolved, simulated: Simulated | None) -> bytes:
-    return payload(_study(subject, settings), simulated, subject.places, subject.added)[0]
+    data = payload(_study(subject, settings), simulated, subject.places, subject.added)[0]
+    if len(data) > MOST_PAYLOAD * 1_000_000:
+        raise InputError(
+            f"the lens of this view would take {len(data) / 1e6:.0f} MB in the browser, above {MOST_PAYLOAD}: lower "
+            "thetas, gammas or steps, or round the rewards."
+        )
+    return data
 
 
 def forget() -> None:
     """Let go of everything that is cached for views; a large learner leaves a new table behind every moment."""
-    for cached in list(globals().values()):
-        if getattr(cached, "__module__", None) == __name__ and hasattr(cached, "cache_clear"):
-            cached.cache_clear()
+    for each in list(globals().values()):
+        if isinstance(each, Cached) and each.__module__ == __name__:
+            each.cache_clear()
     with _lock:
         _explained.clear()

@@ -12,10 +12,13 @@ from streamlit.delta_generator import DeltaGenerator
 from app.components.widgets import download
 from app.view import compute, explain, subjects
 from app.view.subjects import View
+from laplace_core import Study
 from laplace_core.study.npz import npz_bytes
 from laplace_core.study.settings import Resolved
 from laplace_core.study.tables import gamma_space_csv, rewards_csv, tau_space_csv, values_csv
 
+MOST_LINES = 1_000_000
+"""Of a table; spreadsheets open little more."""
 _TABLES = {
     "tau-space": tau_space_csv,
     "gamma-space": gamma_space_csv,
@@ -51,12 +54,20 @@ def downloads(place: DeltaGenerator, view: View) -> None:
     box = place.popover("Download", width="stretch", on_change="rerun", key="downloading")
     if not box.open:
         return
-    settings = settings_on_disk(view)
-    study = replace(compute.study_for(view), settings=settings)
+    settings, shown = settings_on_disk(view), compute.study_for(view)
+
+    def study() -> Study:
+        """Looked up when it is wanted, so that a button keeps no arrays."""
+        return replace(compute.study_for(view), settings=settings)
+
     name = re.sub(r"[^A-Za-z0-9_.-]+", "_", re.sub(r"\.(json|npz|safetensors)$", "", settings.world))
     with box:
-        download("NPZ: every array and the settings", lambda: npz_bytes(study), f"{name}.npz", width="stretch")
+        download("NPZ: every array and the settings", lambda: npz_bytes(study()), f"{name}.npz", width="stretch")
+        lines = {"tau-space": shown.decoded.tau_space.size, "gamma-space": shown.gamma_space.values.size}
         for title, csv in _TABLES.items():
+            if lines.get(title, 0) > MOST_LINES:
+                st.caption(f"CSV: {title} would have {lines[title]:,} lines, more than a spreadsheet opens: take NPZ.")
+                continue
             file = f"{name}_{title.replace(' ', '_')}.csv"
-            download(f"CSV: {title}", partial(csv, study), file, width="stretch")
+            download(f"CSV: {title}", partial(lambda csv: csv(study()), csv), file, width="stretch")
         st.caption("PNG, SVG, CSV and HTML of the lens: the buttons under it.")

@@ -13,6 +13,7 @@ from app import session
 from app.components.lens import Graph, Pin, Preset, Released, Said, lens
 from app.components.lens.payload import Simulated
 from app.components.lens.state import checked, state_of, values_of
+from app.components.waiting import attempt
 from app.session import store
 from app.view import compute
 from app.view.subjects import PARAM, View
@@ -68,9 +69,12 @@ def pictures(
         if released.pin is not None and pin is not None:
             pin.keep(released.pin)
 
+    data = attempt(lambda: compute.lens_payload(view, simulated))
+    if data is None:
+        return
     last, remedies = float(compute.study_for(base).horizons[-1]), tuple(each.label for each in judged.remedies)
     lens(
-        compute.lens_payload(view, simulated),
+        data,
         shown,
         store.page_name(),
         base=state_of(base.settings, last, action=view.action),

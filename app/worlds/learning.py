@@ -274,7 +274,10 @@ def _over_seeds(view: View, name: str) -> None:
 
 
 def _picture(name: str, view: View, alt: str, place: DeltaGenerator) -> None:
-    chart(compute.learning_figure(name, view), name, alt, revision=view.settings.world, place=place)
+    with place:
+        figure = attempt(lambda: compute.learning_figure(name, view))
+        if figure is not None:
+            chart(figure, name, alt, revision=view.settings.world)
 
 
 def _with_peers(world: World) -> None:

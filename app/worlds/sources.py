@@ -5,13 +5,13 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from functools import lru_cache
 from typing import Any
 
 from app import session
 from app.session.link import pack, unpack
 from app.view.subjects import PARAM, Exact, FromFile, Learner, Subject, Values, View, plain_name
 from laplace_core import PRESETS, InputError, Settings, World, load_world
+from laplace_core.caching import cached
 from laplace_core.study.npz import read_gamma_space, states_of
 from laplace_core.study.settings import BY_NAME, ENCODING_NAMES, Resolved, resolve, resolve_for_gamma_space
 from laplace_core.tabular import Learned
@@ -52,12 +52,12 @@ def timeline_rows_of(word: str) -> tuple[list[dict], str]:
         raise InputError("the link holds no timeline; copy it again in full.") from None
 
 
-@lru_cache(maxsize=16)
+@cached(16)
 def _timeline(word: str) -> World:
     return timeline_world(*timeline_rows_of(word))
 
 
-@lru_cache(maxsize=16)
+@cached(16)
 def own_world(word: str) -> World:
     return parse_world(unpack(word))
 
@@ -76,13 +76,24 @@ def world_of(values: Values) -> World | None:
     return load_world(name, {key.removeprefix(PARAM): v for key, v in values.items() if key.startswith(PARAM)})
 
 
-@dataclass(frozen=True)
+@dataclass(eq=False)
 class GammaSpaceFile:
-    """An uploaded ``.npz``, checked, and how many states it holds."""
+    """An uploaded ``.npz``, checked, how many states it holds, and the state of it that was looked at last."""
 
     name: str
     data: bytes
     states: int
+    shown: tuple[str | None, FromFile]
+
+    def at(self, state: str | None) -> FromFile:
+        """The gamma-space of a state; the same object while no other state is looked at.
+
+        Raises:
+            InputError: no such state.
+        """
+        if self.shown[0] != state:
+            self.shown = state, FromFile(read_gamma_space(self.data, state))
+        return self.shown[1]
 
 
 def gamma_space_files() -> Mapping[str, GammaSpaceFile]:
@@ -96,13 +107,8 @@ def open_gamma_space(name: str, data: bytes) -> str:
     Raises:
         InputError: not such a file.
     """
-    read_gamma_space(data, name=name)
-    return session.keep_opened(GammaSpaceFile(name, data, states_of(data, name=name)), data)
-
-
-@lru_cache(maxsize=8)
-def _from_file(data: bytes, state: str | None) -> FromFile:
-    return FromFile(read_gamma_space(data, state))
+    first = FromFile(read_gamma_space(data, name=name))
+    return session.keep_opened(GammaSpaceFile(name, data, states_of(data, name=name), (None, first)), data)
 
 
 def world_values(world: World) -> dict[str, Any]:
@@ -112,19 +118,19 @@ def world_values(world: World) -> dict[str, Any]:
     return {"world": OWN, OWN: pack(dump_world(world))}
 
 
-@lru_cache(maxsize=16)
+@cached(16)
 def about(learned: Learned, world: World) -> Learned:
     """The same tables about the world object that the page holds, so that what is cached per world is found again."""
     return replace(learned, world=world)
 
 
-@lru_cache(maxsize=16)
+@cached(16)
 def fits(learned: Learned, world: World) -> bool:
     """Whether an agent from a file learned this very world."""
     return dump_world(learned.world) == dump_world(world)
 
 
-@lru_cache(maxsize=32)
+@cached(32)
 def learner(world: World, learned: Learned, index: int | None) -> Learner:
     """The same object for the same words, so that what is cached per learner is found again."""
     return Learner(world, learned, index)
@@ -145,7 +151,7 @@ def view_of(values: Values, learned: Learned | None = None) -> View:
         if file is None:
             raise InputError(DATA_IS_GONE)
         state = given.get("state")
-        subject = opened = _from_file(file.data, None if state is None else str(state))
+        subject = opened = file.at(None if state is None else str(state))
         given = {name: value for name, value in given.items() if name not in ENCODING_NAMES}
         settings = resolve_for_gamma_space(Settings(world=file.name, **given), opened.gamma_space.gammas)
     else:

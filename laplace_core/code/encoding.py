@@ -171,7 +171,9 @@ def area_around_zero(
     return (ends / 2.0) @ np.diff(thetas)  # trapezoids
 
 
-def softening(places: np.ndarray, share: float, open_ends: bool = False) -> np.ndarray:
+def softening(
+    places: np.ndarray, share: float, open_ends: bool = False, rows: slice = slice(None)
+) -> np.ndarray:  # fmt: skip
     """S of a softer slope: what a difference Z[j] of gamma-space leaves in each bin, shape ``(B, B)``.
 
     The activation is the distribution function of a logistic law. A law of ``share`` of its slope is the given one
@@ -190,6 +192,7 @@ def softening(places: np.ndarray, share: float, open_ends: bool = False) -> np.n
     Args:
         places: ``(H,)``, slope * theta, or whatever the activation is a sigmoid of; increasing.
         share: of the slope, in (0, 1].
+        rows: of S that are wanted; all of them where nothing is said.
 
     Raises:
         InputError: a share outside (0, 1].
@@ -198,7 +201,7 @@ def softening(places: np.ndarray, share: float, open_ends: bool = False) -> np.n
         raise InputError(f"the share of the slope is {share:g}; it must be above 0 and at most 1.")
     places = np.asarray(places, dtype=float)
     padded = np.concatenate([[2.0 * places[0] - places[1]], places, [2.0 * places[-1] - places[-2]]])
-    far = np.subtract.outer(theta_midpoints(padded if open_ends else places), places)
+    far = np.subtract.outer(theta_midpoints(padded if open_ends else places)[rows], places)
     if share == 1.0:
         beyond = np.heaviside(far, 0.5)
     else:

@@ -163,6 +163,10 @@ def encode(basis: np.ndarray, rewards: np.ndarray, gammas: np.ndarray, thetas: n
     return GammaSpace(basis @ activation(rewards, thetas, slope), basis.sum(axis=-1), gammas, thetas)
 
 
+_SOFTENED = 5_000_000
+"""Numbers of the softening map that are made at a time."""
+
+
 def softened(gamma_space: GammaSpace, slope_share: float) -> GammaSpace:
     """Gamma-space as a gentler slope would have it, a share of the slope that was trained.
 
@@ -176,7 +180,11 @@ def softened(gamma_space: GammaSpace, slope_share: float) -> GammaSpace:
             "--slope-share needs the slope that was trained, which this gamma-space does not hold: its file must have "
             "'places', slope times theta for each sensitivity."
         )
-    soft = gamma_space.differences @ softening(gamma_space.places, slope_share, gamma_space.open_ends)
+    places, differences = gamma_space.places, gamma_space.differences
+    soft, block = np.zeros_like(differences), max(1, _SOFTENED // places.size)
+    for start in range(0, differences.shape[-1], block):  # so that S is never there as a whole
+        rows = slice(start, start + block)
+        soft += differences[..., rows] @ softening(places, slope_share, gamma_space.open_ends, rows)
     tails = np.cumsum(soft[..., ::-1], axis=-1)[..., ::-1]
     if gamma_space.open_ends:
         return replace(gamma_space, values=tails[..., 1:])

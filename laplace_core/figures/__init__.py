@@ -1,6 +1,6 @@
 """Arrays in, plotly figures out, as plain dictionaries; nothing here knows Streamlit."""
 
-from laplace_core.figures.comparison import comparison
+from laplace_core.figures.comparison import comparison, thinning
 from laplace_core.figures.graph import world_graph
 from laplace_core.figures.learning import learning_curve, return_laws, reward_bands
 from laplace_core.figures.race import differences
@@ -29,6 +29,7 @@ __all__ = [
     "reward_bands",
     "rewards_and_survival",
     "simulated_timeline",
+    "thinning",
     "to_json",
     "values_of_actions",
     "values_over_horizon",

@@ -9,10 +9,16 @@ from laplace_core.study.compare import Difference
 
 _DIVERGING = [[0.0, "#2166ac"], [0.25, "#92c5de"], [0.5, "rgba(140,140,140,0)"], [0.75, "#f4a582"], [1.0, "#b2182b"]]
 _LABELLED = 9  # rows that get a tick
+MOST_ROWS, MOST_COLUMNS = 240, 400
+"""Cells of a map, about as many as it has pixels on a screen."""
 
 
 def comparison(difference: Difference) -> dict[str, Figure]:
-    """Maps of A, of B (one colour scale) and of B - A (zero in the middle)."""
+    """Maps of A, of B (one colour scale) and of B - A (zero in the middle).
+
+    Where there are more values than pixels, a cell of each map shows the one of its own block that is farthest from 0,
+    and its place: see :func:`thinning`.
+    """
     a, b, change = difference.a, difference.b, difference.difference
     limit = max(float(a.max()), float(b.max())) or 1.0
     widest = float(np.abs(change).max()) or 1.0
@@ -25,18 +31,51 @@ def comparison(difference: Difference) -> dict[str, Figure]:
     }
 
 
+def thinning(difference: Difference) -> str:
+    """What a cell of the maps shows, for people to read; empty where it is a single value."""
+    high, wide = _block(difference.a.shape)
+    return "" if (high, wide) == (1, 1) else f"A cell shows the value farthest from 0 of {high} x {wide}, at its place."
+
+
+def _block(shape: tuple[int, ...]) -> tuple[int, int]:
+    """Rows and columns of which one value is drawn."""
+    return -(-shape[0] // MOST_ROWS), -(-shape[1] // MOST_COLUMNS)
+
+
+def farthest(values: np.ndarray, block: tuple[int, int]) -> tuple[np.ndarray, np.ndarray]:
+    """Row and column of the value of each block that is farthest from 0, int ``(k, m)`` each, from ``(K, M)``.
+
+    The first one where several are equally far. The last blocks may be smaller.
+    """
+    (rows, columns), (high, wide) = values.shape, block
+    down, across = -(-rows // high), -(-columns // wide)
+    sizes = np.full((down * high, across * wide), -1.0)
+    sizes[:rows, :columns] = np.abs(values)
+    blocks = sizes.reshape(down, high, across, wide).swapaxes(1, 2).reshape(down, across, high * wide)
+    at = blocks.argmax(axis=-1)
+    return np.arange(down)[:, None] * high + at // wide, np.arange(across) * wide + at % wide
+
+
+def _centres(places: np.ndarray, size: int) -> np.ndarray:
+    """Where blocks of a size are drawn: the mean of their places."""
+    firsts = np.arange(0, len(places), size)
+    return np.add.reduceat(places, firsts) / np.diff(np.append(firsts, len(places)))
+
+
 def _map(name: str, difference: Difference, values: np.ndarray, scale: Trace) -> Figure:
     tau = difference.what == "tau_space"
     unit, rows = ("probability", "future step tau") if tau else ("discounted steps", "discount gamma")
     bar = {"thickness": 8, "len": 1.0, "x": 1.01, "xpad": 0, "tickfont": {"size": 10}, "nticks": 5}
     hover = f"theta %{{customdata[1]:.3g}}<br>{rows} %{{customdata[0]:.4g}}<br>%{{z:.3g}}<extra></extra>"
     places, across = _columns(difference.columns)
+    block = _block(values.shape)
+    row, column = farthest(values, block)
     heat = {
         "type": "heatmap",
-        "x": places,
-        "y": np.arange(len(difference.rows)),
-        "z": values,
-        "customdata": np.stack(np.meshgrid(difference.rows, difference.columns, indexing="ij"), axis=-1),
+        "x": _centres(places, block[1]),
+        "y": _centres(np.arange(len(difference.rows)), block[0]),
+        "z": values[row, column],
+        "customdata": np.stack([difference.rows[row], difference.columns[column]], axis=-1),
         "hovertemplate": hover,
         "colorbar": {**bar, "title": {"text": unit, "side": "right", "font": {"size": 10}}},
         **scale,

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from laplace_core.figures.theme import ACTION_COLOURS, NEUTRAL, Figure, axis, build, staircase, translucent
+from laplace_core.study.pipeline import WorldStudy
 from laplace_core.tabular import Bands, Learned, Returns
 
 _NAMES = {
@@ -45,7 +46,7 @@ def reward_bands(bands: Bands, action: int) -> Figure:
     """
     first = bands.studies[0]
     rewards, step, taus = _shown_rewards(bands, action), first.settings.time_step, first.taus
-    nearest = np.abs(first.midpoints[:, None] - first.world.reward_values).argmin(axis=1)
+    nearest = _nearest(first)
     traces = []
     for i, reward in enumerate(rewards):
         columns = nearest == int(np.searchsorted(first.world.reward_values, reward))
@@ -72,10 +73,16 @@ def reward_bands(bands: Bands, action: int) -> Figure:
     )
 
 
+def _nearest(study: WorldStudy) -> np.ndarray:
+    """Index of the reward that each midpoint is nearest to, the lower one of two; int ``(B,)``."""
+    rewards = study.world.reward_values
+    return np.searchsorted((rewards[1:] + rewards[:-1]) / 2.0, study.midpoints)
+
+
 def _shown_rewards(bands: Bands, action: int) -> np.ndarray:
     """The rewards that are likeliest at some step, at most a handful, in order."""
     first = bands.studies[0]
-    nearest = np.abs(first.midpoints[:, None] - first.world.reward_values).argmin(axis=1)
+    nearest = _nearest(first)
     mass = np.zeros(first.world.reward_values.size)
     np.add.at(mass, nearest, first.truth.tau_space[action].max(axis=0))
     likeliest = np.argsort(-mass)[:_MOST_REWARDS]

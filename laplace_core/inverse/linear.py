@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from functools import lru_cache
 
 import numpy as np
 
+from laplace_core.caching import cached
 from laplace_core.code.ties import ROUNDING
 from laplace_core.errors import InputError
 from laplace_core.inverse.spectrum import Spectrum, spectrum_of, usable
@@ -158,7 +158,7 @@ def decode_matrix(
     return _decode_matrix(grid, int(steps), float(alpha), float(time_step), solver=solver, deviations=of)
 
 
-@lru_cache(maxsize=64)
+@cached(64)
 def _decode_matrix(
     gammas: bytes, steps: int, alpha: float, time_step: float, *, solver: str, deviations: bytes | None
 ) -> np.ndarray:

@@ -13,12 +13,12 @@ noise. Here they are run in NumPy, so that no network library is loaded.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import lru_cache
 from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
 
+from laplace_core.caching import cached
 from laplace_core.errors import InputError
 from laplace_core.files.tensor_file import read_tensors, write_tensors
 from laplace_core.inverse.problem import Problem, Solution
@@ -54,7 +54,7 @@ class Inputs(NamedTuple):
     constant: np.ndarray
 
 
-@lru_cache(maxsize=8)
+@cached(8)
 def scaled_factors(gammas: bytes, steps: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """SVD of (1 - gamma) F, whose values are probabilities with the same noise at every discount."""
     grid = np.frombuffer(gammas)
@@ -261,6 +261,6 @@ def solve(problem: Problem) -> Solution:
     return shipped_network(problem.gammas).solve(problem)
 
 
-@lru_cache(maxsize=8)
+@cached(8)
 def _read_once(path: Path) -> NeuralInverse:
     return read_network(path)

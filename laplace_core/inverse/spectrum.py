@@ -9,10 +9,10 @@ alpha work on these numbers.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import lru_cache
 
 import numpy as np
 
+from laplace_core.caching import cached
 from laplace_core.errors import InputError
 from laplace_core.inverse.transform import transform_factors, transform_matrix
 
@@ -94,7 +94,7 @@ def spectrum_of(
     return _spectrum(gammas.tobytes(), int(steps), float(time_step), order=order, weights=weights)
 
 
-@lru_cache(maxsize=32)
+@cached(32)
 def _spectrum(gammas: bytes, steps: int, time_step: float, *, order: int, weights: bytes | None) -> Spectrum:
     grid = np.frombuffer(gammas)
     plain = transform_factors(grid, steps, time_step)

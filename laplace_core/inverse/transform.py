@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
 
+from laplace_core.caching import cached
 from laplace_core.errors import InputError
 
 MAX_STEPS = 2_000
@@ -43,7 +43,7 @@ def transform_factors(gammas: np.ndarray, steps: int, time_step: float = 1.0) ->
     return _factors(np.asarray(gammas, dtype=float).tobytes(), int(steps), float(time_step))
 
 
-@lru_cache(maxsize=32)
+@cached(32)
 def _factors(gammas: bytes, steps: int, time_step: float) -> Factors:
     matrix = transform_matrix(np.frombuffer(gammas), steps, time_step)
     factors = Factors(*np.linalg.svd(matrix, full_matrices=False))

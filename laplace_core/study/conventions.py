@@ -155,10 +155,11 @@ class _Facts:
     @cached_property
     def _fell(self) -> np.ndarray:
         """Whether the steps still to come are far fewer at a longer discount than at some shorter one, ``(A,)``."""
-        errors, count = self.errors / self.sizes, len(self.sizes)
-        drops = self.steps[:, :, None] - self.steps[:, None, :]
-        far = drops > np.maximum(_FAR * np.hypot(errors[:, None], errors), _SEEN / 2)
-        return np.any(far & (np.arange(count)[:, None] < np.arange(count)), axis=(1, 2))
+        errors, fell = self.errors / self.sizes, np.zeros(len(self.steps), dtype=bool)
+        for g in range(1, len(errors)):  # one discount against all shorter ones: never all pairs at once
+            drops = self.steps[:, :g] - self.steps[:, [g]]
+            fell |= (drops > np.maximum(_FAR * np.hypot(errors[:g], errors[g]), _SEEN / 2)).any(axis=1)
+        return fell
 
     @property
     def early(self) -> bool:

@@ -6,10 +6,9 @@ backward induction over the world, so that a regret is never a matter of samplin
 
 from __future__ import annotations
 
-from functools import lru_cache
-
 import numpy as np
 
+from laplace_core.caching import cached
 from laplace_core.code.encoding import bin_masses, theta_midpoints
 from laplace_core.code.gamma_space import encode
 from laplace_core.code.ties import greedy_action
@@ -28,10 +27,12 @@ from laplace_core.study.pipeline import (
     timeline_from,
 )
 from laplace_core.study.settings import ResolvedForWorld
+from laplace_core.study.size import largest_study
 from laplace_core.worlds import World
 
 MAX_WORK = 100_000_000
-"""Numbers decoded for all states together before :func:`values_everywhere` refuses (a second or two of work)."""
+"""Numbers decoded for all states together before :func:`values_everywhere` refuses (a second or two of work); twice the
+largest study where that is less."""
 
 MAX_SOLVES = 2_000
 """States x discounts that are solved one by one where rows are rescaled (a second or two as well)."""
@@ -64,10 +65,11 @@ def values_everywhere(world: World, settings: ResolvedForWorld, learned: np.ndar
             "leave the rows as they are."
         )
     check_fold(s, len(gammas), world.n_states * world.n_actions * width)
-    if work > MAX_WORK:
+    most = min(MAX_WORK, 2 * largest_study())
+    if work > most:
         raise InputError(
             f"a whole episode in {world.n_states:,} states at {s.steps} steps is {work:,} numbers, above "
-            f"{MAX_WORK:,}: lower steps or thetas, or leave the rows as they are."
+            f"{most:,}: lower steps or thetas, or leave the rows as they are."
         )
     if s.normalise == "none":
         proxy = bin_masses(world.reward_values, thetas, s.slope) @ theta_midpoints(thetas)
@@ -86,19 +88,19 @@ def values_everywhere(world: World, settings: ResolvedForWorld, learned: np.ndar
     return np.array(decoded)
 
 
-@lru_cache(maxsize=4)
+@cached(4)
 def _proxies(world: World, rewards: bytes, gammas: bytes, policy: str, *, acting_gamma: float) -> np.ndarray:
     """Cached :func:`laplace_core.planning.proxy_gamma_space`, ``(S, A, G)``."""
     grid = np.frombuffer(gammas)
     return proxy_gamma_space(world, np.frombuffer(rewards), grid, policies_of(world, grid, policy, acting_gamma))
 
 
-@lru_cache(maxsize=4)
+@cached(4)
 def _optimum(world: World, horizon: int, gamma: float) -> np.ndarray:
     return finite_horizon_optimum(world, horizon, gamma)
 
 
-@lru_cache(maxsize=4)
+@cached(4)
 def _bases(world: World, gammas: bytes, policy: str, acting_gamma: float) -> np.ndarray:
     """The reward-indicator basis of every state, ``(S, A, G, V)``, so that alpha and slope cost no solve."""
     grid = np.frombuffer(gammas)
@@ -180,7 +182,7 @@ def constant_horizon_loss(world: World, settings: ResolvedForWorld) -> tuple[np.
     return by_time_to_go - constant, best
 
 
-@lru_cache(maxsize=4)
+@cached(4)
 def _episodes(world: World, settings: ResolvedForWorld) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Cached :func:`_played` by exact values."""
     return _played(world, settings)

@@ -24,9 +24,14 @@ from laplace_core.study.conventions import check_convention, order_of_axes
 from laplace_core.study.horizon import regret
 from laplace_core.study.kernels import averaging_kernel_of, discount_kernel_of
 from laplace_core.study.pipeline import Study
+from laplace_core.study.settings import BY_NAME
+from laplace_core.study.size import largest_study
+from laplace_core.worlds import MAX_STATES
 
 MAX_BYTES = 400_000_000
-"""Most that a file's arrays may take together, as float64."""
+"""Most that a file's arrays may take together, as float64; as much as the largest study where that is less."""
+_MOST = {"gammas": int(BY_NAME["gammas"].bounds[1]), "thetas": int(BY_NAME["thetas"].bounds[1])}
+"""Entries of a file's grids: as many as those of a world may have."""
 _WANTED = ("gamma_space", "gammas", "thetas", "constant_channel", "open_ends", "places")
 
 
@@ -120,6 +125,11 @@ def read_gamma_space(
     if gammas.size < 2:
         raise InputError("'gammas' must hold at least 2 discounts, or there is nothing to decode.")
     check_thetas(thetas)
+    for grid, most in _MOST.items():
+        if arrays[grid].size > most:
+            raise InputError(
+                f"{grid!r} holds {arrays[grid].size:,} numbers, above {most:,}: save 'gamma_space' at fewer of them."
+            )
     open_ends = _open_ends(arrays)
     axes = order_of_axes(values.shape, gammas.size, thetas.size)
     if values.shape[-2:] != (gammas.size, thetas.size) and axes is not None:
@@ -134,9 +144,12 @@ def read_gamma_space(
     check_shapes(values, constant, gammas, thetas)
     if values.ndim == 4:
         index = _state_index(state, len(values))
-        values, constant = values[index], None if constant is None else constant[index]
+        values = values[index].copy()  # the other states are let go
+        constant = None if constant is None else constant[index].copy()
     elif state not in (None, "0"):
         raise InputError(f"state {state[:40]!r} does not exist: this gamma-space holds a single state, 0.")
+    if len(values) > MAX_STATES:
+        raise InputError(f"'gamma_space' holds {len(values):,} actions, above {MAX_STATES:,}: save fewer of them.")
     if values.ndim == 3:
         check_convention(values, constant, gammas, thetas)
     places = arrays.get("places")
@@ -169,7 +182,7 @@ def states_of(source: str | Path | bytes | BinaryIO, name: str | None = None) ->
     with _opened(source, name) as archive:
         if "gamma_space.npy" not in archive.namelist():
             raise _lacks(name, "gamma_space")
-        shape = _checked_shape(archive, "gamma_space", MAX_BYTES)
+        shape = _checked_shape(archive, "gamma_space", _most_bytes())
     if len(shape) not in (2, 3, 4) or 0 in shape:
         raise InputError(f"'gamma_space' has shape {shown_shape(shape)}; it must be (actions, gammas, thetas).")
     return shape[0] if len(shape) == 4 else 1
@@ -209,9 +222,13 @@ def _read_arrays(archive: zipfile.ZipFile) -> dict[str, np.ndarray]:
     present = archive.namelist()
     for name in _WANTED:
         if f"{name}.npy" in present:
-            room = MAX_BYTES - sum(array.nbytes for array in arrays.values())
+            room = _most_bytes() - sum(array.nbytes for array in arrays.values())
             arrays[name] = _read_member(archive, name, room)
     return arrays
+
+
+def _most_bytes() -> int:
+    return min(MAX_BYTES, 8 * largest_study())
 
 
 def _checked_shape(archive: zipfile.ZipFile, name: str, room: int) -> tuple[int, ...]:
@@ -227,7 +244,7 @@ def _checked_shape(archive: zipfile.ZipFile, name: str, room: int) -> tuple[int,
     if dtype.itemsize * math.prod(shape) > stored:
         raise InputError(f"{name!r} claims the shape {shown_shape(shape)} but is too short for it; save it again.")
     if 8 * math.prod(shape) > room:
-        raise InputError(f"{name!r} brings the arrays above {MAX_BYTES // 10**6} MB; save fewer states or thetas.")
+        raise InputError(f"{name!r} brings the arrays above {_most_bytes() // 10**6} MB; save fewer states or thetas.")
     return shape
 
 

@@ -10,11 +10,11 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from functools import lru_cache
 from typing import Self, TypeVar
 
 import numpy as np
 
+from laplace_core.caching import cached
 from laplace_core.code.encoding import PAPER_GAMMAS, bin_masses, discount_grid, sensitivity_grid
 from laplace_core.code.gamma_space import GammaSpace, encode, shifted, softened, with_noise
 from laplace_core.errors import InputError
@@ -42,11 +42,10 @@ from laplace_core.planning import (
 from laplace_core.study.conventions import check_convention
 from laplace_core.study.horizon import choose_actions, expected_rewards, horizon_values, row_horizons, scale_of_values
 from laplace_core.study.settings import Resolved, ResolvedForWorld, Settings, resolve, resolve_for_gamma_space
+from laplace_core.study.size import check_size
 from laplace_core.worlds import World
 
 AnyResolved = TypeVar("AnyResolved", bound=Resolved)
-MAX_VALUES = 50_000_000
-"""Largest array a study may hold, in numbers; 50 million are 400 MB."""
 MAX_FOLDED = 200_000_000
 """Numbers that the inverses of all horizons may be together, where each has one of its own: two or three seconds."""
 
@@ -204,7 +203,7 @@ def study(
     s = resolve(settings, world)
     state = world.state_index(s.state)
     gammas, thetas = grids(s)
-    _check_size(world.n_actions, len(gammas), len(thetas), s.steps, rewards=world.reward_values.size)
+    check_size(world.n_actions, len(gammas), len(thetas), s.steps, rewards=world.reward_values.size)
     check_fold(s, len(gammas), world.n_actions * (len(thetas) if s.normalise == "paper" else 2))
     length = int(np.ceil(row_horizons(s.steps, s.time_step)[-1] - 1e-9))
     if policy is None:
@@ -245,9 +244,9 @@ def study_of_gamma_space(gamma_space: GammaSpace, settings: Settings, *, own_con
     if own_convention:
         check_convention(gamma_space.values, gamma_space.constant, gamma_space.gammas, gamma_space.thetas)
     resolved = resolve_for_gamma_space(settings, gamma_space.gammas)
-    gamma_space = with_noise(softened(gamma_space, resolved.slope_share), resolved.noise, resolved.noise_seed)
     actions, discounts, thetas = gamma_space.values.shape
-    _check_size(actions, discounts, thetas, resolved.steps)
+    check_size(actions, discounts, thetas, resolved.steps)
+    gamma_space = with_noise(softened(gamma_space, resolved.slope_share), resolved.noise, resolved.noise_seed)
     check_fold(resolved, discounts, actions * (thetas if resolved.normalise == "paper" else 2))
     names = tuple(f"action {a}" for a in range(len(gamma_space.values)))
     resolved, automatic = with_alpha(gamma_space, resolved)
@@ -536,7 +535,7 @@ def policies_of(world: World, gammas: np.ndarray, kind: str, acting_gamma: float
     return _policies(world, gammas.tobytes(), kind, acting_gamma)
 
 
-@lru_cache(maxsize=16)
+@cached(16)
 def _policies(world: World, gammas: bytes, kind: str, acting_gamma: float) -> list[np.ndarray]:
     grid = np.frombuffer(gammas)
     if kind == "shared":
@@ -544,24 +543,24 @@ def _policies(world: World, gammas: bytes, kind: str, acting_gamma: float) -> li
     return target_policies(world, grid, kind, acting_gamma)
 
 
-@lru_cache(maxsize=16)
+@cached(16)
 def _acting_policy(world: World, acting_gamma: float) -> np.ndarray:
     return greedy_policy(world, acting_gamma)
 
 
-@lru_cache(maxsize=16)
+@cached(16)
 def _basis(world: World, state: int, gammas: bytes, kind: str, *, acting_gamma: float) -> np.ndarray:
     basis = reward_indicator_basis(world, state, np.frombuffer(gammas), _policies(world, gammas, kind, acting_gamma))
     basis.setflags(write=False)
     return basis
 
 
-@lru_cache(maxsize=16)
+@cached(16)
 def _optimum(world: World, state: int, acting_gamma: float, horizon: int) -> np.ndarray:
     return finite_horizon_optimum(world, horizon, acting_gamma, state)
 
 
-@lru_cache(maxsize=16)
+@cached(16)
 def _timeline(world: World, state: int, acting_gamma: float, length: int) -> np.ndarray:
     return reward_timeline(world, state, _acting_policy(world, acting_gamma), length)
 
@@ -596,13 +595,3 @@ def row_shares(steps: int, length: int, time_step: float) -> np.ndarray:
     second = np.clip(place - first, 0.0, 1.0)
     rows = np.arange(steps)[:, None]
     return (rows == first) * (1.0 - second) + (rows == first + 1) * second
-
-
-def _check_size(actions: int, gammas: int, thetas: int, steps: int, *, rewards: int = 1) -> None:
-    rows = max(gammas, steps)
-    size = max(actions * thetas * rows, rewards * thetas, actions * rewards * rows)
-    if size > MAX_VALUES:
-        raise InputError(
-            f"{actions} actions, {rewards} distinct rewards, {thetas} thetas and {rows} rows make arrays of {size:,} "
-            f"numbers, above {MAX_VALUES:,}: lower thetas, gammas or steps, or round the rewards."
-        )

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from functools import lru_cache
 
 import numpy as np
 
+from laplace_core.caching import cached
 from laplace_core.errors import InputError
 from laplace_core.study.pipeline import WorldStudy, policies_of, study
 from laplace_core.study.settings import Settings
+from laplace_core.study.size import check_size
 from laplace_core.tabular.model import Learned
 from laplace_core.tabular.peers import ReturnDistribution, impute, return_distribution
 from laplace_core.tabular.returns import independent_steps_return, return_bounds, wasserstein
@@ -78,10 +79,18 @@ class Bands:
 
 
 def bands(learned: Learned, settings: Settings | None = None) -> Bands:
-    """Decode one state from every learner's table and take the spread over the learners."""
-    studies = tuple(study_of(learned, settings, i) for i in range(len(learned.basis)))
-    actions = np.stack([each.decoded.actions for each in studies])
-    share = np.stack([(actions == a).mean(axis=0) for a in range(learned.world.n_actions)])
+    """Decode one state from every learner's table and take the spread over the learners.
+
+    Raises:
+        InputError: the studies of all learners together are too large.
+    """
+    first = study_of(learned, settings, 0)
+    actions, discounts, thetas = first.gamma_space.values.shape
+    seeds = len(learned.basis)
+    check_size(actions, discounts, thetas, first.settings.steps, learners=seeds)
+    studies = (first, *(study_of(learned, settings, i) for i in range(1, seeds)))
+    chosen = np.stack([each.decoded.actions for each in studies])
+    share = np.stack([(chosen == a).mean(axis=0) for a in range(learned.world.n_actions)])
     decoded = [each.decoded for each in studies]
     return Bands(
         _band([each.tau_space for each in decoded]),
@@ -154,7 +163,7 @@ def _point(value: float) -> tuple[np.ndarray, np.ndarray]:
     return np.array([float(value)]), np.ones(1)
 
 
-@lru_cache(maxsize=16)
+@cached(16)
 def _true_return(world: World, state: int, action: int, acting_gamma: float, *, gamma: float) -> ReturnDistribution:
     return return_distribution(world, state, action, _best_policy(world, acting_gamma), gamma=gamma)
 

@@ -210,15 +210,18 @@ class LaplaceTD:
         rate: Decay = Decay(),
     ) -> None:
         rewards = world.reward_values
-        channels = np.eye(rewards.size) if channels is None else np.asarray(channels, dtype=float)
-        if channels.ndim != 2 or len(channels) != rewards.size:
+        width = rewards.size
+        if channels is not None:
+            channels = np.asarray(channels, dtype=float)
+            width = channels.shape[-1] if channels.ndim else 0
+        if channels is not None and (channels.ndim != 2 or len(channels) != rewards.size):
             raise InputError(f"channels must be ({rewards.size}, C), one row a distinct reward, not {channels.shape}.")
         gammas = np.append(np.asarray(gammas, dtype=float).ravel(), acting_gamma)
         if not np.all((gammas > 0) & (gammas < 1)):
             raise InputError("discounts must be numbers between 0 and 1, both excluded.")
         if isinstance(policy, str) and policy not in TARGET_POLICIES:
             raise InputError(f"policy {policy!r} is not one of {', '.join(TARGET_POLICIES)}, nor a table.")
-        shape = (world.n_states, world.n_actions, gammas.size, channels.shape[1] + 1)
+        shape = (world.n_states, world.n_actions, gammas.size, width + 1)
         if np.prod(shape, dtype=float) > MAX_TABLE:
             raise InputError(f"a table of {shape} exceeds {MAX_TABLE:,} numbers: fewer discounts or channels fit.")
         given: np.ndarray = np.zeros(0) if isinstance(policy, str) else check_policy(world, policy)
@@ -227,7 +230,9 @@ class LaplaceTD:
         self._mixed, self._cumulated = given, _cumulated(given) if self._mode == "mixed" else given
         self.rate, self._visits = rate, [[0] * world.n_actions for _ in world.states]
         self._table = np.zeros(shape)
-        self._now = np.column_stack([channels, rewards])
+        self._rewards = rewards
+        self._channels = None if channels is None else np.column_stack([channels, rewards])
+        self._indicator, self._last = np.zeros(width + 1), 0
         self._gammas, self._rows, self._work = gammas[:, None], np.arange(gammas.size), np.empty(shape[2:])
         self._greedy = np.zeros((world.n_states, gammas.size), dtype=np.int64)  # a* at each discount
         if self._mode == "given":
@@ -260,11 +265,21 @@ class LaplaceTD:
         following = None if next_state == END else self._following(next_state)
         rate = self.rate(self._visits[state][action])
         self._visits[state][action] += 1
-        td_update(self._table[state, action], following, self._now[kind], self._gammas, rate=rate, work=self._work)
+        now = self._activation(kind)
+        td_update(self._table[state, action], following, now, self._gammas, rate=rate, work=self._work)
         if self._mode == "shared":
             self._greedy[state, -1] = first_best(self._table[state, :, -1, -1].tolist())
         elif self._mode == "per_gamma":
             self._greedy[state] = greedy_action(self._table[state, :, :, -1], axis=0)
+
+    def _activation(self, kind: int) -> np.ndarray:
+        """What a reward gives in each channel and, last, itself; no matrix of rewards by rewards is ever made."""
+        if self._channels is not None:
+            return self._channels[kind]
+        self._indicator[self._last] = 0.0
+        self._indicator[[kind, -1]] = 1.0, self._rewards[kind]
+        self._last = kind
+        return self._indicator
 
     def _following(self, state: int) -> np.ndarray:
         """Values of a state under the target policy, ``(G, C)``."""

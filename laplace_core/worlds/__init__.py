@@ -5,13 +5,13 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping
 from dataclasses import replace
-from functools import lru_cache
 from pathlib import Path
 
+from laplace_core.caching import cached
 from laplace_core.errors import InputError
 from laplace_core.parameters import Parameter, parse_named
 from laplace_core.worlds.files import dump_world, parse_world, parse_world_bytes, read_world, world_text
-from laplace_core.worlds.model import END, Outcome, World
+from laplace_core.worlds.model import END, MAX_STATES, Outcome, World
 from laplace_core.worlds.presets import PRESETS, Preset
 from laplace_core.worlds.table import rescaled, world_from_rows, world_rows
 from laplace_core.worlds.timeline import MAX_TAU, TIMELINE_RESTS, timeline_rows, timeline_world
@@ -19,6 +19,7 @@ from laplace_core.worlds.toy_text import TOY_TEXT, toy_text_limit, toy_text_name
 
 __all__ = [
     "END",
+    "MAX_STATES",
     "MAX_TAU",
     "PRESETS",
     "TIMELINE_RESTS",
@@ -75,7 +76,7 @@ def _from_file(source: str, params: Mapping[str, object] | None) -> World:
     return replace(read_world(source), source=source)
 
 
-@lru_cache(maxsize=32)
+@cached(32)
 def _built(source: str, params: tuple[tuple[str, object], ...]) -> World:
     """The same world object for the same words, so that caches by world are hit again."""
     if source.startswith("gym:"):

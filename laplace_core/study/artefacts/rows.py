@@ -7,7 +7,7 @@ import numpy as np
 from laplace_core.inverse import MAX_STEPS
 from laplace_core.study.artefacts.look import Look, Measure, largest_change, of_a_row
 from laplace_core.study.artefacts.model import VISIBLE, Artefact, Remedy
-from laplace_core.study.pipeline import MAX_VALUES
+from laplace_core.study.size import largest_study
 from laplace_core.study.trials import WHY, more_rows
 
 
@@ -20,7 +20,7 @@ def folding(look: Look) -> Artefact | None:
     size = _folded(look, whole, look.steps)
     if size < VISIBLE:
         return None
-    most = MAX_VALUES / (len(look.study.gamma_space.thetas) * len(look.study.action_names))
+    most = largest_study() / (len(look.study.gamma_space.thetas) * len(look.study.action_names))
     trials = [] if s.fold else [steps for steps in more_rows(s.steps) if steps <= most]
     steps = next((steps for steps in trials if _folded(look, whole, steps) < VISIBLE), max(trials, default=None))
     remedies = [Remedy("Decode all rows", {"fold": False})] if s.fold else []
