@@ -16,7 +16,8 @@ from laplace_core.errors import InputError
 
 FIRST_SEED = 2 * 10**12
 """Start seeds of :func:`evaluate`; training starts below 10^9, and evaluations while training at half of this."""
-_AT_ONCE = 100  # episodes side by side
+AT_ONCE = 100
+"""Episodes side by side."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -87,7 +88,7 @@ def evaluate(
     choose = RULES[rule](agent, length, Options(softness, alpha, steps, stretch, head))
     starts = [first_seed + seed * 100_000 + i for i in range(episodes)]
     gammas = np.zeros(0) if discounts is None else np.asarray(discounts, dtype=float)
-    groups = [starts[i : i + _AT_ONCE] for i in range(0, episodes, _AT_ONCE)]
+    groups = [starts[i : i + AT_ONCE] for i in range(0, episodes, AT_ONCE)]
     parts = []
     for i, group in enumerate(groups):
         after_step = _part_of(progress, i, len(groups), length)

@@ -138,6 +138,28 @@ class Learning:
         return float(np.ptp(self._exact.gamma_space.values)) or 1.0
 
 
+def seconds_to_learn(
+    world: World, settings: LearnSettings, *, most: float = 0.03, clock: Callable[[], float] = time.thread_time
+) -> float:
+    """About how long learning takes on this machine, all seeds together: measured on the first episodes of one.
+
+    Args:
+        most: seconds after which the measurement ends, with the episode under way then.
+        clock: seconds of work; by default those of this thread alone, whatever else the machine does.
+
+    Raises:
+        InputError: settings that do not fit the world.
+    """
+    s = resolve_learning(settings, world)
+    learner = _Learner(world, s, s.seed, 1, bounds=bounds_of(world, s) if s.peers else None)
+    began, took, done = clock(), 0.0, 0
+    for event in learner.events:
+        took, done = clock() - began, event.episode
+        if took >= most:
+            break
+    return took / done * s.episodes * s.seeds
+
+
 class _Learner:
     """One seed: the Laplace code, its peers if wanted, the stream of its events and its curve."""
 

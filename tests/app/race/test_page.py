@@ -15,9 +15,8 @@ from streamlit.testing.v1 import AppTest
 from app.catalogue import checkpoints
 from app.components.track import COLOURS
 from app.components.track.payload import payload
-from app.race import form, jobs, schema, words
+from app.race import jobs, schema, words
 from app.race.jobs import Control
-from app.session.background import Work
 from laplace_core import figures
 from laplace_core.acting.race import FIRST_START, Entrant, Races, race
 from laplace_core.acting.race import races as races_of
@@ -25,7 +24,6 @@ from laplace_core.agents import SETTINGS, LaplaceSettings
 from laplace_core.figures.race import piles
 from laplace_core.training.checkpoint import Loaded, load_checkpoint, new_agent, save_checkpoint
 from tests.support.pages import MAIN, charts, link, press, run, wait
-from tests.support.quick_runs import until
 
 
 def saved(path: Path, settings) -> None:
@@ -272,21 +270,3 @@ def test_dots_of_one_bin_are_piled_up_in_their_order():
     height, reach = piles(np.array([0.02, 0.0, 1.0, 0.01]))
     assert height.tolist() == [3.0, 1.0, 1.0, 2.0]
     assert reach == 3
-
-
-def test_a_race_that_nobody_waits_for_any_more_is_cancelled(monkeypatch):
-    def endless(told):
-        while True:
-            time.sleep(0.01)
-            told(1, 2)
-
-    kept: dict[str, object] = {}
-    monkeypatch.setattr(form.st, "session_state", kept)
-    one, other = Work(endless), Work(lambda told: "done")
-    form.only("race", one)
-    form.only("race", one)
-    assert not one.gone
-    form.only("race", other)
-    until(lambda: not one.going and not other.going)
-    assert one.gone
-    assert other.result() == "done"
