@@ -180,8 +180,9 @@ class _Runs:
 
 
 def watch(wish: Wish[Work]) -> Watched | None:
-    """The run of a wish, if it was begun; one that ended before it was finished, by those who have seen it."""
-    mine, job, key = session.part(_Runs).watched, wish.look(), str(wish.key)
+    """The run of a wish, if this session has begun or seen it, or its link asks for it."""
+    mine, key = session.part(_Runs).watched, str(wish.key)
+    job = wish.look() if key in mine or wish.by_itself else None
     if job is not None:
         one = mine.pop(key, None) or Watched(key, job)
         mine[key] = one  # the latest is the last
