@@ -35,7 +35,7 @@ def offer(
             then()
 
     notice = wish.notice
-    cost = f"{label} takes about {duration(wish.estimate())}." if not notice and wish.estimate() >= WORTH_SAYING else ""
+    cost = f"This takes about {duration(wish.estimate())}." if not notice and wish.estimate() >= WORTH_SAYING else ""
     said = " ".join(part for part in (words, cost) if part)
     if said:
         place.caption(said)

@@ -26,9 +26,9 @@ Result = TypeVar("Result")
 Progress = Callable[[int, int], None]
 """Called with how much is done, and of how much; it raises where the work is to end."""
 
-SHORT = 8.0
-"""Seconds of estimate up to which work starts by itself, and has a thread of its own kept free for it. Estimates of
-episodes are upper bounds: most are done in one or two seconds."""
+SHORT = 10.0
+"""Seconds of estimate up to which work starts by itself, and has a thread kept free for it. An estimate counts episodes
+at their full length: most of what starts in this way is done in one or two seconds."""
 GRACE = 45.0
 """Seconds that work goes on without a session that wants it: a page that is loaded again is another session."""
 TICK = 1.0

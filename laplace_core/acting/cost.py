@@ -20,7 +20,7 @@ from laplace_core.environments import vector
 
 FEW = 3
 """Observations in the larger of two batches: what one more costs is a third of what they cost above the smaller."""
-REPEATS, ENOUGH = 3, 0.05
+REPEATS, ENOUGH = 10, 0.05
 """A measurement is done so often, and the shortest counts; but never for longer than so many seconds."""
 
 Clock = Callable[[], float]

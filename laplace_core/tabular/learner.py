@@ -139,9 +139,11 @@ class Learning:
 
 
 def seconds_to_learn(
-    world: World, settings: LearnSettings, *, most: float = 0.03, clock: Callable[[], float] = time.thread_time
+    world: World, settings: LearnSettings, *, most: float = 0.06, clock: Callable[[], float] = time.thread_time
 ) -> float:
     """About how long learning takes on this machine, all seeds together: measured on the first episodes of one.
+
+    The very first one is not counted if there are others: it prepares what they find.
 
     Args:
         most: seconds after which the measurement ends, with the episode under way then.
@@ -152,12 +154,13 @@ def seconds_to_learn(
     """
     s = resolve_learning(settings, world)
     learner = _Learner(world, s, s.seed, 1, bounds=bounds_of(world, s) if s.peers else None)
-    began, took, done = clock(), 0.0, 0
-    for event in learner.events:
-        took, done = clock() - began, event.episode
-        if took >= most:
+    times = [clock()]
+    for _ in learner.events:
+        times.append(clock())
+        if times[-1] - times[0] >= most:
             break
-    return took / done * s.episodes * s.seeds
+    counted = times[1:] if len(times) > 2 else times
+    return (counted[-1] - counted[0]) / (len(counted) - 1) * s.episodes * s.seeds
 
 
 class _Learner:

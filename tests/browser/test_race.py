@@ -99,7 +99,7 @@ LONG = "d.T=1000&d.left=decoded&d.right=decoded"
 
 def test_a_link_to_long_races_leaves_them_to_a_person_who_sees_the_cost_and_the_place_in_line(page, chromium, address):
     page.goto(f"{address}/race?{LONG}&d.start=1&d.many=yes&d.starts=500")
-    page.get_by_text(re.compile(r"Race takes about \d+ (seconds|minutes)\.")).wait_for()
+    page.get_by_text(re.compile(r"^This takes about \d+ (seconds|minutes)\.$")).wait_for()
     page.get_by_text(re.compile("This takes about .* lower T or the number of starts")).wait_for()
     expect(page.get_by_role("button", name="Race over 500 starts")).to_be_disabled()
     settled(page)

@@ -323,7 +323,7 @@ def test_added_discounts_leave_what_was_simulated_in_its_place(shipped, few):
 def test_a_link_to_a_rollout_that_takes_long_says_how_long_and_waits_for_a_button(shipped, monkeypatch):
     monkeypatch.setattr(jobs, "cost_of", lambda *given, **more: StepCost(0.0, 0.0, 0.3))  # 500 steps: 150 seconds
     page = opened(checkpoint="laplace_CartPole-v1", **{"r.shown": "yes", "r.seed": "77"})
-    assert "Roll out takes about 2 minutes." in words(page)
+    assert "This takes about 2 minutes." in words(page)
     assert not page.get("progress")
     assert not any("player" in one.proto.component_name for one in page.get("bidi_component"))
     page.button(key="begin rollout").click().run()

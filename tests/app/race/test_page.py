@@ -288,8 +288,8 @@ def test_a_link_starts_no_long_race_and_says_what_its_races_cost(shipped, monkey
     page = opened(checkpoint="laplace_CartPole-v1", d_T="30", d_start="41", d_many="yes", d_starts="6")
     assert not page.get("progress")
     assert not page.get("bidi_component")
-    assert "Race takes about 30 seconds." in captions(page)
-    assert "Race over 6 starts takes about 3 minutes." in captions(page)
+    assert "This takes about 30 seconds." in captions(page)
+    assert "This takes about 3 minutes." in captions(page)
     settled(press(page, "Race"))
     assert "from start 41" in verdicts(page)[0]
     settled(press(page, "Race over 6 starts"))

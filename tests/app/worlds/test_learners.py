@@ -243,11 +243,11 @@ def test_a_real_process_and_its_files_are_gone_after_cancel_and_what_it_learned_
 
 
 def test_the_estimate_is_that_of_the_first_episodes():
-    """A clock that moves by a quarter of a second whenever it is read: at the start, and after each episode.
+    """The first takes 3 s, the others .25 s: after the fifth, 4 s are over. 2 learners, 1,000 episodes of .25 s.
 
-    The measurement ends after the fourth episode, when a second is over: .25 s an episode, 2 learners, 1,000 episodes.
+    Of a single episode that takes longer than the measurement may, its 3 s count.
     """
-    read = iter(range(100))
     settings = resolve_learning(LearnSettings(episodes=1_000, seeds=2), WORLD)
-    found = seconds_to_learn(WORLD, settings, most=1.0, clock=lambda: 0.25 * next(read))
-    assert found == 0.25 * 1_000 * 2
+    times = (0.0, 3.0, 3.25, 3.5, 3.75, 4.0)
+    assert seconds_to_learn(WORLD, settings, most=4.0, clock=iter(times).__next__) == 0.25 * 1_000 * 2
+    assert seconds_to_learn(WORLD, settings, most=2.0, clock=iter(times).__next__) == 3.0 * 1_000 * 2
