@@ -1,6 +1,6 @@
 """Work of the page of trained agents that takes seconds: rollouts, their artefacts, and simulations from their states.
 
-Each kind has one shelf for all sessions of this server.
+What is begun and done is shared by all sessions of this server.
 """
 
 from __future__ import annotations
@@ -10,19 +10,21 @@ from dataclasses import asdict, dataclass, field, replace
 
 import numpy as np
 
+from app.catalogue.costs import cost_of
 from app.components.player.payload import payload
-from app.session.background import Progress, Work
-from app.session.shelf import Job, Shelf
+from app.session.jobs import Job, Kind, Progress, Wish
 from app.view.subjects import View
 from laplace_core.acting.continuations import Continuations, Outcomes, continue_from, outcomes_of_states
 from laplace_core.acting.flags import Flags, flag_steps
-from laplace_core.acting.return_laws import SimulatedReturns, outputs_along, simulate_returns
-from laplace_core.acting.rollout import Rollout, roll_out
+from laplace_core.acting.return_laws import COUNT as RETURNS
+from laplace_core.acting.return_laws import SimulatedReturns, outputs_along, simulate_returns, steps_until_cut
+from laplace_core.acting.rollout import Rollout, acting_gamma, length_of, roll_out
 from laplace_core.environments import GYMNASIUM_ENVIRONMENTS, vector
 from laplace_core.training.checkpoint import Loaded
 
 MOST_KEPT, MOST_BYTES = 16, 200_000_000
-"""Rollouts, and their memory together; the one that is asked for stays whatever its size, some 90 MB at the most."""
+"""Rollouts that are kept once they were seen, and their memory; the one that is asked for has 90 MB at the most."""
+_FLAGS = 1e-3  # seconds that the search for artefacts takes at a step
 COUNT, EPISODES, EACH, STEPS = 100, 20, 10, 200
 """Of truths: continuations of a state; or episodes, and states of each; and how many steps follow."""
 
@@ -50,7 +52,7 @@ class RolledOut:
     rollout: Rollout
     packed: bytes
     along: dict[str, np.ndarray]
-    artefacts: Shelf[Flags] = field(default_factory=lambda: Shelf(8))
+    artefacts: Kind[Flags] = field(default_factory=lambda: Kind(8))
 
     @property
     def bytes(self) -> int:
@@ -58,38 +60,43 @@ class RolledOut:
         return self.rollout.bytes + len(self.packed) + sum(array.nbytes for array in self.along.values())
 
 
-Rolling = Work[RolledOut]
+Rolling = Job[RolledOut]
+
+_rollouts: Kind[RolledOut] = Kind(MOST_KEPT, most_bytes=MOST_BYTES, size=lambda rolled: rolled.bytes)
+_truths: Kind[Continuations | Outcomes] = Kind(8)  # of less than a megabyte each
+_returns: Kind[tuple[SimulatedReturns, ...]] = Kind(16)  # of a few kilobytes each
 
 
-def _too_large(kept: list[Rolling]) -> bool:
-    return sum(one.result().bytes for one in kept if one.worked) > MOST_BYTES
-
-
-_rollouts: Shelf[RolledOut] = Shelf(MOST_KEPT, _too_large)
-_truths: Shelf[Continuations | Outcomes] = Shelf(8)  # of less than a megabyte each
-_returns: Shelf[tuple[SimulatedReturns, ...]] = Shelf(16)  # of a few kilobytes each
-
-
-def rolling(loaded: Loaded, control: Control) -> Rolling:
-    """The rollout of an agent under a control: the one there is, or a new one; the oldest makes room."""
+def rolling(loaded: Loaded, control: Control) -> Wish[RolledOut]:
+    """The rollout of an agent under a control."""
+    agent, environment = loaded.agent, loaded.environment
+    pictures = environment in GYMNASIUM_ENVIRONMENTS
 
     def make(progress: Progress) -> RolledOut:
-        pictures = loaded.environment in GYMNASIUM_ENVIRONMENTS
-        rollout = roll_out(loaded.agent, loaded.environment, **asdict(control), pictures=pictures, progress=progress)
-        along = {} if rollout.spaces is not None else outputs_along(loaded.agent, rollout)
+        rollout = roll_out(agent, environment, **asdict(control), pictures=pictures, progress=progress)
+        along = {} if rollout.spaces is not None else outputs_along(agent, rollout)
         return RolledOut(rollout, payload(rollout, along), along)
 
-    return _rollouts.take((loaded.agent, control), make)
+    def estimate() -> float:
+        steps = length_of(agent, environment, control.horizon)
+        return steps * cost_of(agent, environment, control.rule, control.horizon, pictures=pictures).of()
+
+    lower = "lower T or choose a quicker rule"
+    return Wish(_rollouts, (agent, control), make, estimate, slot="rollout", lower=lower)
 
 
-def artefacts(rolled: RolledOut, view: View) -> Work[Flags]:
-    """The search for artefacts at every step under the settings of a view: the one there is, or a new one."""
+def artefacts(rolled: RolledOut, view: View) -> Wish[Flags]:
+    """The search for artefacts at every step under the settings of a view."""
     # Without a truth no artefact depends on how values are read.
-    key = replace(view.settings, softness=0.0, deadline="time_to_go"), view.subject.added
-    return rolled.artefacts.take(key, lambda progress: flag_steps(rolled.rollout, *key, progress))
+    key, rollout = (replace(view.settings, softness=0.0, deadline="time_to_go"), view.subject.added), rolled.rollout
+
+    def make(progress: Progress) -> Flags:
+        return flag_steps(rollout, *key, progress)
+
+    return Wish(rolled.artefacts, key, make, lambda: _FLAGS * len(rollout), slot="artefacts")
 
 
-def truth(loaded: Loaded, rollout: Rollout, step: int, action: int, *, own: bool) -> Job[Continuations | Outcomes]:
+def truth(loaded: Loaded, rollout: Rollout, step: int, action: int, *, own: bool) -> Wish[Continuations | Outcomes]:
     """What follows, of this state and first action where there is chance, else of many states.
 
     Args:
@@ -107,11 +114,17 @@ def truth(loaded: Loaded, rollout: Rollout, step: int, action: int, *, own: bool
             agent, environment, episodes=EPISODES, each=EACH, steps=STEPS, like=like, progress=progress
         )
 
+    def estimate() -> float:
+        acted = rollout.rule.replace("decoded", "readout") if own else "greedy"
+        cost = cost_of(agent, environment, acted, rollout.horizon)
+        return step * COUNT * cost.step + STEPS * cost.of(COUNT) if chance else EPISODES * 2 * STEPS * cost.of()
+
     rule = (rollout.rule, rollout.horizon, rollout.gamma) if own else None
-    return Job(_truths, (agent, rollout, step, action, own) if chance else (agent, rule), make)
+    key = (agent, rollout, step, action, own) if chance else (agent, rule)
+    return Wish(_truths, key, make, estimate, slot="truth", by_itself=0.0)
 
 
-def returns(agents: Sequence[Loaded], rollout: Rollout, step: int, action: int) -> Job[tuple[SimulatedReturns, ...]]:
+def returns(agents: Sequence[Loaded], rollout: Rollout, step: int, action: int) -> Wish[tuple[SimulatedReturns, ...]]:
     """Returns of several agents from this state and first action: each goes on by its own greedy policy."""
 
     def make(progress: Progress) -> tuple[SimulatedReturns, ...]:
@@ -124,4 +137,11 @@ def returns(agents: Sequence[Loaded], rollout: Rollout, step: int, action: int) 
             simulate_returns(each.agent, rollout, step, action, progress=of(i)) for i, each in enumerate(agents)
         )
 
-    return Job(_returns, (*(each.agent for each in agents), rollout, step, action), make)
+    def estimate() -> float:
+        count = RETURNS if vector.chance(rollout.environment) else 1
+        costs = [(each.agent, cost_of(each.agent, rollout.environment)) for each in agents]
+        past = step * count * sum(cost.step for _, cost in costs)
+        return past + sum(steps_until_cut(acting_gamma(agent)) * cost.of(count) for agent, cost in costs)
+
+    key = (*(each.agent for each in agents), rollout, step, action)
+    return Wish(_returns, key, make, estimate, slot="returns", by_itself=0.0)

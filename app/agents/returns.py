@@ -12,7 +12,7 @@ from app.agents import jobs
 from app.agents.schema import DEFAULTS
 from app.catalogue import checkpoints
 from app.components.chart import chart
-from app.components.waiting import attempt, progress
+from app.components.waiting import attempt, offer, progress
 from app.components.widgets import download
 from laplace_core import figures
 from laplace_core.acting.return_laws import (
@@ -90,17 +90,16 @@ def _offered(
                 f"As learned, {name} first. Roll out to hold it against what comes from a state of an episode."
             )
             return None
-        job = jobs.returns(agents, rollout, step, action)
-        work = job.work
-        if work is None:
-            words.caption(_offer(agents[0], step, name))
-            button.button("Simulate returns", key="simulate returns", width="stretch", on_click=job.begin)
+        wish = jobs.returns(agents, rollout, step, action)
+        job = wish.look()
+        if job is None:
+            told = _offer(agents[0], step, name)
+            offer(wish, "Simulate returns", key="simulate returns", words=told, place=words, button_place=button)
             return None
-        if work.going:
-            queued = "Simulating: waits for its turn"
-            progress(work, "Simulating: {share:.0%}", queued, work.cancel, key="cancel returns")
+        if job.going:
+            progress(job, "Simulating: {share:.0%}", wish.cancel, key="cancel returns")
             return None
-        observed = attempt(work.result)
+        observed = attempt(job.result)
         if observed is not None:
             words.caption(_summary(observed, step, name))
         return observed

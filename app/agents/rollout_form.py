@@ -13,9 +13,10 @@ from app.agents.jobs import Control, RolledOut, Rolling
 from app.agents.schema import OBSERVED
 from app.catalogue import rules
 from app.components.player import player
-from app.components.waiting import progress
+from app.components.waiting import offer, progress
 from app.components.widgets import discount, download, field, select
 from app.session import store
+from app.session.jobs import Wish
 from app.session.message import name_of
 from app.view.subjects import View
 from laplace_core.acting.flags import Flags
@@ -49,7 +50,7 @@ def form(loaded: Loaded) -> None:
         with right:
             discount("Discount", gammas, GAMMA, control.gamma or gammas[loaded.agent.acting_head], keep=_keep)
     if not episode.shown(store.chosen()):
-        st.button("Roll out", type="primary", width="stretch", on_click=_begin)
+        st.button("Roll out", type="primary", width="stretch", on_click=_begin, args=(jobs.rolling(loaded, control),))
 
 
 def _keep(key: str) -> None:
@@ -58,7 +59,9 @@ def _keep(key: str) -> None:
     store.keep(key)
 
 
-def _begin() -> None:
+def _begin(wish: Wish[RolledOut]) -> None:
+    """Callback."""
+    wish.begin()
     store.choose(SHOWN, "yes")
     store.choose(AT, None)
 
@@ -69,8 +72,8 @@ def _close() -> None:
     store.refresh_sidebar()
 
 
-def asked(loaded: Loaded) -> Rolling | None:
-    """The rollout that the page shows, under way or done."""
+def asked(loaded: Loaded) -> Wish[RolledOut] | None:
+    """The rollout that the page shows, if it shows one."""
     return jobs.rolling(loaded, _control(loaded)) if episode.shown(store.chosen()) else None
 
 
@@ -78,9 +81,9 @@ def _control(loaded: Loaded) -> Control:
     return episode.control_of(store.chosen(), limit_of(loaded), next(iter(rules.rules_of(loaded.agent))))
 
 
-def beside(rolling: Rolling, scene: Environment) -> None:
+def beside(rolling: Rolling | None, scene: Environment) -> None:
     """In the sidebar, while a rollout is shown: its files, and two ways on."""
-    if rolling.worked:
+    if rolling is not None and rolling.worked:
         rollout = rolling.result().rollout
         _files(rollout)
         if not scene.states:
@@ -110,15 +113,18 @@ def _edit(rollout: Rollout, scene: Environment) -> None:
     _close()
 
 
-def under_way(rolling: Rolling) -> None:
-    """How far it is, and a way out."""
+def under_way(wish: Wish[RolledOut], rolling: Rolling | None) -> None:
+    """How far it is, and a way out; or a button, if it takes long and nobody has begun it."""
 
     def cancel() -> None:
-        rolling.cancel()
+        wish.cancel()
         _close()
 
-    words, queued = "Rolling out: step {done:,} of at most {of:,}", "Rolling out: waits for the rollout before it"
-    progress(rolling, words, queued, cancel, key="cancel rollout")
+    if rolling is None:
+        words, button = st.columns([4.2, 1.2], vertical_alignment="center")
+        offer(wish, "Roll out", key="begin rollout", place=words, button_place=button, primary=True)
+        return
+    progress(rolling, "Rolling out: step {done:,} of at most {of:,}", cancel, key="cancel rollout")
 
 
 def show(rolled: RolledOut, scene: Environment, view: View | None = None) -> None:
@@ -129,8 +135,8 @@ def show(rolled: RolledOut, scene: Environment, view: View | None = None) -> Non
     rollout, at = rolled.rollout, episode.step_of(store.chosen(), rolled.rollout)
     flags: dict[str, Any] | None = {"alpha": 0.0, "names": [], "marks": []}
     if view is not None:
-        search = jobs.artefacts(rolled, view)
-        flags = None if search.going else _marks(search.result(), view.settings.alpha)
+        search = jobs.artefacts(rolled, view).look()
+        flags = None if search is None or search.going else _marks(search.result(), view.settings.alpha)
     player(
         rolled.packed, at, store.page_name(), [(part.name, part.unit) for part in scene.components],
         action_names=scene.actions, on_step=lambda step: store.choose(AT, min(step, len(rollout) - 1)),

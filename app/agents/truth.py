@@ -10,7 +10,7 @@ from app.agents.jobs import COUNT, EACH, EPISODES, STEPS
 from app.catalogue import rules
 from app.components.chart import chart
 from app.components.lens.payload import Simulated
-from app.components.waiting import attempt, progress
+from app.components.waiting import attempt, offer, progress
 from app.components.widgets import select
 from app.session import store
 from app.view.subjects import Subject, View
@@ -29,8 +29,8 @@ _HELP = "Compare the decoded timeline with simulated continuations."
 def ask(view: View, loaded: Loaded, rollout: Rollout, step: int) -> Simulated | None:
     """The row over the lens: a button, then progress, then what is drawn; returns what the lens draws of it."""
     own = _own(rollout)
-    job = jobs.truth(loaded, rollout, step, view.action, own=own)
-    work = job.work
+    wish = jobs.truth(loaded, rollout, step, view.action, own=own)
+    job = wish.look()
     with st.container(key="truth"):
         shares = [6.4, 1.8] if rollout.of_the_values else [5.2, 2.6, 1.8]
         words, *picker, button = st.columns(shares, vertical_alignment="center", gap="small")
@@ -38,24 +38,27 @@ def ask(view: View, loaded: Loaded, rollout: Rollout, step: int) -> Simulated | 
             titles, key, label = _titles(rollout), store.show(AFTER, "values"), "Control of what is simulated"
             place, help = picker[0], "Tau-space predicts one policy; under another one, what comes is another process."
             select(label, list(titles), key, titles, place=place, label_visibility="collapsed", help=help)
-        if work is not None and work.going:
+        if job is None:
+            told = _words(view, loaded, rollout, step)
+            offer(wish, "Simulate", key="simulate", words=told, place=words, button_place=button, help=_HELP)
+            return None
+        if job.going:
             with words:
-                progress(work, "Simulating: {done} of {of}", "Simulating: preparing")
-            button.button("Cancel", key="cancel simulation", width="stretch", on_click=work.cancel)
+                progress(job, "Simulating: {share:.0%}")
+            button.button("Cancel", key="cancel simulation", width="stretch", on_click=wish.cancel)
             return None
         words.caption(_words(view, loaded, rollout, step))
-        begun = work is not None
-        button.button("Simulate", key="simulate", width="stretch", disabled=begun, on_click=job.begin, help=_HELP)
-    if work is None or not vector.chance(loaded.environment):
+        button.button("Simulate", key="simulate", width="stretch", disabled=True, help=_HELP)
+    if not vector.chance(loaded.environment):
         return None
-    simulated = attempt(work.result)
+    simulated = attempt(job.result)
     return None if simulated is None else _for_lens(simulated, loaded.agent, view.action)
 
 
 def section(view: View, loaded: Loaded, rollout: Rollout, step: int) -> None:
     """Under the lens, once there is a simulation: its calibration, which follows alpha; of many states, their means."""
-    work = jobs.truth(loaded, rollout, step, view.action, own=_own(rollout)).work
-    simulated = None if work is None or work.going else attempt(work.result)
+    job = jobs.truth(loaded, rollout, step, view.action, own=_own(rollout)).look()
+    simulated = None if job is None or job.going else attempt(job.result)
     if simulated is None:
         return
     confronted = _confronted(simulated, loaded, view.subject, view.action, alpha=view.settings.alpha)

@@ -1,38 +1,77 @@
-"""Work in the background on a page: how far it is, a way out, and what it was refused for."""
+"""Work in the background on a page: what it will cost, its place in line, how far it is, a way out, and its end."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TypeVar
+from typing import Any, TypeVar
 
 import streamlit as st
 
-from app.session.background import Work
+from app.catalogue.names import capital
+from app.session.jobs import Job, Wish, duration
 from laplace_core import InputError
 
 Result = TypeVar("Result")
 LOOK_EVERY = 0.4  # seconds between two looks at work that is not done
+WORTH_SAYING = 2.0
+"""Seconds from which on it is said what work will cost."""
 
 
-def progress(work: Work, words: str, queued: str, cancel: Callable[[], None] | None = None, *, key: str = "") -> None:
+def offer(
+    wish: Wish, label: str, *, key: str, words: str = "", then: Callable[[], None] | None = None, place: Any = st,
+    button_place: Any = None, primary: bool = False, help: str | None = None,
+) -> None:  # fmt: skip
+    """A button that begins work, and what it costs; or why it cannot be begun.
+
+    Args:
+        words: said before the cost.
+        then: called by the button as well.
+        place, button_place: of the words, and of the button where it stands elsewhere.
+    """
+
+    def begin() -> None:
+        wish.begin()
+        if then is not None:
+            then()
+
+    notice = wish.notice
+    cost = f"This takes about {duration(wish.estimate())}." if not notice and wish.estimate() >= WORTH_SAYING else ""
+    said = " ".join(part for part in (words, cost) if part)
+    if said:
+        place.caption(said)
+    if notice:
+        place.warning(capital(notice))
+    kind = "primary" if primary else "secondary"
+    button = place if button_place is None else button_place
+    button.button(label, key=key, type=kind, width="stretch", on_click=begin, disabled=bool(wish.too_long), help=help)
+
+
+def progress(job: Job, words: str, cancel: Callable[[], None] | None = None, *, key: str = "") -> None:
     """A bar that is drawn anew until the work is done, and then the page with it.
 
     Args:
-        words: a format of ``done``, ``of`` and ``share``; ``queued`` stands there before anything is done.
+        words: a format of ``done``, ``of`` and ``share``, for work that has begun.
         cancel: callback of the button beside it; without one there is no button.
         key: of that button.
     """
-    st.fragment(_progress, run_every=LOOK_EVERY)(work, words, queued, cancel, key=key)
+    st.fragment(_progress, run_every=LOOK_EVERY)(job, words, cancel, key=key)
 
 
-def _progress(work: Work, words: str, queued: str, cancel: Callable[[], None] | None, *, key: str) -> None:
-    if not work.going:
+def _progress(job: Job, words: str, cancel: Callable[[], None] | None, *, key: str) -> None:
+    if not job.going:
         st.rerun()
-    share = min(1.0, work.done / work.of) if work.of else 0.0
+    share = min(1.0, job.done / job.of) if job.of else 0.0
     bar, button = st.columns([5, 1], vertical_alignment="center") if cancel else (st, st)
-    bar.progress(share, words.format(done=work.done, of=work.of, share=share) if work.of else queued)
+    bar.progress(share, words.format(done=job.done, of=job.of, share=share) if job.of else place_in_line(job.before))
     if cancel is not None:
         button.button("Cancel", key=key, width="stretch", on_click=cancel)
+
+
+def place_in_line(before: int) -> str:
+    """What is said of work that has not made a step yet, with so many jobs before it."""
+    if not before:
+        return "Starting ..."
+    return "Waits: 1 other is before this one" if before == 1 else f"Waits: {before} others are before this one"
 
 
 def attempt(make: Callable[[], Result]) -> Result | None:

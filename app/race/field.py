@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from html import escape
 from typing import Any
 
@@ -10,7 +11,7 @@ import streamlit as st
 from app.components.chart import chart
 from app.components.copy import copy_button
 from app.components.track import COLOURS
-from app.components.waiting import attempt, progress
+from app.components.waiting import attempt, offer, progress
 from app.components.widgets import download
 from app.race import form, jobs, schema, words
 from app.race.jobs import Control
@@ -28,23 +29,23 @@ def section(control: Control) -> None:
     values = store.chosen()
     count = int(values.get(COUNT, schema.USUAL_COUNT))
     st.html('<div class="panel-title">from many starts</div>')
-    if values.get(MANY) != "yes":
+    wish = jobs.field(control, count)
+    job = wish.look() if values.get(MANY) == "yes" else None
+    if job is None:
         caption, button = st.columns([4.2, 1.2], vertical_alignment="center")
-        caption.caption(f"One start is an anecdote. The same race from the starts 0 to {count - 1}, without pictures.")
-        label, args = f"Race over {count} starts", (MANY, "yes")
-        button.button(label, type="primary", width="stretch", on_click=store.choose, args=args)
+        words = f"One start is an anecdote. The same race from the starts 0 to {count - 1}, without pictures."
+        offer(wish, f"Race over {count} starts", key="begin field", words=words, place=caption, button_place=button,
+              primary=True, then=partial(store.choose, MANY, "yes"))  # fmt: skip
         return
-    work = jobs.field(control, count)
-    form.only("field", work)
 
     def cancel() -> None:
-        work.cancel()
+        wish.cancel()
         store.choose(MANY, None)
 
-    if work.going and not work.wait(0.3):
-        progress(work, *form.RACING, cancel, key="cancel field")
+    if job.going and not job.wait(0.3):
+        progress(job, form.RACING, cancel, key="cancel field")
         return
-    many = attempt(work.result)
+    many = attempt(job.result)
     if many is not None:
         _shown(control, *many)
 

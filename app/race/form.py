@@ -2,22 +2,20 @@
 
 from __future__ import annotations
 
-import dataclasses
 from functools import partial
 from html import escape
 
 import streamlit as st
 
-from app import session
 from app.catalogue import checkpoints
 from app.catalogue.rules import title_of
 from app.components.track import track
+from app.components.waiting import attempt, offer, progress
 from app.components.widgets import discount, download, field, select
 from app.race import jobs, schema, words
 from app.race.jobs import Control
 from app.race.schema import AGAINST, AGENT, AT, COUNT, GAMMA, HORIZON, LEFT, RIGHT, START
 from app.session import store
-from app.session.background import Work
 from laplace_core.acting.race import FIRST_START, Race
 from laplace_core.acting.race_file import race_gif, race_npz
 from laplace_core.agents.capabilities import HasDiscounts
@@ -25,7 +23,7 @@ from laplace_core.environments import environment_of
 
 PATIENCE = 2.5  # seconds that the page waits for a race before it speaks of progress
 SECONDS = 0.06  # a step on the screen
-RACING = "Racing: step {done:,} of at most {of:,}", "Racing: waits for other work of this server"
+RACING = "Racing: step {done:,} of at most {of:,}"
 _SAME = "the same agent"
 
 
@@ -78,28 +76,19 @@ def _rival(key: str) -> None:
     store.choose(key, None if chosen == _SAME else chosen)
 
 
-def begun(control: Control) -> Work[tuple[Race, bytes]]:
-    """The race that the page shows: at its end, if that takes a moment only."""
-    racing = jobs.racing(control, int(store.chosen().get(START, 0)))
-    only("race", racing)
-    racing.wait(PATIENCE)
-    return racing
-
-
-@dataclasses.dataclass
-class _Asked:
-    """What this session has asked for last: one race, and one field of many."""
-
-    work: dict[str, Work] = dataclasses.field(default_factory=dict)
-
-
-def only(name: str, work: Work) -> None:
-    """Nobody waits any more for what this session had asked for before."""
-    asked = session.part(_Asked).work
-    before = asked.get(name)
-    if before is not None and before is not work and before.going:
-        before.cancel()
-    asked[name] = work
+def raced(control: Control) -> tuple[Race, bytes] | None:
+    """The race that the page shows; before its end, in its place a button that begins it, or how far it is."""
+    wish = jobs.racing(control, int(store.chosen().get(START, 0)))
+    job = wish.look()
+    if job is None:
+        words, button = st.columns([4.2, 1.2], vertical_alignment="center")
+        offer(wish, "Race", key="begin race", place=words, button_place=button, primary=True)
+        return None
+    if job.going and not job.wait(PATIENCE):
+        progress(job, RACING, wish.cancel, key="cancel race")
+        st.html('<div class="race-room"></div>')  # where the race will be
+        return None
+    return attempt(job.result)
 
 
 def verdict(tone: str, sentence: str) -> None:

@@ -1,19 +1,20 @@
-"""Races in the making and those made last, one or many: caches for all sessions of this server."""
+"""Races, one or many, that are begun and done: shared by all sessions of this server."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from typing import Any
 
+from app.catalogue.costs import cost_of
 from app.components.track.payload import payload
-from app.session.background import Progress, Work
-from app.session.shelf import Shelf
+from app.session.jobs import Kind, Progress, Wish
+from laplace_core.acting.evaluation import AT_ONCE
 from laplace_core.acting.race import Entrant, Race, Races, race, races
 from laplace_core.environments import GYMNASIUM_ENVIRONMENTS
 from laplace_core.training.checkpoint import Loaded
 
 MOST_KEPT = 12
-"""Races of either kind. A race of two times 1,000 steps has some 6 MB of pictures, twice."""
+"""Races of either kind, once they were seen. One of two times 1,000 steps has some 6 MB of pictures, twice."""
 
 
 @dataclass(frozen=True)
@@ -37,26 +38,42 @@ class Control:
         return left, Entrant(self.right.agent, self.right_rule)
 
 
-_racing: Shelf[tuple[Race, bytes]] = Shelf(MOST_KEPT)
-_fields: Shelf[tuple[Races, dict[str, Any]]] = Shelf(MOST_KEPT)
+_racing: Kind[tuple[Race, bytes]] = Kind(MOST_KEPT)
+_fields: Kind[tuple[Races, dict[str, Any]]] = Kind(MOST_KEPT)
 
 
-def racing(control: Control, start: int) -> Work[tuple[Race, bytes]]:
-    """The race of a control from a start, and the same packed for the track; the oldest makes room."""
+def racing(control: Control, start: int) -> Wish[tuple[Race, bytes]]:
+    """The race of a control from a start, and the same packed for the track."""
+    horizon, pictures = control.horizon, control.environment in GYMNASIUM_ENVIRONMENTS
 
     def make(progress: Progress) -> tuple[Race, bytes]:
-        horizon, pictures = control.horizon, control.environment in GYMNASIUM_ENVIRONMENTS
         run = race(control.environment, *control.entrants, start, horizon=horizon, pictures=pictures, progress=progress)
         return run, payload(run)
 
-    return _racing.take((control, start), make)
+    def estimate() -> float:
+        return _seconds(control, [1], pictures=pictures)
+
+    return Wish(_racing, (control, start), make, estimate, slot="race", lower="lower T or choose quicker rules")
 
 
-def field(control: Control, count: int) -> Work[tuple[Races, dict[str, Any]]]:
+def field(control: Control, count: int) -> Wish[tuple[Races, dict[str, Any]]]:
     """The races of a control from the first so many starts, and their summary."""
 
     def make(progress: Progress) -> tuple[Races, dict[str, Any]]:
         runs = races(control.environment, *control.entrants, control.horizon, count=count, progress=progress)
         return runs, runs.summary()
 
-    return _fields.take((control, count), make)
+    def estimate() -> float:
+        return _seconds(control, [min(AT_ONCE, count - first) for first in range(0, count, AT_ONCE)])
+
+    lower = "lower T or the number of starts, or choose quicker rules"
+    return Wish(_fields, (control, count), make, estimate, slot="field", lower=lower)
+
+
+def _seconds(control: Control, groups: list[int], *, pictures: bool = False) -> float:
+    """Seconds until both sides have run groups of so many episodes side by side, all of full length."""
+    costs = [
+        cost_of(one.agent, control.environment, one.rule, control.horizon, pictures=pictures)
+        for one in control.entrants
+    ]
+    return sum(control.horizon * cost.of(count) for cost in costs for count in groups)

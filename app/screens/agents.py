@@ -33,18 +33,19 @@ def page() -> None:
             return
         scene = environment_of(loaded.environment)
         card(str(name), loaded, scene)
-        asked = rollout_form.asked(loaded)
+        wish = rollout_form.asked(loaded)
+        rolling = None if wish is None else wish.look()
         rollout_form.form(loaded)
-        if asked is None:
+        if wish is None:
             _observation(scene)
         else:
-            rollout_form.beside(asked, scene)
+            rollout_form.beside(rolling, scene)
     above = st.container()  # whether or not there is something in it, the lens keeps its place
-    if asked is not None and asked.going:
+    if wish is not None and (rolling is None or rolling.going):
         with above:
-            rollout_form.under_way(asked)
-        asked = None  # until it is done, the pictures stay as they are
-    _view(loaded, scene, asked)
+            rollout_form.under_way(wish, rolling)
+        rolling = None  # until it is done, the pictures stay as they are
+    _view(loaded, scene, rolling)
 
 
 def _choose() -> None:
@@ -71,10 +72,10 @@ def _observation(scene: Environment) -> None:
 
 
 @st.fragment
-def _view(loaded: Loaded, scene: Environment, asked: Rolling | None) -> None:
+def _view(loaded: Loaded, scene: Environment, rolling: Rolling | None) -> None:
     store.write_url()
-    rolled = None if asked is None else attempt(asked.result)
-    if asked is not None and rolled is None:
+    rolled = None if rolling is None else attempt(rolling.result)
+    if rolling is not None and rolled is None:
         return
     if not isinstance(loaded.agent, HasGammaSpace):
         peer.view(loaded, scene, rolled)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import streamlit as st
 
-from app.components.waiting import attempt, progress
+from app.components.waiting import attempt
 from app.race import field, form, schema
 from app.race.jobs import Control
 from app.session import store
@@ -23,15 +23,10 @@ def page() -> None:
             return
         form.form(control)
     store.write_url()
-    work = form.begun(control)
-    if work.going:
-        progress(work, *form.RACING)
-        st.html('<div class="race-room"></div>')  # where the race will be
-        return
-    one = attempt(work.result)
+    one = form.raced(control)
     if one is not None:
         _view(control, *one)
-        field.section(control)
+    field.section(control)
 
 
 @st.fragment

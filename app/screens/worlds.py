@@ -7,7 +7,7 @@ import streamlit as st
 from app.components.lens.state import LIVE
 from app.session import store
 from app.view import compute, panels
-from app.worlds import bring, compare, export, learning, sidebar, sources
+from app.worlds import bring, compare, export, learners, learning, sidebar, sources
 from app.worlds.presets import presets_for
 from app.worlds.schema import LINK
 from laplace_core import InputError
@@ -20,7 +20,7 @@ def page() -> None:
     with st.sidebar:
         if not sidebar.groups():
             return
-    running = learning.at_work()
+    running = learners.at_work()
     st.fragment(_view, run_every=LOOK_EVERY if running else None)(running=running)
 
 
@@ -50,7 +50,7 @@ def _view(*, running: bool) -> None:
     bring.editor(view)
     if not running:  # what is learned changes under the search
         panels.explain(view)
-    if learning.at_work() != running:  # learning began or ended: look oftener, or no more
+    if learners.at_work() != running:  # learning began or ended: look oftener, or no more
         st.rerun()
 
 

@@ -1,27 +1,33 @@
-"""Learners at work: each in a process of its own, watched through its files, a few at a time on a server."""
+"""Learners at work: each in a process of its own, watched through its files, a few at a time on a server.
+
+A run belongs to what it learns and not to a session: a page that is loaded again finds it at work.
+"""
 
 from __future__ import annotations
 
 import atexit
 import shutil
 import tempfile
-import threading
-from functools import cache
+import time
+from dataclasses import dataclass, field
+from functools import cache, lru_cache
 from pathlib import Path
 from typing import Any
+from weakref import WeakValueDictionary
 
+from app import session
+from app.session.jobs import WAITING, Job, Kind, Progress, Wish
+from app.session.jobs import learners as line
 from laplace_core import InputError
-from laplace_core.tabular import Learned, LearnSettings
+from laplace_core.tabular import Learned, LearnSettings, seconds_to_learn
 from laplace_core.tabular.process import Run, start
 from laplace_core.worlds import World
 
-MOST_RUNNING = 4
-"""Learners that run at the same time on this server; the next one waits for a place."""
 MOST_KEPT = 4
-"""Runs that a session keeps; the oldest leaves first."""
-
-_lock = threading.Lock()
-_running: list[Run] = []
+"""Runs that a session keeps, and the server of those that are at their end; the oldest leaves first."""
+BY_ITSELF = 1.0
+"""Seconds of estimate below which a link learns without a button."""
+_LOOK_EVERY = 0.2  # seconds between two looks at a process
 
 
 @cache
@@ -30,98 +36,163 @@ def _room() -> Path:
     room = Path(tempfile.mkdtemp(prefix="laplace_runs_"))
 
     def clear() -> None:
-        for run in _running:
-            run.cancel()
+        for work in list(_at_work.values()):
+            work.stop()
         shutil.rmtree(room, ignore_errors=True)
 
     atexit.register(clear)
     return room
 
 
-class Watched:
-    """One run: waiting for a place, running, or at its end."""
+class Work:
+    """What one job does: it starts a process, looks at it until it ends, and keeps what it has learned."""
 
-    def __init__(self, world: World, settings: LearnSettings):
-        self._world, self._settings = world, settings
+    def __init__(self, key: str, world: World, settings: LearnSettings):
+        self._key, self._world, self._settings = key, world, settings
         self._run: Run | None = None
-        self._folder: Path | None = None
-        self._refused: str | None = None
-        self._given_up = False
+        self._learned: Learned | None = None
 
-    @property
-    def waiting(self) -> bool:
-        """Whether it still has to wait; asking takes a place if there is one."""
-        with _lock:
-            if self._run is None and not self._given_up and self._refused is None:
-                _running[:] = [run for run in _running if not run.finished]
-                if len(_running) < MOST_RUNNING:
-                    self._begin()
-        return self._run is None and not self._given_up and self._refused is None
+    def learn(self, progress: Progress) -> Work:
+        """The work.
 
-    def _begin(self) -> None:
-        self._folder = Path(tempfile.mkdtemp(dir=_room()))
+        Raises:
+            InputError: the process cannot start, or ended by itself without finishing.
+        """
+        _at_work[self._key] = self
+        folder = Path(tempfile.mkdtemp(dir=_room()))
         try:
-            self._run = start(self._world, self._settings, self._folder)
-            _running.append(self._run)
-        except InputError as error:
-            self._refused = str(error)
+            run = self._run = start(self._world, self._settings, folder)
+            while not run.finished:
+                said: dict[str, Any] = run.progress() or {}
+                progress(int(said.get("episodes", 0)), int(said.get("of", 0)))
+                time.sleep(_LOOK_EVERY)
+            if run.error:
+                raise InputError(run.error)
+        finally:
+            self.stop()
+            shutil.rmtree(folder, ignore_errors=True)
+        return self
 
-    @property
-    def running(self) -> bool:
-        return self.waiting or (self._run is not None and not self._run.finished)
-
-    @property
-    def error(self) -> str | None:
-        return self._refused or (self._run.error if self._run else None)
+    def stop(self) -> None:
+        """End the process, within a second, and keep what it has written last."""
+        if self._run is not None:
+            self._run.cancel()
+            self._run.history()
+            self._learned = self._run.snapshot() or self._learned
 
     def progress(self) -> dict[str, Any] | None:
+        """The last line of progress, None before the first."""
         return self._run.progress() if self._run else None
 
     def learned(self) -> Learned | None:
         """The last snapshot; the same object until there is a new one."""
-        return self._run.snapshot() if self._run else None
+        return self._learned or (self._run.snapshot() if self._run else None)
 
-    def cancel(self) -> None:
-        """Stop within a second; what was learned so far stays."""
-        self._given_up = True
-        if self._run:
-            self._run.cancel()
-
-    def forget(self) -> None:
-        self.cancel()
-        if self._folder:
-            shutil.rmtree(self._folder, ignore_errors=True)
+    @property
+    def bytes(self) -> int:
+        """Memory of the tables, once they are kept."""
+        return 0 if self._learned is None else self._learned.basis.nbytes
 
 
-class Runs:
-    """The runs of one session, by what they learn."""
+_jobs: Kind[Work] = Kind(MOST_KEPT, size=lambda work: work.bytes, line=line)
+_at_work: WeakValueDictionary[str, Work] = WeakValueDictionary()
 
-    def __init__(self) -> None:
-        self._runs: dict[str, Watched] = {}
 
-    def get(self, key: str) -> Watched | None:
-        return self._runs.get(key)
+@lru_cache(maxsize=32)
+def _seconds(world: World, settings: LearnSettings) -> float:
+    return seconds_to_learn(world, settings)
+
+
+def learning(key: str, world: World, settings: LearnSettings, *, slot: str, linked: bool) -> Wish[Work]:
+    """A run.
+
+    Args:
+        key: of what it learns.
+        slot: of the session, see :class:`app.session.jobs.Wish`.
+        linked: whether a link asks for it, so that it starts by itself if it is short.
+    """
+    work, lower = Work(key, world, settings), "lower the number of episodes or of learners"
+    by_itself = BY_ITSELF if linked else 0.0
+    return Wish(_jobs, key, work.learn, lambda: _seconds(world, settings), slot, lower, by_itself)
+
+
+def forget(key: str) -> None:
+    """Drop a run that is at its end, so that it may begin anew."""
+    _jobs.drop(key)
+    session.part(_Runs).watched.pop(key, None)
+
+
+class Watched:
+    """A run as one session sees it: waiting for a place, learning, or at its end with what it has learned."""
+
+    def __init__(self, key: str, job: Job[Work]):
+        self._key, self._job, self._work, self._left = key, job, _at_work.get(key), False
+
+    def look(self, job: Job[Work] | None) -> None:
+        """Another look at it; a job is there unless the session has left it or it has ended."""
+        if job is not None:
+            self._job, self._left = job, False
+        self._work = _at_work.get(self._key) or self._work
 
     @property
     def running(self) -> bool:
-        return any(run.running for run in self._runs.values())
+        """Whether it waits or learns."""
+        return self._job.going and not self._left
 
-    def begin(self, key: str, world: World, settings: LearnSettings) -> Watched:
-        """The run of this key: the one there is, or a new one; others that still run are cancelled."""
-        for other, run in self._runs.items():
-            if other != key and run.running:
-                run.cancel()
-        if key not in self._runs:
-            self._runs[key] = Watched(world, settings)
-        while len(self._runs) > MOST_KEPT:
-            self._runs.pop(next(iter(self._runs))).forget()
-        return self._runs[key]
+    @property
+    def waiting(self) -> bool:
+        """Whether it still waits for a place."""
+        return self.running and self._job.state == WAITING
 
-    def again(self, key: str) -> None:
-        """Drop a run, so that it may begin anew."""
-        if key in self._runs:
-            self._runs.pop(key).forget()
+    @property
+    def before(self) -> int:
+        """Runs before it, while it waits."""
+        return self._job.before
 
-    def __del__(self) -> None:  # the session is over: nobody looks at its runs any more
-        for run in self._runs.values():
-            run.forget()
+    @property
+    def error(self) -> str | None:
+        """One sentence if it ended by itself without finishing."""
+        if self._job.why:
+            return f"{self._job.why}; what was learned until then stays."
+        return self._job.refusal
+
+    def progress(self) -> dict[str, Any] | None:
+        return self._work.progress() if self._work else None
+
+    def learned(self) -> Learned | None:
+        """The last snapshot; the same object until there is a new one."""
+        return self._work.learned() if self._work else None
+
+    def cancel(self, wish: Wish[Work]) -> None:
+        """Leave it: unless another session waits for it, it ends within a second. What was learned so far stays."""
+        self._left = True
+        wish.cancel()
+        if self._job.gone:
+            self._job.wait(5.0)
+            self.look(None)
+
+
+@dataclass
+class _Runs:
+    """The runs that a session has looked at last."""
+
+    watched: dict[str, Watched] = field(default_factory=dict)
+
+
+def watch(wish: Wish[Work]) -> Watched | None:
+    """The run of a wish, if this session has begun or seen it, or its link asks for it."""
+    mine, key = session.part(_Runs).watched, str(wish.key)
+    job = wish.look() if key in mine or wish.by_itself else None
+    if job is not None:
+        one = mine.pop(key, None) or Watched(key, job)
+        mine[key] = one  # the latest is the last
+        while len(mine) > MOST_KEPT:
+            mine.pop(next(iter(mine)))
+    if key in mine:
+        mine[key].look(job)
+    return mine.get(key)
+
+
+def at_work() -> bool:
+    """Whether a run that this session has begun or looked at is going on."""
+    return any(run.running for run in session.part(_Runs).watched.values())

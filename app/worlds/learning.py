@@ -7,12 +7,13 @@ import hashlib
 import streamlit as st
 from streamlit.delta_generator import DeltaGenerator
 
-from app import session
 from app.catalogue import tabular
+from app.catalogue.names import capital
 from app.components.chart import chart
-from app.components.waiting import attempt
+from app.components.waiting import attempt, place_in_line
 from app.components.widgets import download, field, select
 from app.session import store
+from app.session.jobs import Wish, duration
 from app.session.url import by_name
 from app.view import compute, subjects
 from app.view.subjects import View
@@ -62,9 +63,12 @@ def source_group(world: World) -> None:
             for i, (name, title) in enumerate(_SHOWN.items()):
                 place = st if known[name].type is bool else columns[i % 2]
                 field(known[name], getattr(shown, name), title, key=LEARN + name, place=place)
-    going = None if wanted is None else _runs().get(_key(world, wanted))
-    busy = wanted is None or (going is not None and going.running)
-    st.button("Learn", on_click=_begin, args=(world,), type="primary", width="stretch", disabled=busy)
+    if wanted is None:
+        return
+    wish = _wish(world, wanted)
+    going = learners.watch(wish)
+    idle = (going is None or not going.running) and not wish.too_long
+    st.button("Learn", on_click=_begin, args=(world,), type="primary", width="stretch", disabled=not idle)
 
 
 def agent_title(agent: str) -> str:
@@ -83,25 +87,29 @@ def learning_of(world: World, values: subjects.Values | None = None) -> Resolved
     return resolve_learning(LearnSettings(**given), world)
 
 
-def _key(world: World, wanted: LearnSettings, values: subjects.Values | None = None) -> str:
-    """Names a run in the session and in the link."""
+_IN_LINK = 10
+"""Digits of a run's key that a link holds."""
+
+
+def _wish(
+    world: World, wanted: LearnSettings, values: subjects.Values | None = None, *, slot: str = "learner"
+) -> Wish[learners.Work]:  # fmt: skip
+    """The run of settings in a view, by default the present one; a link names it."""
     values = store.chosen() if values is None else values
     what = (world.source, world.params, values.get("own"), values.get("timeline"), wanted)
-    return hashlib.sha256(repr(what).encode()).hexdigest()[:10]
+    key = hashlib.sha256(repr(what).encode()).hexdigest()
+    return learners.learning(key, world, wanted, slot=slot, linked=values.get("run") == key[:_IN_LINK])
 
 
 def _begin(world: World) -> None:
     """Callback: (re)start the run of the present settings."""
     try:
-        key = _key(world, learning_of(world))
+        wish = _wish(world, learning_of(world))
     except InputError:  # said beside the button already
         return
-    _runs().again(key)
-    store.choose("run", key)
-
-
-def _runs() -> learners.Runs:
-    return session.part(learners.Runs)
+    learners.forget(str(wish.key))
+    wish.begin()
+    store.choose("run", str(wish.key)[:_IN_LINK])
 
 
 def current(world: World) -> tuple[Learned | None, learners.Watched | None]:
@@ -119,10 +127,7 @@ def current(world: World) -> tuple[Learned | None, learners.Watched | None]:
         wanted = learning_of(world)
     except InputError:  # said where the settings are
         return None, None
-    key = _key(world, wanted)
-    watched = _runs().get(key)
-    if watched is None and values.get("run") == key:
-        watched = _runs().begin(key, world, wanted)
+    watched = learners.watch(_wish(world, wanted))
     learned = None if watched is None else watched.learned()
     if watched is not None and learned is not None and watched.running and learned.basis.size > LARGE:
         compute.forget()
@@ -135,32 +140,25 @@ def _opened(values: subjects.Values, world: World) -> Learned | None:
     return sources.about(learned, world) if sources.fits(learned, world) else None
 
 
-def at_work() -> bool:
-    """Whether a run of this session is going on, shown or pinned."""
-    return _runs().running
-
-
 def learned_in(values: subjects.Values, world: World) -> tuple[Learned | None, bool]:
     """What was learned for a pinned view, and whether it is still to come.
 
-    A run that this session does not have is learned again, from its seed, while no other one is at work.
+    A run that is not here any more is learned again, from its seed, if that is short.
 
     Raises:
-        InputError: an agent that is not here, or a run that ended before anything was learned.
+        InputError: an agent that is not here, or a run that would take long, or ended before anything was learned.
     """
     if values.get("source") != "learned":
         return None, False
     if "agent" in values:
         return _opened(values, world), False
     wanted = learning_of(world, values)
-    key = _key(world, wanted, values)
-    if values.get("run") != key:
+    wish = _wish(world, wanted, values, slot="pinned")
+    if not wish.by_itself:
         return None, False
-    watched = _runs().get(key)
+    watched = learners.watch(wish)
     if watched is None:
-        if _runs().running:
-            return None, True
-        watched = _runs().begin(key, world, wanted)
+        raise InputError(wish.notice or f"to learn it again takes about {duration(wish.estimate())}: unpin it first.")
     learned = watched.learned()
     if learned is None and not watched.running:
         raise InputError("its learning ended before anything was learned.")
@@ -177,9 +175,11 @@ def strip(view: View, watched: learners.Watched | None) -> None:
             _progress(view, watched)
         learner = view.learner
         if watched is None and learner is None:
-            button.button("Learn now", on_click=_begin, args=(view.world,), type="primary", width="stretch")
+            wish = _present(view)
+            button.button("Learn now", on_click=_begin, args=(view.world,), type="primary", width="stretch",
+                          disabled=wish is None or bool(wish.too_long))  # fmt: skip
         if watched is not None and watched.running:
-            button.button("Cancel", on_click=_cancel, args=(watched,), width="stretch")
+            button.button("Cancel", on_click=_cancel, args=(watched, _present(view)), width="stretch")
         if learner is None:
             return
         if len(learner.learned.basis) > 1:
@@ -189,30 +189,45 @@ def strip(view: View, watched: learners.Watched | None) -> None:
             download("Download agent", lambda: learned_bytes(learner.learned), file, place=save, width="stretch")
 
 
-def _cancel(watched: learners.Watched) -> None:
+def _present(view: View) -> Wish[learners.Work] | None:
+    """The run of a view; none where its settings do not fit, which is said beside them."""
+    try:
+        return None if view.world is None else _wish(view.world, learning_of(view.world))
+    except InputError:
+        return None
+
+
+def _cost(wish: Wish[learners.Work] | None) -> str:
+    if wish is None:
+        return ""
+    return capital(wish.notice or f"learning takes about {duration(wish.estimate())}.")
+
+
+def _cancel(watched: learners.Watched, wish: Wish[learners.Work] | None) -> None:
     """Callback: stop; a link no longer asks for the whole run."""
-    watched.cancel()
+    if wish is not None:
+        watched.cancel(wish)
     store.choose("run", None)
 
 
 def _progress(view: View, watched: learners.Watched | None) -> None:
     if watched is None:
         if view.learned is None:
-            st.info("Nothing is learned with these settings yet: the pictures are exact.")
+            st.info(f"Nothing is learned with these settings yet: the pictures are exact. {_cost(_present(view))}")
         else:
             shown = view.learned.settings
             who = f"each of {shown.seeds} learners" if shown.seeds > 1 else "one learner"
-            st.caption(f"Learned in {shown.episodes:,} episodes by {who}, policy {shown.policy}.")
+            st.caption(f"Learned in {_done(view.learned)} episodes by {who}, policy {shown.policy}.")
         return
     if watched.error:
-        st.error(watched.error)
+        st.error(capital(watched.error))
         return
     progress = watched.progress()
     if progress is None and not watched.running:
         st.info("Cancelled before anything was learned: the pictures are exact.")
         return
     if progress is None:
-        st.progress(0.0, "Waiting for a free place: other learners are running." if watched.waiting else "Starting ...")
+        st.progress(0.0, place_in_line(watched.before))
         return
     assert view.world is not None  # a run learns of a world
     seeds = learning_of(view.world).seeds if view.learned is None else view.learned.settings.seeds
@@ -226,6 +241,13 @@ def _progress(view: View, watched: learners.Watched | None) -> None:
     elif not progress["finished"]:
         words.insert(0, "cancelled at")
     st.progress(min(1.0, progress["episodes"] / progress["of"]), " · ".join(words))
+
+
+def _done(learned: Learned) -> str:
+    """Episodes that were learned; of a run that was cancelled fewer than it was meant to learn."""
+    fewest, most, of = min(learned.episodes), max(learned.episodes), learned.settings.episodes
+    done = f"{most:,}" if fewest == most else f"{fewest:,} to {most:,}"
+    return done if fewest == of else f"{done} of {of:,}"
 
 
 def _percent(share: float) -> str:

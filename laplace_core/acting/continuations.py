@@ -87,7 +87,8 @@ def continue_from(
         seed: of the random numbers from there on.
         own: whether to go on under the episode's own rule, with the time to go that it has at each step.
         options: those of that rule.
-        progress: called with (done, total) in the K steps; an exception that it raises cancels the work.
+        progress: called with (done, total) in steps, those that lead to the state and the K after it; an exception
+            that it raises cancels the work.
 
     Raises:
         InputError: arguments out of range.
@@ -101,19 +102,23 @@ def continue_from(
     first = int(rollout.actions[step]) if action is None else action
     steps = steps_known(agent, rollout, step, steps, own=own)
     judge = _judge(agent, rollout, options) if own else lambda seen, time: agent.action_values(seen, agent.acting_head)
+    told = progress or (lambda done, of: None)
     envs = [vector.make(rollout.environment, limited=False) for _ in range(count)]
     try:
         streams = np.random.SeedSequence([seed, step]).spawn(count)
-        for env, stream in zip(envs, streams, strict=True):
+        for env in envs:
             env.reset(seed=rollout.seed)
-            for past in rollout.actions[:step]:
+        for t, past in enumerate(rollout.actions[:step]):
+            for env in envs:
                 env.step(int(past))
+            told(t + 1, step + steps)
+        for env, stream in zip(envs, streams, strict=True):
             env.unwrapped.np_random = np.random.default_rng(stream)
         dice = np.random.default_rng(np.random.SeedSequence([seed, step, 1]))  # for random actions
         with one_thread():
             return _play(
                 envs, rollout.observations[step], first, steps, past=step, choose=_choice(judge, agent.n_actions, dice),
-                progress=progress or (lambda done, of: None),
+                progress=lambda done, of: told(step + done, step + of),
             )  # fmt: skip
     finally:
         for env in envs:
@@ -183,7 +188,7 @@ def outcomes_of_states(
         each: states of an episode, evenly spaced over its first ``steps`` steps.
         like: an episode by whose rule to act; greedy at the acting discount without one. Of a rule for a deadline T,
             states are taken from at most the first half of T, so that equally many steps are known after each.
-        progress: called with (done, total) in episodes; an exception that it raises cancels the work.
+        progress: called with (done, total) in steps of all episodes; an exception that it raises cancels the work.
 
     Raises:
         InputError: arguments out of range.
@@ -199,17 +204,26 @@ def outcomes_of_states(
     parts: list[tuple[Any, ...]] = []
     for i in range(episodes):
         episode = roll_out(
-            agent, environment, seed + i, rule=rule, horizon=length, gamma=gamma, limited=False, spaces=False
-        )
+            agent, environment, seed + i, rule=rule, horizon=length, gamma=gamma, limited=False, spaces=False,
+            progress=_of_episode(progress, i, episodes),
+        )  # fmt: skip
         whole = len(episode) if episode.terminated else len(episode) - steps
         for at in np.unique(np.linspace(0, max(0, min(steps, whole) - 1), each).astype(int)):
             observed = episode.rewards[at : at + steps]
             rewards, alive = np.zeros(steps), np.zeros(steps, dtype=bool)
             rewards[: len(observed)], alive[: len(observed)] = observed, True
             parts.append((episode.observations[at], episode.actions[at], rewards, alive))
-        if progress:
-            progress(i + 1, episodes)
     return Outcomes(*(np.array(column) for column in zip(*parts, strict=True)))
+
+
+def _of_episode(progress: Callable[[int, int], None] | None, i: int, episodes: int) -> Callable[[int, int], None]:
+    """Report the steps of one episode, which may end before its last, as those of all episodes."""
+
+    def told(done: int, of: int) -> None:
+        if progress is not None:
+            progress(i * of + done, episodes * of)
+
+    return told
 
 
 @dataclass(frozen=True, eq=False)

@@ -16,7 +16,8 @@ from laplace_core.errors import InputError
 
 FIRST_SEED = 2 * 10**12
 """Start seeds of :func:`evaluate`; training starts below 10^9, and evaluations while training at half of this."""
-_AT_ONCE = 100  # episodes side by side
+AT_ONCE = 100
+"""Episodes side by side."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -101,7 +102,7 @@ def played(
         discounts, progress: as in :func:`evaluate`.
     """
     gammas = np.zeros(0) if discounts is None else np.asarray(discounts, dtype=float)
-    groups = [list(starts[i : i + _AT_ONCE]) for i in range(0, len(starts), _AT_ONCE)]
+    groups = [list(starts[i : i + AT_ONCE]) for i in range(0, len(starts), AT_ONCE)]
     parts = []
     for i, group in enumerate(groups):
         after_step = _part_of(progress, i, len(groups), length)

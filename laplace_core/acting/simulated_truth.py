@@ -6,7 +6,7 @@ exactly is passed by half of it. Everything is decoded with whole steps and with
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import torch
@@ -15,7 +15,7 @@ from laplace_core.acting.continuations import Calibration, Continuations, Outcom
 from laplace_core.agents.agent import Agent
 from laplace_core.agents.capabilities import HasGammaSpace
 from laplace_core.code.encoding import area_around_zero, reward_distance
-from laplace_core.code.gamma_space import GammaSpace, bin_differences, bin_values
+from laplace_core.code.gamma_space import GammaSpace
 from laplace_core.errors import InputError
 from laplace_core.inverse import decode
 from laplace_core.study.horizon import expected_rewards
@@ -105,10 +105,13 @@ class Confronted:
 
 
 def confront(agent: Agent, space: GammaSpace, action: int, sample: Continuations, *, alpha: float) -> Confronted:
-    """One state's gamma-space and the continuations that begin with an action."""
-    return _confronted(
-        agent, sample, space.values[[action]], space.constant[[action]], open_ends=space.open_ends, alpha=alpha
-    )
+    """One state's gamma-space and the continuations that begin with an action.
+
+    The gamma-space may have more discounts than the agent has learned
+    (:func:`laplace_core.code.interpolation.with_added`): it is decoded at its own.
+    """
+    at = replace(space, values=space.values[[action]], constant=space.constant[[action]])
+    return _confronted(agent, sample, at, alpha=alpha)
 
 
 def confront_states(agent: Agent, outcomes: Outcomes, alpha: float) -> Confronted:
@@ -123,21 +126,18 @@ def confront_states(agent: Agent, outcomes: Outcomes, alpha: float) -> Confronte
     row = np.arange(len(values))
     tails, constant = values[row, outcomes.actions], constant[row, outcomes.actions]
     sample = Continuations(outcomes.rewards, outcomes.alive)
-    return _confronted(agent, sample, tails, constant, open_ends=True, alpha=alpha)
+    spaces = GammaSpace(tails, constant, agent.gammas, agent.thetas, open_ends=True)
+    return _confronted(agent, sample, spaces, alpha=alpha)
 
 
-def _confronted(
-    agent: Agent, sample: Continuations, tails: np.ndarray, constant: np.ndarray, *, open_ends: bool, alpha: float
-) -> Confronted:
-    """Gamma-space of one state or of as many as there are simulations: tails ``(S, G, H)``, constant ``(S, G)``."""
-    observed = _passed(agent, sample)
-    assert isinstance(agent, HasGammaSpace)  # :func:`_passed` refused any other
-    steps, gammas, thetas = sample.rewards.shape[1], agent.gammas, agent.thetas
-    tau_space = decode(bin_differences(tails, constant, open_ends), gammas, steps, alpha).mean(axis=0)
-    alive = decode(constant[..., None], gammas, steps, alpha)[..., 0].mean(axis=0)
-    simulated = empirical(agent, sample)
-    predicted = np.broadcast_to(decode(tails, gammas, steps, alpha), observed.shape)
+def _confronted(agent: Agent, sample: Continuations, spaces: GammaSpace, *, alpha: float) -> Confronted:
+    """Gamma-space of one state or of as many as there are simulations: S of them in place of actions."""
+    observed, simulated = _passed(agent, sample), empirical(agent, sample)
+    steps, gammas, thetas = sample.rewards.shape[1], spaces.gammas, spaces.thetas
+    tau_space = decode(spaces.differences, gammas, steps, alpha).mean(axis=0)
+    alive = decode(spaces.constant[..., None], gammas, steps, alpha)[..., 0].mean(axis=0)
+    predicted = np.broadcast_to(decode(spaces.values, gammas, steps, alpha), observed.shape)
     return Confronted(
-        simulated, expected_rewards(tau_space, bin_values(thetas, open_ends)), alive,
+        simulated, expected_rewards(tau_space, spaces.bin_values), alive,
         simulated.distance(tau_space, thetas), calibration(predicted, observed),
     )  # fmt: skip

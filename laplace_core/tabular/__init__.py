@@ -1,7 +1,7 @@
 """Tabular agents that learn the Laplace code: learning, tables, reading, saving and watching them."""
 
 from laplace_core.tabular.files import learned_bytes, parse_learned, read_learned, save_learned
-from laplace_core.tabular.learner import Learning
+from laplace_core.tabular.learner import Learning, seconds_to_learn
 from laplace_core.tabular.model import CURVE_NAMES, Learned, PeerTables
 from laplace_core.tabular.process import Run, start
 from laplace_core.tabular.reading import (
@@ -40,6 +40,7 @@ __all__ = [
     "return_bounds",
     "return_distributions",
     "save_learned",
+    "seconds_to_learn",
     "start",
     "study_of",
     "wasserstein",

@@ -138,6 +138,31 @@ class Learning:
         return float(np.ptp(self._exact.gamma_space.values)) or 1.0
 
 
+def seconds_to_learn(
+    world: World, settings: LearnSettings, *, most: float = 0.06, clock: Callable[[], float] = time.thread_time
+) -> float:
+    """About how long learning takes on this machine, all seeds together: measured on the first episodes of one.
+
+    The very first one is not counted if there are others: it prepares what they find.
+
+    Args:
+        most: seconds after which the measurement ends, with the episode under way then.
+        clock: seconds of work; by default those of this thread alone, whatever else the machine does.
+
+    Raises:
+        InputError: settings that do not fit the world.
+    """
+    s = resolve_learning(settings, world)
+    learner = _Learner(world, s, s.seed, 1, bounds=bounds_of(world, s) if s.peers else None)
+    times = [clock()]
+    for _ in learner.events:
+        times.append(clock())
+        if times[-1] - times[0] >= most:
+            break
+    counted = times[1:] if len(times) > 2 else times
+    return (counted[-1] - counted[0]) / (len(counted) - 1) * s.episodes * s.seeds
+
+
 class _Learner:
     """One seed: the Laplace code, its peers if wanted, the stream of its events and its curve."""
 

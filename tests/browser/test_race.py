@@ -4,13 +4,16 @@ from __future__ import annotations
 
 import csv
 import io
+import re
 from pathlib import Path
 
 import numpy as np
 import pytest
+from playwright.sync_api import expect
 
 from laplace_core.acting.race import Entrant, race, races
 from laplace_core.training.checkpoint import load_checkpoint
+from tests.browser.support import settled
 
 pytestmark = pytest.mark.browser
 CHECKPOINT = Path(__file__).resolve().parents[2] / "checkpoints" / "laplace_LunarLander-v3.safetensors"
@@ -88,3 +91,33 @@ def test_the_numbers_of_both_sides_are_seen_whole(page, address, width):
         " words.clientWidth + 1).map((words) => words.textContent))"
     )
     assert outside == []
+
+
+LONG = "d.T=1000&d.left=decoded&d.right=decoded"
+"""Some 2,000 steps that are decoded one by one: a minute, more or less."""
+
+
+def test_a_link_to_long_races_leaves_them_to_a_person_who_sees_the_cost_and_the_place_in_line(page, chromium, address):
+    page.goto(f"{address}/race?{LONG}&d.start=1&d.many=yes&d.starts=500")
+    page.get_by_text(re.compile(r"^This takes about \d+ (seconds|minutes)\.$")).wait_for()
+    page.get_by_text(re.compile("This takes about .* lower T or the number of starts")).wait_for()
+    expect(page.get_by_role("button", name="Race over 500 starts")).to_be_disabled()
+    settled(page)
+    expect(page.get_by_role("progressbar")).to_have_count(0)
+
+    other = chromium.new_context().new_page()
+    other.goto(f"{address}/race?{LONG}&d.start=2")
+    other.get_by_role("button", name="Race", exact=True).click()
+    expect(other.get_by_text(re.compile("Racing: step .* of at most 2,000"))).to_be_visible()
+    page.get_by_role("button", name="Race", exact=True).click()
+    expect(page.get_by_text("Waits: 1 other is before this one")).to_be_visible()
+
+    page.reload()  # another session: it has its place still
+    expect(page.get_by_text("Waits: 1 other is before this one")).to_be_visible()
+    page.get_by_role("button", name="Cancel").click()
+    expect(page.get_by_role("button", name="Race", exact=True)).to_be_enabled()
+    expect(page.get_by_role("progressbar")).to_have_count(0)
+    expect(other.get_by_text(re.compile("Racing: step"))).to_be_visible()
+    other.get_by_role("button", name="Cancel").click()
+    expect(other.get_by_role("button", name="Race", exact=True)).to_be_enabled()
+    other.context.close()

@@ -18,7 +18,7 @@ from streamlit.testing.v1 import AppTest
 from app.session import KEY, Session
 from app.session.link import pack
 from app.view.subjects import View
-from app.worlds.learners import Runs
+from app.worlds.learners import Watched, _Runs
 from app.worlds.schema import LINK
 from app.worlds.sources import view_of
 from laplace_core import Study
@@ -44,9 +44,9 @@ def session(page: AppTest) -> Session:
     return page.session_state[KEY]
 
 
-def runs_of(page: AppTest) -> Runs:
-    """The learners of this session."""
-    return session(page).parts[Runs]
+def runs_of(page: AppTest) -> dict[str, Watched]:
+    """The learners of this session, by their keys in the link."""
+    return {key[:10]: run for key, run in session(page).parts[_Runs].watched.items()}
 
 
 def run(page: AppTest) -> AppTest:

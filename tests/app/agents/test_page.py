@@ -12,9 +12,11 @@ from streamlit.testing.v1 import AppTest
 
 from app.agents import jobs, schema, truth
 from app.catalogue import checkpoints
+from app.session import KEY
 from app.view import compute
 from laplace_core import InputError, Settings
 from laplace_core.acting.continuations import continue_from
+from laplace_core.acting.cost import StepCost
 from laplace_core.acting.flags import flag_steps
 from laplace_core.acting.rollout import roll_out
 from laplace_core.agents import ENVIRONMENTS, LaplaceSettings
@@ -303,3 +305,35 @@ def test_the_artefacts_of_every_step_reach_the_player(shipped):
 
 def test_where_no_rollout_is_shown_nothing_is_simulated(shipped):
     assert "Simulate" not in [button.label for button in opened().button]
+
+
+def test_added_discounts_leave_what_was_simulated_in_its_place(shipped, few):
+    """Calibration used to fail with '+ 1 in each gap': the gamma-space has more discounts than the agent then."""
+    page = simulated(rolled_out(checkpoint="laplace_two_branch", **{"r.shown": "yes", "r.seed": "5"}))
+    page.session_state[KEY].shown_page.chosen["added"] = 1
+    page.session_state[KEY].touched = True
+    page.run()
+    assert not page.exception
+    assert not page.error
+    assert unpacked(payload_of(page))[0]["added"] == 1
+    assert "calibration" in charts(page)
+    assert "simulated" in lens_arrays(page)[0]
+
+
+def test_a_link_to_a_rollout_that_takes_long_says_how_long_and_waits_for_a_button(shipped, monkeypatch):
+    monkeypatch.setattr(jobs, "cost_of", lambda *given, **more: StepCost(0.0, 0.0, 0.3))  # 500 steps: 150 seconds
+    page = opened(checkpoint="laplace_CartPole-v1", **{"r.shown": "yes", "r.seed": "77"})
+    assert "This takes about 2 minutes." in words(page)
+    assert not page.get("progress")
+    assert not any("player" in one.proto.component_name for one in page.get("bidi_component"))
+    page.button(key="begin rollout").click().run()
+    page = wait(page, lambda page: any("player" in one.proto.component_name for one in page.get("bidi_component")))
+    assert told(page, "player")["at"] == 0
+
+
+def test_a_rollout_that_takes_longer_than_the_server_allows_cannot_be_begun(shipped, monkeypatch):
+    monkeypatch.setattr(jobs, "cost_of", lambda *given, **more: StepCost(0.0, 0.0, 60.0))  # 500 minutes
+    page = opened(checkpoint="laplace_CartPole-v1", **{"r.shown": "yes", "r.seed": "78"})
+    said = "This takes about 8 hours, and this server allows 10 minutes: lower T or choose a quicker rule."
+    assert said in [warning.value for warning in page.warning]
+    assert page.button(key="begin rollout").disabled

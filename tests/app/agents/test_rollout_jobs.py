@@ -1,4 +1,4 @@
-"""The cache of rollouts: one thread, a few kept, and cancelled where nobody waits."""
+"""Rollouts in the background: all that are asked for, a few kept, and ended where nobody waits."""
 
 from __future__ import annotations
 
@@ -7,11 +7,10 @@ import threading
 import pytest
 
 from app.agents import jobs
-from app.agents.jobs import MOST_KEPT, Control, rolling
+from app.agents.jobs import MOST_KEPT, Control, Rolling, rolling
 from laplace_core import InputError
 from laplace_core.agents import LaplaceSettings
 from laplace_core.training.checkpoint import Loaded, load_checkpoint, new_agent, save_checkpoint
-from tests.support.quick_runs import until
 
 
 @pytest.fixture
@@ -28,32 +27,44 @@ def empty():
     jobs._rollouts.clear()
 
 
-def finished(loaded, control):
-    one = rolling(loaded, control)
-    until(lambda: not one.going)
+def taken(loaded, control: Control, session: str = "") -> Rolling:
+    wish = rolling(loaded, control)
+    return wish.kind.take(wish.key, wish.make, wish.estimate(), session)
+
+
+def finished(loaded, control: Control) -> Rolling:
+    one = taken(loaded, control)
+    assert one.wait(60)
     return one
 
 
 def test_the_same_control_is_the_same_rollout(loaded):
     one = finished(loaded, Control(seed=1))
-    assert rolling(loaded, Control(seed=1)).result() is one.result()
+    assert taken(loaded, Control(seed=1)).result() is one.result()
     assert one.done == len(one.result().rollout)
 
 
-def test_fifty_rollouts_leave_a_few(loaded):
+def test_thirty_sessions_with_a_rollout_each_all_get_theirs(loaded):
+    """More than are kept, asked for at once: each used to drive out the one before it."""
+    asked = [taken(loaded, Control(seed=seed), str(seed)) for seed in range(30)]
+    for seed, one in enumerate(asked):
+        assert one.result().rollout.seed == seed
+
+
+def test_fifty_rollouts_that_were_seen_leave_a_few(loaded):
     for seed in range(50):
-        finished(loaded, Control(seed=seed))
-    assert len(jobs._rollouts.items()) == MOST_KEPT
+        finished(loaded, Control(seed=seed)).result()
+    taken(loaded, Control(seed=49))
     assert [control.seed for (_, control), _ in jobs._rollouts.items()] == list(range(50 - MOST_KEPT, 50))
 
 
 def test_large_ones_make_room_sooner(loaded, monkeypatch):
     size = finished(loaded, Control(seed=0)).result().bytes
     assert size > 100
-    monkeypatch.setattr(jobs, "MOST_BYTES", int(2.5 * size))
+    monkeypatch.setattr(jobs._rollouts, "_most_bytes", int(2.5 * size))
     for seed in range(1, 9):
-        finished(loaded, Control(seed=seed, rule="random"))
-    rolling(loaded, Control(seed=8, rule="random"))
+        finished(loaded, Control(seed=seed, rule="random")).result()
+    taken(loaded, Control(seed=8, rule="random"))
     assert 1 <= len(jobs._rollouts.items()) <= 3
     assert sum(one.result().bytes for _, one in jobs._rollouts.items()) <= 2.5 * size
 
@@ -74,10 +85,11 @@ def test_a_cancelled_one_ends_at_the_next_step_and_is_begun_anew(loaded, monkeyp
             steps.append(i)
 
     monkeypatch.setattr(jobs, "roll_out", slow)
-    one = rolling(loaded, Control())
+    one = taken(loaded, Control())
     assert begun.wait(30)
-    one.cancel()
+    one.leave("")
     held.set()
-    until(lambda: not one.going)
+    assert one.wait(60)
+    assert one.gone
     assert len(steps) == 0
-    assert rolling(loaded, Control()) is not one
+    assert taken(loaded, Control()) is not one

@@ -15,17 +15,16 @@ from streamlit.testing.v1 import AppTest
 from app.catalogue import checkpoints
 from app.components.track import COLOURS
 from app.components.track.payload import payload
-from app.race import form, jobs, schema, words
+from app.race import jobs, schema, words
 from app.race.jobs import Control
-from app.session.background import Work
 from laplace_core import figures
+from laplace_core.acting.cost import StepCost
 from laplace_core.acting.race import FIRST_START, Entrant, Races, race
 from laplace_core.acting.race import races as races_of
 from laplace_core.agents import SETTINGS, LaplaceSettings
 from laplace_core.figures.race import piles
 from laplace_core.training.checkpoint import Loaded, load_checkpoint, new_agent, save_checkpoint
 from tests.support.pages import MAIN, charts, link, press, run, wait
-from tests.support.quick_runs import until
 
 
 def saved(path: Path, settings) -> None:
@@ -274,19 +273,48 @@ def test_dots_of_one_bin_are_piled_up_in_their_order():
     assert reach == 3
 
 
-def test_a_race_that_nobody_waits_for_any_more_is_cancelled(monkeypatch):
-    def endless(told):
-        while True:
-            time.sleep(0.01)
-            told(1, 2)
+def slow_steps(monkeypatch, seconds: float) -> None:
+    """Every step takes so long, as far as estimates go."""
+    monkeypatch.setattr(jobs, "cost_of", lambda *given, **more: StepCost(0.0, 0.0, seconds))
 
-    kept: dict[str, object] = {}
-    monkeypatch.setattr(form.st, "session_state", kept)
-    one, other = Work(endless), Work(lambda told: "done")
-    form.only("race", one)
-    form.only("race", one)
-    assert not one.gone
-    form.only("race", other)
-    until(lambda: not one.going and not other.going)
-    assert one.gone
-    assert other.result() == "done"
+
+def captions(page: AppTest) -> str:
+    return " ".join(caption.value for caption in page.caption)
+
+
+def test_a_link_starts_no_long_race_and_says_what_its_races_cost(shipped, monkeypatch):
+    """A race of 2 x 30 steps of .5 s takes 30 s; 6 of them 3 minutes."""
+    slow_steps(monkeypatch, 0.5)
+    page = opened(checkpoint="laplace_CartPole-v1", d_T="30", d_start="41", d_many="yes", d_starts="6")
+    assert not page.get("progress")
+    assert not page.get("bidi_component")
+    assert "This takes about 30 seconds." in captions(page)
+    assert "This takes about 3 minutes." in captions(page)
+    settled(press(page, "Race"))
+    assert "from start 41" in verdicts(page)[0]
+    settled(press(page, "Race over 6 starts"))
+    assert "Over 6 starts" in verdicts(page)[1]
+
+
+def test_races_that_take_longer_than_the_server_allows_are_refused_with_what_to_lower(shipped, monkeypatch):
+    """500 starts of 2 x 500 steps of .06 s: 30,000 s, some 8 hours in the one thread there was."""
+    slow_steps(monkeypatch, 0.06)
+    page = opened(checkpoint="laplace_CartPole-v1", d_T="500", d_start="42", d_many="yes", d_starts="500")
+    said = "This takes about 8 hours, and this server allows 10 minutes: lower T or the number of starts, or choose"
+    assert [warning.value.startswith(said) for warning in page.warning] == [True]
+    assert [button.disabled for button in page.button if button.label == "Race over 500 starts"] == [True]
+    assert [button.disabled for button in page.button if button.label == "Race"] == [False]
+
+
+def test_the_estimate_counts_both_sides_and_groups_of_a_hundred(control, monkeypatch):
+    """T = 3. One race: 2 x 3 steps of 1 + 2 + 10. Of 250 starts: groups of 100, 100 and 50; 2 x 3 x (3 + 250 x 12)."""
+    monkeypatch.setattr(jobs, "cost_of", lambda *given, pictures=False: StepCost(1.0, 2.0, 10.0))
+    assert jobs.racing(control, 0).estimate() == 2 * 3 * 13
+    assert jobs.field(control, 250).estimate() == 2 * 3 * (3 + 250 * 12)
+
+
+def test_twenty_races_of_as_many_sessions_all_finish(control):
+    """More than are kept: each used to drive out the one before it."""
+    wishes = [jobs.racing(control, start) for start in range(20)]
+    asked = [wish.kind.take(wish.key, wish.make, 20.0, f"session {start}") for start, wish in enumerate(wishes)]
+    assert [job.result()[0].start for job in asked] == list(range(20))

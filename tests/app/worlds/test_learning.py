@@ -10,6 +10,7 @@ import pytest
 
 from app.catalogue import tabular
 from app.session.link import pack
+from app.worlds import learners
 from app.worlds.schema import LINK
 from laplace_core import Settings, load_world, study
 from laplace_core.cli import main
@@ -92,9 +93,40 @@ def test_what_is_learned_is_what_the_library_learns_with_the_same_seed():
 def test_another_session_with_the_link_learns_the_same():
     page = learn(**{"p.slip": "0.2"})
     assert "run" in link(page)
+    learners._jobs.clear()  # of another server
     again = wait(opened(**link(page)), finished)
     assert pictures(again) == pictures(page)
     assert verdict(again) == verdict(page)
+
+
+def test_a_link_to_long_learning_says_what_it_costs_and_leaves_it_to_a_button(monkeypatch):
+    monkeypatch.setattr(learners, "_seconds", lambda world, settings: 240.0)
+    query = link(press(opened(**ENDLESS), "Learn"))
+    learners._jobs.clear()
+    page = opened(**query)
+    assert "run" in link(page)
+    assert "Learning takes about 4 minutes." in strip(page)
+    assert "Cancel" not in labels(page)
+    assert runs_of(page) == {}
+
+
+def test_learning_that_takes_longer_than_the_server_allows_cannot_be_begun(monkeypatch):
+    monkeypatch.setattr(learners, "_seconds", lambda world, settings: 36_000.0)
+    page = opened(**ENDLESS)
+    assert "This takes about 10 hours, and this server allows 10 minutes: lower the number of episodes" in strip(page)
+    assert [button.disabled for button in page.button if button.label.startswith("Learn")] == [True, True]
+
+
+def test_a_file_of_a_run_that_was_cancelled_says_how_much_was_learned(tmp_path, monkeypatch):
+    saved = downloads(monkeypatch)
+    page = press(opened(**ENDLESS), "Learn")
+    wait(page, lambda page: "curve" in pictures(page))
+    press(page, "Cancel")
+    file = saved["two_branch_td.safetensors"]
+    done = parse_learned(file).episodes[0]
+    assert 0 < done < 1_000_000
+    again = upload(opened("bring"), "mine.safetensors", file)
+    assert f"Learned in {done:,} of 1,000,000 episodes by one learner" in strip(again)
 
 
 def test_alpha_moves_what_was_learned_without_learning_anew():
@@ -120,25 +152,16 @@ def test_other_settings_of_learning_show_no_stale_run():
 def test_cancel_ends_the_process_and_keeps_what_was_learned():
     page = press(opened(**ENDLESS), "Learn")
     wait(page, lambda page: "curve" in pictures(page))
-    watched = runs_of(page).get(link(page)["run"])
+    watched = runs_of(page)[link(page)["run"]]
     assert watched.running
     press(page, "Cancel")
     assert not watched.running
-    assert watched._run.finished
+    assert watched._work._run.finished
     assert "cancelled at" in strip(page)
     assert "Cancel" not in labels(page)
     assert "curve" in pictures(page)
     kept = tau_space(page)
     np.testing.assert_array_equal(tau_space(run(page)), kept)
-
-
-def test_a_run_goes_with_its_session():
-    page = press(opened(**ENDLESS), "Learn")
-    wait(page, lambda page: "curve" in pictures(page))
-    watched = runs_of(page).get(link(page)["run"])
-    runs_of(page).__del__()
-    assert watched._run.finished
-    assert not watched._folder.exists()
 
 
 def test_seeds_are_drawn_as_bands_and_can_be_looked_at_one_by_one():

@@ -209,3 +209,28 @@ def test_nor_does_it_end_what_comes_after_many_states():
     whole = roll_out(Pushing(), "CartPole-v1", 0, horizon=600, limited=False, spaces=False)
     assert len(whole) == 600
     np.testing.assert_array_equal(found.observations[1], whole.observations[299])
+
+
+def test_progress_counts_the_steps_to_the_state_as_well():
+    """Three steps to the state and five after it: what leads there takes as long as what follows."""
+    agent, heard = made("two_branch"), []
+    rollout = roll_out(made("CartPole-v1"), "CartPole-v1", 7, horizon=30)
+    continue_from(made("CartPole-v1"), rollout, 3, count=2, steps=5, progress=lambda done, of: heard.append((done, of)))
+    assert heard == [(done, 8) for done in range(1, 9)]
+    heard.clear()
+    outcomes_of_states(
+        agent, "two_branch", episodes=3, each=1, steps=4, progress=lambda done, of: heard.append((done, of))
+    )
+    assert {of for _, of in heard} == {3 * 8}  # episodes of at most twice the steps
+    assert [done // 8 for done, _ in heard] == sorted(done // 8 for done, _ in heard)
+    assert len(heard) > 3
+
+
+def test_work_under_way_can_be_ended_on_the_way_to_its_state():
+    rollout = roll_out(made("CartPole-v1"), "CartPole-v1", 7, horizon=30)
+
+    def end(done: int, of: int) -> None:
+        raise InterruptedError(done)
+
+    with pytest.raises(InterruptedError, match="1"):
+        continue_from(made("CartPole-v1"), rollout, 5, count=2, steps=5, progress=end)

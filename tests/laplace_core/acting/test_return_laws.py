@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 import json
 
+import gymnasium
 import numpy as np
 import pytest
 import torch
@@ -197,3 +198,25 @@ def test_whoever_watches_a_simulation_does_not_change_it():
     watched = simulate_returns(agent, rollout, 0, 1, progress=lambda done, of: heard.append((done, of)))
     np.testing.assert_array_equal(watched.returns, simulate_returns(agent, rollout, 0, 1).returns)
     assert heard
+
+
+def test_returns_are_of_the_agent_s_own_policy_whatever_rule_the_episode_has():
+    """Held against the environment itself, played by hand: the pole stands for long, where random actions drop it."""
+    agent = Pushing()
+    rollout = roll_out(made(DqnSettings), "CartPole-v1", 5, rule="random")
+    step, action = len(rollout) // 2, 1
+    env = gymnasium.make("CartPole-v1", max_episode_steps=-1)
+    env.reset(seed=5)
+    for past in rollout.actions[:step]:
+        env.step(int(past))
+    wanted, over = 0.0, False
+    for t in range(steps_until_cut(0.9)):
+        if over:
+            break
+        seen, reward, over, _, _ = env.step(action)
+        wanted += 0.9**t * reward
+        action = int(agent.action_values(seen[None], 0)[0].argmax())
+    env.close()
+    found = simulate_returns(agent, rollout, step, 1)
+    np.testing.assert_allclose(found.returns, [wanted], rtol=1e-12)
+    assert wanted > sum(0.9**t for t in range(len(rollout) - step)) + 0.5

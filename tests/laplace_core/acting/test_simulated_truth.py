@@ -13,6 +13,7 @@ from laplace_core.acting.continuations import Continuations, outcomes_of_states
 from laplace_core.acting.simulated_truth import confront, confront_states, empirical
 from laplace_core.agents import LaplaceSettings
 from laplace_core.code.encoding import reward_distance, theta_midpoints
+from laplace_core.code.interpolation import with_added
 from laplace_core.inverse import decode
 from laplace_core.study.horizon import expected_rewards
 from laplace_core.training.checkpoint import new_agent
@@ -69,6 +70,18 @@ def test_one_that_is_a_step_late_is_off_by_what_it_misses(simulated):
     assert found.distance[0] == pytest.approx(1.0, abs=1e-3)
     assert found.distance[4] == pytest.approx(0.5, abs=1e-3)
     assert found.survival[0] == pytest.approx(0.0, abs=1e-3)
+
+
+@pytest.mark.parametrize("added", [1, 3])
+def test_added_discounts_are_decoded_as_the_more_that_they_are(simulated, added):
+    """They used to be held against the discounts that the agent has learned, and did not fit."""
+    space = with_added(exact_space(simulated.rewards, simulated.alive), added)
+    assert len(space.gammas) == len(GAMMAS) + (len(GAMMAS) - 1) * added
+    found = confront(HARD, space, 1, simulated, alpha=1e-2)
+    tau_space = decode(space.differences[1], space.gammas, K, 1e-2)
+    np.testing.assert_allclose(found.reward, expected_rewards(tau_space, theta_midpoints(THETAS)))
+    np.testing.assert_allclose(found.survival, decode(space.constant[1][:, None], space.gammas, K, 1e-2)[:, 0])
+    assert found.calibration.counts.sum() == simulated.rewards.size * len(THETAS)
 
 
 def atoms(places, masses):
