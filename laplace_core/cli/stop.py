@@ -8,7 +8,8 @@ from typing import Any
 
 
 class Stop:
-    """Asks a run to end at its next step on SIGTERM or Ctrl-C; the second one ends it at once.
+    """Asks a run to end at its next step on SIGTERM, which may be repeated, or Ctrl-C, of which the second ends it at
+    once.
 
     Attributes:
         asked: the number of the signal; 0 before there was one.
@@ -30,4 +31,5 @@ class Stop:
 
     def _ask(self, number: int, _: object) -> None:
         self.asked = number
-        self.__exit__()
+        if number == signal.SIGINT:
+            signal.signal(number, self._before[number])

@@ -13,12 +13,11 @@ import torch
 
 from laplace_core.acting.evaluation import Scores, evaluate
 from laplace_core.agents.settings import LoopSettings
-from laplace_core.environments import GYMNASIUM
 from laplace_core.environments.vector import Environments, make
 from laplace_core.training import memory
 from laplace_core.training.checkpoint import new_agent, save_checkpoint
 from laplace_core.training.events import Checkpoint, Episode, Evaluation, Event, Resumed, Step
-from laplace_core.training.replay import Replay
+from laplace_core.training.replay import buffer_of
 from laplace_core.training.resume_point import arrays_of, restore_agent
 from laplace_core.training.run_folder import RunFolder
 
@@ -62,23 +61,6 @@ def train(
         yield from run.events(resume=resume, stop=stop or (lambda: False))
     finally:
         run.close()
-
-
-def buffer_of(settings: LoopSettings, observation: int) -> Replay:
-    """The empty replay buffer of a run.
-
-    Args:
-        observation: numbers in an observation.
-    """
-    return Replay(
-        settings.buffer,
-        settings.rings,
-        observation,
-        n_step=settings.n_step,
-        own=settings.own_experience,
-        exponent=settings.priority_exponent if settings.prioritised else None,
-        one_hot=settings.environment not in GYMNASIUM,  # states of a tabular world
-    )
 
 
 class _Run:

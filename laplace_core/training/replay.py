@@ -12,6 +12,8 @@ import numpy as np
 import torch
 
 from laplace_core.agents.agent import Batch
+from laplace_core.agents.settings import LoopSettings
+from laplace_core.environments import GYMNASIUM
 from laplace_core.errors import InputError
 from laplace_core.training.checkpoint import check_tensors
 from laplace_core.training.sum_tree import SumTree
@@ -217,3 +219,20 @@ class Replay:
         if arrays.get("priorities", np.zeros(())).shape == (self.rings * self.length,):
             arrays["priorities"] = arrays["priorities"].reshape(self.rings, -1)
         return arrays
+
+
+def buffer_of(settings: LoopSettings, observation: int) -> Replay:
+    """The empty replay buffer of a run.
+
+    Args:
+        observation: numbers in an observation.
+    """
+    return Replay(
+        settings.buffer,
+        settings.rings,
+        observation,
+        n_step=settings.n_step,
+        own=settings.own_experience,
+        exponent=settings.priority_exponent if settings.prioritised else None,
+        one_hot=settings.environment not in GYMNASIUM,  # states of a tabular world
+    )

@@ -6,8 +6,9 @@ import numpy as np
 import torch
 
 from laplace_core.agents.agent import Agent
-from laplace_core.training.checkpoint import check_tensors
-from laplace_core.training.replay import LARGEST_NUMBER, Replay
+from laplace_core.agents.settings import LoopSettings
+from laplace_core.training.checkpoint import check_tensors, new_agent
+from laplace_core.training.replay import LARGEST_NUMBER, Replay, buffer_of
 
 
 def arrays_of(agent: Agent, replay: Replay) -> dict[str, np.ndarray]:
@@ -15,10 +16,18 @@ def arrays_of(agent: Agent, replay: Replay) -> dict[str, np.ndarray]:
     return _agent_arrays(agent) | {f"replay.{name}": array for name, array in replay.arrays().items()}
 
 
-def bytes_of(agent: Agent, replay: Replay, transitions: int) -> int:
-    """Bytes of a resume point once so many transitions are stored, or as many as the buffer takes."""
-    stored = min(replay.length * replay.rings, transitions) * replay.bytes_of_transition
-    return sum(array.nbytes for array in _agent_arrays(agent).values()) + stored
+def bytes_of_run(settings: LoopSettings) -> int:
+    """Bytes that the files of a run take at the most: a resume point beside the one that it replaces, and two
+    checkpoints.
+
+    Raises:
+        InputError: settings that no agent can be made of.
+    """
+    agent = new_agent(settings)
+    replay = buffer_of(settings, agent.n_observations)
+    stored = min(replay.length * replay.rings, settings.steps + settings.rings) * replay.bytes_of_transition
+    weights = sum(tensor.numpy().nbytes for tensor in agent.target.state_dict().values())
+    return 2 * (sum(array.nbytes for array in _agent_arrays(agent).values()) + stored) + 2 * weights
 
 
 def _agent_arrays(agent: Agent) -> dict[str, np.ndarray]:
