@@ -118,7 +118,8 @@ def start(words: Sequence[str], errors: Path) -> subprocess.Popen[bytes]:
         OSError: the file cannot be made, or the process not be started.
     """
     errors.unlink(missing_ok=True)
-    with open(errors, "xb") as file:  # never through a link that somebody put there
+    # Never through a link that somebody put there; at the end of the file, whoever else has written to it.
+    with open(errors, "xb", opener=lambda path, flags: os.open(path, flags | os.O_APPEND, 0o644)) as file:
         return subprocess.Popen(
             words,
             stdin=subprocess.DEVNULL,
