@@ -23,6 +23,7 @@ from laplace_core.cli.search import add_search
 from laplace_core.cli.train import add_train
 from laplace_core.code.ties import ROUNDING
 from laplace_core.errors import InputError
+from laplace_core.interrupt import LINE, STATUS, by_exception
 from laplace_core.study.artefacts import Artefact, find_artefacts
 from laplace_core.study.npz import read_gamma_space, save_study
 from laplace_core.study.pipeline import Study, study, study_of_gamma_space
@@ -44,11 +45,15 @@ def main(argv: Sequence[str] | None = None) -> int:
     if isinstance(sys.stdout, io.TextIOWrapper):  # a terminal without the letters of a name shows their numbers
         sys.stdout.reconfigure(errors="backslashreplace")
     try:
-        options = _parser().parse_args(_joined(sys.argv[1:] if argv is None else argv))
-        options.run(options)
+        with by_exception():
+            options = _parser().parse_args(_joined(sys.argv[1:] if argv is None else argv))
+            options.run(options)
     except InputError as error:
         print(f"laplace: {' '.join(str(error).split())}", file=sys.stderr)
         return 2
+    except KeyboardInterrupt:
+        print(LINE, file=sys.stderr)
+        return STATUS
     except BrokenPipeError:  # the reader of a pipe has seen enough
         sys.stderr.close()
     return 0
