@@ -20,10 +20,11 @@ from laplace_core.cli.race import add_race
 from laplace_core.cli.report import add_report
 from laplace_core.cli.reproduce import add_reproduce
 from laplace_core.cli.search import add_search
+from laplace_core.cli.stop import by_exception
 from laplace_core.cli.train import add_train
 from laplace_core.code.ties import ROUNDING
 from laplace_core.errors import InputError
-from laplace_core.interrupt import LINE, STATUS, by_exception
+from laplace_core.interrupt import LINE, STATUS
 from laplace_core.study.artefacts import Artefact, find_artefacts
 from laplace_core.study.npz import read_gamma_space, save_study
 from laplace_core.study.pipeline import Study, study, study_of_gamma_space
