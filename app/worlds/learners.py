@@ -59,12 +59,14 @@ class Watched:
         return self._run is None and not self._given_up and self._refused is None
 
     def _begin(self) -> None:
-        self._folder = Path(tempfile.mkdtemp(dir=_room()))
         try:
+            self._folder = Path(tempfile.mkdtemp(dir=_room()))
             self._run = start(self._world, self._settings, self._folder)
             _running.append(self._run)
         except InputError as error:
             self._refused = str(error)
+        except OSError:
+            self._refused = "this server has no temporary folder for what is learned: its owner may set TMPDIR to one."
 
     @property
     def running(self) -> bool:
