@@ -43,7 +43,7 @@ def runs(tmp_path, monkeypatch):
     found = training_runs.queue()
     yield found
     for one in found.runs():
-        found.stop(one.name)
+        found.end_at_once(one.name)
 
 
 @pytest.fixture
@@ -57,4 +57,4 @@ def still_runs(tmp_path, monkeypatch):
     made = Queue(tmp_path / "runs")
     yield made
     for run in made.runs():
-        made.stop(run.name)
+        made.end_at_once(run.name)

@@ -4,7 +4,6 @@ of one observation."""
 from __future__ import annotations
 
 import re
-import tempfile
 from collections.abc import Mapping
 from functools import cache
 from pathlib import Path
@@ -17,7 +16,7 @@ from laplace_core.agents.settings import ENVIRONMENTS, SETTINGS, algorithm_title
 from laplace_core.caching import cached
 from laplace_core.experiments.shipping import TrainingCurve, curves_of, manifest
 from laplace_core.parameters import Parameter
-from laplace_core.training.checkpoint import Loaded, load_checkpoint
+from laplace_core.training.checkpoint import Loaded, load_checkpoint, parse_checkpoint
 
 SHIPPED = Path(__file__).resolve().parents[2] / "checkpoints"
 RUN = "run:"  # prefix of the names of those that were trained here
@@ -133,10 +132,7 @@ def open_checkpoint(name: str, data: bytes) -> str:
     Raises:
         InputError: not such a file.
     """
-    with tempfile.TemporaryDirectory() as folder:
-        path = Path(folder) / (Path(name).name[-80:] or "upload.safetensors")
-        path.write_bytes(data)
-        loaded = load_checkpoint(path)
+    loaded = parse_checkpoint(data, Path(name).name[-80:] or "upload.safetensors")
     return session.keep_opened(loaded, data)
 
 

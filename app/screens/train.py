@@ -5,9 +5,11 @@ from __future__ import annotations
 import streamlit as st
 
 from app.catalogue import training_runs
+from app.components.owner import keep_owner
 from app.components.waiting import attempt
 from app.session import store
-from app.train import cards, form, pictures
+from app.session.limits import limits
+from app.train import cards, form, pictures, server
 from app.train.schema import LINK, OPENING
 from laplace_core.training.queue import Run
 
@@ -16,6 +18,8 @@ LOOK_EVERY = 1.0  # seconds between two looks at the runs, while one is going
 
 def page() -> None:
     store.open_page("train", LINK)
+    if limits().owners and not limits().read_only:
+        keep_owner()
     with st.sidebar:
         form.form()
     going = attempt(lambda: _going(training_runs.queue().runs()))
@@ -33,15 +37,19 @@ def _view(*, going: bool) -> None:
     runs = queue.runs()
     if any(run.going for run in runs):
         queue.wake()  # another server, that has ended since, may have left them in its queue
+    if queue.trouble:
+        st.error(f"The queue stands still for the moment: {queue.trouble}")
     if not runs:
         st.info("No run is here yet. A run trains in a process of its own: this page may be closed meanwhile.")
-        st.button("Train Laplace DQN on CartPole", type="primary", on_click=_first)
+        if not limits().read_only:
+            st.button("Train Laplace DQN on CartPole", type="primary", on_click=_first)
         pictures.shipped(str(store.chosen().get("environment", OPENING["environment"])))
         return
     looked = pictures.looked_at(runs)
     if looked is not None:
         pictures.pictures(runs, looked)
     cards.cards(runs, looked)
+    server.server(runs)
     if _going(runs) != going:  # a run began or the last one ended: look oftener, or no more
         st.rerun()
 

@@ -37,6 +37,9 @@ class Limits:
     learners: int = setting(2, 1, 1_000, "Tabular learners that may run at once, of all sessions together.")
     trainings: int = setting(2, 0, 1_000, "Training runs at once; others wait in the queue.")
     disk: int = setting(10_000, 1, 100_000_000, "Megabytes that the training runs may hold on disk.")
+    owners: bool = switch(
+        "Only the browser that started a training run may stop, resume, delete or download it.", default=True
+    )
     read_only: bool = switch("Nobody may start, stop, delete or download training runs.", default=False)
 
 

@@ -9,6 +9,7 @@ from html import escape
 from pathlib import Path
 
 import streamlit as st
+from streamlit.delta_generator import DeltaGenerator
 
 from app import session
 from app.catalogue import training_runs
@@ -16,6 +17,7 @@ from app.catalogue.names import capital, world_title
 from app.components.copy import copy_button
 from app.components.widgets import download
 from app.session import store
+from app.session.limits import limits
 from app.train import form
 from app.train.pictures import colour_of
 from app.train.schema import changed
@@ -25,7 +27,7 @@ from laplace_core.figures.theme import NEUTRAL
 from laplace_core.training.curves import Curves, metrics_csv
 from laplace_core.training.defaults import command_of
 from laplace_core.training.progress import Progress, read_progress
-from laplace_core.training.queue import FAILED, FINISHED, MOST_TRAINING, STOPPED, TRAINING, WAITING, Run
+from laplace_core.training.queue import FAILED, FINISHED, STOPPED, STOPPING, TRAINING, WAITING, Run
 
 SHOWN = 12
 """Cards before the button for all."""
@@ -40,22 +42,35 @@ class _Cards:
         everything: whether all runs have a card.
         to_open: name of the run that is to be opened on the other page.
         to_remove: names of the runs that are removed at the next, second, word.
+        placed: names of the runs by the place of their cards, as the browser was told last.
     """
 
     everything: bool = False
     to_open: str | None = None
     to_remove: set[str] = field(default_factory=set)
+    placed: dict[int, str] = field(default_factory=dict)
 
 
 def cards(runs: Sequence[Run], looked: Run | None) -> None:
     """All of them, two in a row."""
     shown = runs if session.part(_Cards).everything else runs[:SHOWN]
     for first in range(0, len(shown), 2):
-        for column, run in zip(st.columns(2, gap="small"), shown[first : first + 2], strict=False):
-            with column, st.container(border=True, key=f"run_{run.name}"):
+        pairs = zip(st.columns(2, gap="small"), shown[first : first + 2], strict=False)
+        for at, (column, run) in enumerate(pairs, first):
+            with _place(column, at, run.name).container(border=True, key=f"run_{run.name}"):
                 _card(runs, run, looked=run == looked)
     if len(runs) > len(shown):
         st.button(f"Show all {len(runs)} runs", on_click=_show_all)
+
+
+def _place(column: DeltaGenerator, at: int, name: str) -> DeltaGenerator:
+    """Where a card is drawn. If another run had the place before, the browser is told to take that card away first:
+    else it would keep its buttons in the new card until their turn comes, and a click on one run would reach another.
+    """
+    placed = session.part(_Cards).placed
+    moved = placed.get(at, name) != name
+    placed[at] = name
+    return column.empty() if moved else column
 
 
 def _show_all() -> None:
@@ -63,10 +78,12 @@ def _show_all() -> None:
 
 
 def _card(runs: Sequence[Run], run: Run, *, looked: bool) -> None:
+    mine = training_runs.may_change(run)
     if run.settings is None:
         _head(run, run.name, NEUTRAL, looked=False)
         st.html(f'<div class="run-error">{escape(capital(run.error or "it failed."))}</div>')
-        _more(run, None)
+        if mine:
+            _more(run, None)
         return
     settings, curves, progress = run.settings, training_runs.curves(run), read_progress(run.folder)
     title = f"{algorithm_title(settings.ALGORITHM)} · {world_title(settings.environment)} · seed {settings.seed}"
@@ -77,13 +94,19 @@ def _card(runs: Sequence[Run], run: Run, *, looked: bool) -> None:
     if run.error:
         st.html(f'<div class="run-error">{escape(capital(run.error or "it failed."))}</div>')
     with st.container(horizontal=True, gap="small"):
-        if run.going:
+        if not mine:
+            st.caption("Shown only." if limits().read_only else "Started in another browser.")
+        elif run.state == STOPPING:
+            st.button("End at once", key=f"end {run.name}", on_click=_do, args=("end_at_once", run.name),
+                      help="Without waiting for its resume point: it can go on from the one before.")  # fmt: skip
+        elif run.going:
             st.button("Cancel", key=f"cancel {run.name}", on_click=_do, args=("stop", run.name))
         elif run.state in (STOPPED, FAILED):
             st.button("Resume", key=f"resume {run.name}", on_click=_do, args=("resume", run.name))
         st.button("Show", key=f"show {run.name}", on_click=form.show, args=(run.name,), disabled=looked)
         _open(run)
-        _more(run, curves)
+        if mine:
+            _more(run, curves)
 
 
 def _head(run: Run, title: str, colour: str, *, looked: bool) -> None:
@@ -103,7 +126,9 @@ def _progress(run: Run, progress: Progress | None, curves: Curves) -> tuple[floa
     step = of if run.state == FINISHED else step
     words = [f"{step:,} of {of:,} steps"]
     if run.state == WAITING:
-        words.append(f"waits for one of the {MOST_TRAINING} places")
+        words.append(f"waits for one of the {limits().trainings} places")
+    elif run.state == STOPPING:
+        words.append("its resume point is being written")
     elif run.state == TRAINING and not reported:
         words.append("starting" if not step else "first episodes")
     if run.state == TRAINING and progress and progress.steps_per_second:
@@ -140,8 +165,7 @@ def _different(run: Run) -> str:
 def _do(what: str, name: str) -> None:
     """Callback: something that the queue does with a run."""
     try:
-        action: Callable[[str], None] = getattr(training_runs.queue(), what)
-        action(name)
+        training_runs.change(what, name)
     except InputError as error:
         st.toast(str(error))
 
@@ -198,5 +222,6 @@ def _remove(name: str) -> None:
 
 
 def _file(label: str, path: Path, name: str, read: Callable[[Path], bytes] = Path.read_bytes) -> None:
+    """A file of a run to be taken along, if it is there and not too large."""
     if path.is_file() and not path.is_symlink() and path.stat().st_size <= _MOST_DOWNLOAD:
         download(label, lambda: read(path), name, width="stretch", key=f"file {name}")

@@ -11,6 +11,7 @@ from app.catalogue import training_runs
 from app.catalogue.names import capital, world_title
 from app.components.widgets import field, select
 from app.session import store
+from app.session.limits import limits, may_train
 from app.session.url import by_name
 from app.train.schema import FORM, OPENING, TRAIN, fields, suited, wanted
 from laplace_core import InputError
@@ -26,11 +27,20 @@ _SEED, _COUNT = by_name(*LOOP_SCHEMA)["seed"], by_name(*FORM)["count"]
 
 def form() -> None:
     """All of it; a change is kept by hand and shows in the link, the button starts what is set."""
+    if limits().read_only:
+        st.info("This server shows runs and starts none.")
+        return
     values = store.chosen()
     key = store.show("algorithm", OPENING["algorithm"])
     select("Algorithm", tuple(SETTINGS), key, algorithm_title, keep=_change_algorithm)
     key = store.show("environment", OPENING["environment"])
-    select("Environment", ENVIRONMENTS, key, world_title, keep=_change_environment)
+    select(
+        "Environment",
+        [each for each in ENVIRONMENTS if may_train(each) or each == values.get("environment")],
+        key,
+        world_title,
+        keep=_change_environment,
+    )
     usual, refused = suited(values), None
     try:
         shown = wanted(values)
@@ -110,7 +120,7 @@ def start() -> None:
     try:
         for extra in range(int(values.get("count", 1))):
             seed = int(values.get(f"{TRAIN}seed", 0)) + extra
-            name = training_runs.queue().add(wanted(values | {f"{TRAIN}seed": seed}))
+            name = training_runs.begin(wanted(values | {f"{TRAIN}seed": seed}))
             started = started or name
     except InputError as error:
         session.current().refusals[_FORM] = capital(str(error))

@@ -59,7 +59,12 @@ class Work:
             InputError: the process cannot start, or ended by itself without finishing.
         """
         _at_work[self._key] = self
-        folder = Path(tempfile.mkdtemp(dir=_room()))
+        try:
+            folder = Path(tempfile.mkdtemp(dir=_room()))
+        except OSError:
+            raise InputError(
+                "this server has no temporary folder for what is learned: its owner may set TMPDIR to one."
+            ) from None
         try:
             run = self._run = start(self._world, self._settings, folder)
             while not run.finished:

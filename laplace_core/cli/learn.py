@@ -5,9 +5,7 @@ from __future__ import annotations
 import argparse
 import json
 import os
-import signal
 import sys
-import threading
 import time
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
@@ -68,7 +66,7 @@ def run_learn(options: argparse.Namespace) -> None:
     if options.world.lower().endswith((".npz", ".safetensors")):
         raise InputError(f"{options.world[:60]} is no world: learn a preset, a world file (.json) or gym:NAME.")
     learning = Learning(load_world(options.world, named_params(options.param)), settings)
-    with _ended_by_signal(), _reporters(options) as reporters:
+    with _reporters(options) as reporters:
         learned = _learn(learning, options.out, reporters, options.parent)
     print(json.dumps(summary(learned)) if options.json else report(learned, learning.progress))
 
@@ -102,26 +100,6 @@ def _report_and_save(
         save_learned(learned, out)
     for reporter in reporters:  # after the file, so that it is there for whoever reads of the end
         reporter(learning.progress)
-
-
-@contextmanager
-def _ended_by_signal() -> Iterator[None]:
-    """SIGTERM as an exception: what is being written is dropped, and files keep their last whole state."""
-    if threading.current_thread() is not threading.main_thread():  # only the main thread may
-        yield
-        return
-
-    def end(number: int, _frame: object) -> None:
-        raise SystemExit(128 + number)
-
-    before = signal.signal(signal.SIGTERM, end)
-    try:
-        yield
-    except KeyboardInterrupt:
-        print(file=sys.stderr)
-        raise SystemExit(130) from None
-    finally:
-        signal.signal(signal.SIGTERM, before)
 
 
 @contextmanager

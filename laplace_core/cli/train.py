@@ -5,26 +5,29 @@ from __future__ import annotations
 import argparse
 import json
 import os
+import signal
 import sys
 import time
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from laplace_core.agents.settings import SETTINGS
-from laplace_core.cli.options import add_parameters
+from laplace_core.cli.options import add_parameters, checked_number
 from laplace_core.cli.stop import Stop
 from laplace_core.environments import ENVIRONMENTS
 from laplace_core.errors import InputError
+from laplace_core.supervise import Process
 from laplace_core.training.defaults import name_of, settings_of
 from laplace_core.training.events import Checkpoint, Episode, Evaluation, Resumed, Step
+from laplace_core.training.job import asked_to_stop
 from laplace_core.training.progress import ProgressFile
 from laplace_core.training.run_folder import read_config
 
-if TYPE_CHECKING:  # these bring torch along
-    pass
-
 REPORT_EVERY = 0.5
 """Seconds between two lines of progress."""
+LOOK_EVERY = 0.5
+"""Seconds between two looks for a file that asks for the end."""
+_CLOCK = 2.0  # seconds by which the birth of a process is known
 _RECENT = 50  # episodes in the mean return of the progress line
 
 
@@ -42,6 +45,9 @@ def add_train(verbs: argparse._SubParsersAction[argparse.ArgumentParser]) -> Non
     train.add_argument("environment_name", nargs="?", metavar="ENVIRONMENT", help=f"one of {', '.join(ENVIRONMENTS)}")
     train.add_argument("--run", metavar="FOLDER", dest="folder", help="where the run is kept (default: runs/...)")
     train.add_argument("--resume", metavar="FOLDER", help="go on with the run in this folder")
+    train.add_argument(
+        "--disk", metavar="MEGABYTES", help="that all runs of the folder which the run's own is in may hold together"
+    )
     train.add_argument("--json", action="store_true", help="print events as JSON lines")
     parameters = {p.name: p for kind in SETTINGS.values() for p in kind.SCHEMA if p.name != "environment"}
     add_parameters(train, parameters.values())
@@ -54,6 +60,7 @@ def run_train(options: argparse.Namespace) -> None:
 
     names = {p.name for kind in SETTINGS.values() for p in kind.SCHEMA}
     given = {name: value for name, value in vars(options).items() if name in names and value is not None}
+    most = None if options.disk is None else 10**6 * checked_number("disk", options.disk, int, 1, high=10**8)
     if options.resume:
         if options.algorithm or options.folder or given:
             raise InputError("--resume goes on with the settings of the run: leave out everything else.")
@@ -65,8 +72,9 @@ def run_train(options: argparse.Namespace) -> None:
     progress = _Json() if options.json else _Line(folder, settings.steps)
     file, step = ProgressFile(folder, settings.steps), 0
     with Stop() as stop:
+        asked = _Request(folder, stop)
         new = None if options.resume else settings
-        for event in train(new, folder, resume=bool(options.resume), stop=lambda: bool(stop.asked)):
+        for event in train(new, folder, resume=bool(options.resume), stop=asked.came, most_bytes=most):
             progress.show(event)
             step = event.step
             file.at(step)
@@ -77,6 +85,23 @@ def run_train(options: argparse.Namespace) -> None:
         print(f"stopped; laplace train --resume {folder} goes on from there", file=sys.stderr, flush=True)
         sys.stdout.flush()
         os._exit(128 + stop.asked)  # everything is written; to take torch apart would need seconds
+
+
+class _Request:
+    """The request to end a run, by a signal or by a file in its folder."""
+
+    def __init__(self, folder: Path, stop: Stop):
+        self._folder, self._stop = folder, stop
+        self._since = Process.of(os.getpid()).started - _CLOCK
+        self._looked = 0.0
+
+    def came(self) -> bool:
+        now = time.monotonic()
+        if not self._stop.asked and now - self._looked >= LOOK_EVERY:
+            self._looked = now
+            if asked_to_stop(self._folder, self._since):
+                self._stop.asked = signal.SIGTERM
+        return bool(self._stop.asked)
 
 
 class _Json:

@@ -21,6 +21,7 @@ from laplace_core.cli.race import add_race
 from laplace_core.cli.report import add_report
 from laplace_core.cli.reproduce import add_reproduce
 from laplace_core.cli.search import add_search
+from laplace_core.cli.stop import by_exception
 from laplace_core.cli.study import add_study
 from laplace_core.cli.subject import add_subject, study_of_options
 from laplace_core.cli.sweep import add_sweep
@@ -28,6 +29,7 @@ from laplace_core.cli.train import add_train
 from laplace_core.cli.train_inverse import add_train_inverse
 from laplace_core.code.ties import ROUNDING
 from laplace_core.errors import InputError
+from laplace_core.interrupt import LINE, STATUS
 from laplace_core.study.artefacts import Artefact, find_artefacts
 from laplace_core.study.npz import save_study
 from laplace_core.study.pipeline import Study
@@ -49,11 +51,15 @@ def main(argv: Sequence[str] | None = None) -> int:
     if isinstance(sys.stdout, io.TextIOWrapper):  # a terminal without the letters of a name shows their numbers
         sys.stdout.reconfigure(errors="backslashreplace")
     try:
-        options = _parser().parse_args(_joined(sys.argv[1:] if argv is None else argv))
-        options.run(options)
+        with by_exception():
+            options = _parser().parse_args(_joined(sys.argv[1:] if argv is None else argv))
+            options.run(options)
     except InputError as error:
         print(f"laplace: {' '.join(str(error).split())}", file=sys.stderr)
         return 2
+    except KeyboardInterrupt:
+        print(LINE, file=sys.stderr)
+        return STATUS
     except BrokenPipeError:  # the reader of a pipe has seen enough
         sys.stderr.close()
     return 0

@@ -12,10 +12,8 @@ import contextlib
 import hashlib
 import itertools
 import json
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from concurrent.futures import ProcessPoolExecutor
+from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
-from multiprocessing import get_context
 from pathlib import Path
 from typing import Any
 
@@ -25,6 +23,7 @@ from laplace_core.agents.settings import LoopSettings
 from laplace_core.errors import InputError
 from laplace_core.experiments.training import evaluated, seconds_behind
 from laplace_core.files.atomic import write_whole
+from laplace_core.supervise import in_processes
 from laplace_core.training.checkpoint import load_checkpoint
 from laplace_core.training.defaults import settings_of
 from laplace_core.training.loop import train
@@ -91,9 +90,15 @@ def search(
     planned = [
         settings_for(algorithm, environment, common, trial, seed=seed) for trial in tried for seed in range(seeds)
     ]
-    with _started(planned, folder, jobs) as results:
+    # A value that is the file's own makes the unchanged settings once more: one run must have one process.
+    each = list(dict.fromkeys(planned))
+    with contextlib.closing(in_processes(partial(_score, folder=folder), each, jobs)) as results:
+        known: dict[LoopSettings, tuple[float, float | None, float]] = {}
         for i, trial in enumerate(tried):
-            scores, errors, seconds = zip(*(result() for result in results[i * seeds : (i + 1) * seeds]), strict=True)
+            wanted = planned[i * seeds : (i + 1) * seeds]
+            while any(settings not in known for settings in wanted):
+                known[each[len(known)]] = next(results)
+            scores, errors, seconds = zip(*(known[settings] for settings in wanted), strict=True)
             row = {"trial": trial, "scores": scores, "median": float(np.median(scores)), "value_errors": errors}
             rows.append(row | {"seconds": round(sum(seconds), 1)})
             about = {
@@ -105,22 +110,6 @@ def search(
             }
             write_whole(folder / RESULTS, (json.dumps(about, indent=1) + "\n").encode())
             yield rows[-1]
-
-
-@contextlib.contextmanager
-def _started(planned: Sequence[LoopSettings], folder: Path, jobs: int) -> Iterator[list[Callable[[], tuple[Any, ...]]]]:
-    """For each training a call that answers with what :func:`_score` does, as soon as it is known."""
-    if jobs == 1:
-        yield [partial(_score, settings, folder) for settings in planned]
-        return
-    with ProcessPoolExecutor(jobs, get_context("spawn")) as pool:
-        try:
-            # A value that is the file's own makes the unchanged settings once more: one run must have one process.
-            futures = {settings: pool.submit(_score, settings, folder) for settings in dict.fromkeys(planned)}
-            yield [futures[settings].result for settings in planned]
-        except BaseException:
-            pool.shutdown(cancel_futures=True)
-            raise
 
 
 def command(

@@ -39,8 +39,14 @@ def read_tensors(path: str | Path, limit: int) -> tuple[dict[str, np.ndarray], d
     Raises:
         InputError: no file, or not one that :func:`write_tensors` could have written.
     """
-    name = repr(Path(path).name or str(path))
-    file = parse_tensor_file(read_bytes(path, name, most_bytes=limit), name, most_bytes=limit, most_header=MAX_HEADER)
+    name = Path(path).name or str(path)
+    return parse_tensors(read_bytes(path, repr(name), most_bytes=limit), name, limit)
+
+
+def parse_tensors(data: bytes, name: str, limit: int) -> tuple[dict[str, np.ndarray], dict[str, Any]]:
+    """The same from the content of a file of this name."""
+    name = repr(name)
+    file = parse_tensor_file(data, name, most_bytes=limit, most_header=MAX_HEADER)
     about = _about(file.metadata, name)
     return file.load(_DTYPES), about
 

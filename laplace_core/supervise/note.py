@@ -14,7 +14,7 @@ import psutil
 from laplace_core.errors import InputError
 from laplace_core.files.atomic import write_whole
 from laplace_core.files.strict_json import parse_json
-from laplace_core.supervise.process import Process
+from laplace_core.supervise.process import Process, here
 
 FILE = "process.json"
 PLAIN = os.O_RDONLY
@@ -22,7 +22,7 @@ PLAIN = os.O_RDONLY
 for _flag in ("O_NOFOLLOW", "O_NONBLOCK", "O_BINARY"):
     PLAIN |= getattr(os, _flag, 0)
 _MOST_BYTES = 10_000
-_MOST_ERRORS = 1_000_000
+_MOST_ERRORS = 10_000
 
 
 def write_process(folder: Path, process: Process) -> None:
@@ -35,14 +35,14 @@ def read_process(folder: Path) -> Process | None:
     text = read_small(folder / FILE, _MOST_BYTES)
     try:
         about = parse_json(text or "", FILE)
-        pid, started = about["pid"], about["started"]
-    except (InputError, TypeError, KeyError):
+        pid, started, place = about["pid"], about["started"], about.get("place", here())
+    except (InputError, TypeError, KeyError, AttributeError):
         return None
     if isinstance(started, str):
         started = _started_in_0_2(started)
     if type(pid) is not int or not 1 < pid < 2**31 or type(started) not in (int, float) or not 0 <= started < 1e12:
         return None
-    return Process(pid, float(started))
+    return Process(pid, float(started), place) if isinstance(place, str) else None
 
 
 def _started_in_0_2(word: str) -> float:
@@ -70,9 +70,25 @@ def read_small(path: Path, most: int) -> str | None:
         return None
 
 
+def _tail(path: Path, most: int) -> bytes:
+    """The last bytes of a plain file, at most so many; none of anything else."""
+    try:
+        handle = os.open(path, PLAIN)
+        try:
+            status = os.fstat(handle)
+            if not stat.S_ISREG(status.st_mode):
+                return b""
+            os.lseek(handle, max(0, status.st_size - most), os.SEEK_SET)
+            return os.read(handle, most)
+        finally:
+            os.close(handle)
+    except OSError:
+        return b""
+
+
 def last_line(errors: Path) -> str:
     """The last line of a process's error messages, at most 300 characters; empty if there are none."""
-    lines = (read_small(errors, _MOST_ERRORS) or "").strip().splitlines()
+    lines = _tail(errors, _MOST_ERRORS).decode(errors="replace").strip().splitlines()
     return " ".join(lines[-1].split())[:300] if lines else ""
 
 

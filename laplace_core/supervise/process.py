@@ -1,13 +1,16 @@
-"""A process of this machine: its number and start time, so that another process with a reused number differs."""
+"""A process: its number, its start time, so that another process with a reused number differs, and where it runs, so
+that one of another container or machine differs as well."""
 
 from __future__ import annotations
 
 import contextlib
 import os
+import platform
 import subprocess
 import time
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from functools import cache
 from pathlib import Path
 
 import psutil
@@ -22,16 +25,27 @@ _SAME = 2.0
 """Seconds by which two readings of the time of birth may differ: the system knows its own start to a second only."""
 
 
+@cache
+def here() -> str:
+    """The place within which numbers of processes mean the same: a container has numbers of its own."""
+    with contextlib.suppress(OSError, AttributeError):
+        boot = Path("/proc/sys/kernel/random/boot_id").read_text(encoding="ascii").strip()
+        return f"{boot} {os.readlink('/proc/self/ns/pid')}"
+    return platform.node()
+
+
 @dataclass(frozen=True)
 class Process:
     """A process, running or ended.
 
     Attributes:
         started: when it began, in seconds since 1970; 0 if it was already over when this object was made.
+        place: where its number is valid, see :func:`here`.
     """
 
     pid: int
     started: float
+    place: str = field(default_factory=here)
 
     @classmethod
     def of(cls, pid: int) -> Process:
@@ -39,17 +53,31 @@ class Process:
         return cls(pid, _began(_running(pid)))
 
     @property
+    def near(self) -> bool:
+        """Whether it can be seen and ended from here; of one in another container nothing is known."""
+        return self.place == here()
+
+    @property
     def alive(self) -> bool:
-        """Whether it still runs; a zombie, which its parent has not waited for yet, does not."""
+        """Whether it runs here; a zombie, which its parent has not waited for yet, does not."""
         return self._running_process() is not None
 
     def _running_process(self) -> psutil.Process | None:
-        process = _running(self.pid)
+        process = _running(self.pid) if self.near else None
         return process if process is not None and abs(_began(process) - self.started) < _SAME else None
 
     def same(self, other: Process | None) -> bool:
         """Whether both are one process."""
-        return other is not None and self.pid == other.pid and abs(self.started - other.started) < _SAME
+        if other is None or (self.pid, self.place) != (other.pid, other.place):
+            return False
+        return abs(self.started - other.started) < _SAME
+
+    def ask(self) -> None:
+        """Ask this process alone to end, and return at once; nothing happens if it is over."""
+        process = self._running_process()
+        if process is not None:
+            with contextlib.suppress(psutil.Error):  # it is over by now, or belongs to somebody else
+                process.terminate()
 
     def end(self, patience: float = PATIENCE) -> None:
         """Ask the process and all that it has started to end, then kill what is left; returns when they are gone.
@@ -90,7 +118,8 @@ def start(words: Sequence[str], errors: Path) -> subprocess.Popen[bytes]:
         OSError: the file cannot be made, or the process not be started.
     """
     errors.unlink(missing_ok=True)
-    with open(errors, "xb") as file:  # never through a link that somebody put there
+    # Never through a link that somebody put there; at the end of the file, whoever else has written to it.
+    with open(errors, "xb", opener=lambda path, flags: os.open(path, flags | os.O_APPEND, 0o644)) as file:
         return subprocess.Popen(
             words,
             stdin=subprocess.DEVNULL,

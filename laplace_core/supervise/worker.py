@@ -95,6 +95,10 @@ class Worker:
     def ended(self) -> bool:
         return not self.process.alive if self._child is None else self._child.poll() is not None
 
+    def ask(self) -> None:
+        """Ask the process to end, and return at once: it may have to write a file first."""
+        self.process.ask()
+
     def stop(self, patience: float = PATIENCE) -> None:
         """End the process and all that it has started; returns when they are gone.
 

@@ -16,7 +16,7 @@ from laplace_core.agents.agent import Agent
 from laplace_core.agents.registry import AGENTS
 from laplace_core.environments import vector
 from laplace_core.errors import InputError
-from laplace_core.files.tensor_file import read_tensors, write_tensors
+from laplace_core.files.tensor_file import parse_tensors, read_tensors, write_tensors
 
 MAX_BYTES = 64_000_000
 LARGEST_WEIGHT = 1e6
@@ -73,7 +73,16 @@ def save_checkpoint(path: str | Path, agent: Agent, step: int, score: float | No
 
 
 def load_checkpoint(path: str | Path) -> Loaded:
-    """Read a checkpoint from an untrusted source.
+    """Read a checkpoint from an untrusted source; see :func:`parse_checkpoint`.
+
+    Raises:
+        InputError: one sentence for whatever is wrong first.
+    """
+    return _checked(*read_tensors(path, MAX_BYTES), Path(path).name)
+
+
+def parse_checkpoint(data: bytes, name: str) -> Loaded:
+    """The checkpoint in the content of a file from an untrusted source.
 
     Before anything is used, names, shapes, types and finiteness of the arrays are compared with a network built from
     the settings, and the settings with their ranges and with the size of the file.
@@ -81,8 +90,10 @@ def load_checkpoint(path: str | Path) -> Loaded:
     Raises:
         InputError: one sentence for whatever is wrong first.
     """
-    arrays, about = read_tensors(path, MAX_BYTES)
-    name = Path(path).name
+    return _checked(*parse_tensors(data, name, MAX_BYTES), name)
+
+
+def _checked(arrays: dict[str, np.ndarray], about: dict[str, Any], name: str) -> Loaded:
     for field, kind in _FIELDS.items():
         if not isinstance(about.get(field), kind) or isinstance(about[field], bool):
             raise InputError(f"the metadata of {name!r} has no proper {field!r}.")

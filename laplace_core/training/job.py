@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
 from dataclasses import dataclass
 from functools import lru_cache
@@ -15,6 +16,7 @@ from laplace_core.supervise import read_small
 from laplace_core.training.run_folder import RUN_NAME, settings_from_json
 
 _MOST_CONFIG = 100_000  # bytes
+_REQUEST, _OWNER = "stop", "owner.json"
 
 
 @dataclass(frozen=True)
@@ -48,6 +50,38 @@ def write_job(path: Path, job: Job) -> None:
     write_whole(path / "job.json", json.dumps(vars(job)).encode())
 
 
+def ask_to_stop(path: Path) -> None:
+    """Ask whoever trains a run, in whatever container, to end it; nothing happens where no file can be made."""
+    with contextlib.suppress(OSError):
+        (path / _REQUEST).touch()
+
+
+def forget_request(path: Path) -> None:
+    with contextlib.suppress(OSError):
+        (path / _REQUEST).unlink(missing_ok=True)
+
+
+def asked_to_stop(path: Path, since: float) -> bool:
+    """Whether somebody has asked for the end of a run by a file, after a time in seconds since 1970."""
+    try:
+        return (path / _REQUEST).stat().st_mtime >= since
+    except OSError:
+        return False
+
+
+def write_owner(path: Path, owner: str) -> None:
+    write_whole(path / _OWNER, json.dumps({"owner": owner}).encode())
+
+
+def owner_of(path: Path) -> str | None:
+    """Whose run it is, as :meth:`laplace_core.training.queue.Queue.add` was told; None for a run that is nobody's."""
+    try:
+        owner = parse_json(read_small(path / _OWNER, 1_000) or "", _OWNER)["owner"]
+    except (InputError, TypeError, KeyError):
+        return None
+    return owner if isinstance(owner, str) else None
+
+
 def run_folders(folder: Path) -> list[Path]:
     try:
         return [path for path in folder.iterdir() if RUN_NAME.fullmatch(path.name) and is_run(path)]
@@ -56,8 +90,12 @@ def run_folders(folder: Path) -> list[Path]:
 
 
 def is_run(path: Path) -> bool:
+    """Whether a folder is a run's; one that may not be looked into is none."""
     config = path / "config.json"
-    return path.is_dir() and not path.is_symlink() and config.is_file() and not config.is_symlink()
+    try:
+        return path.is_dir() and not path.is_symlink() and config.is_file() and not config.is_symlink()
+    except OSError:
+        return False
 
 
 @lru_cache(maxsize=512)

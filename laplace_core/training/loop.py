@@ -17,7 +17,7 @@ from laplace_core.environments.vector import Environments, make
 from laplace_core.training import memory
 from laplace_core.training.checkpoint import new_agent, save_checkpoint
 from laplace_core.training.events import Checkpoint, Episode, Evaluation, Event, Resumed, Step
-from laplace_core.training.replay import Replay
+from laplace_core.training.replay import buffer_of
 from laplace_core.training.resume_point import arrays_of, restore_agent
 from laplace_core.training.run_folder import RunFolder
 
@@ -32,6 +32,7 @@ def train(
     *,
     resume: bool = False,
     stop: Callable[[], bool] | None = None,
+    most_bytes: int | None = None,
 ) -> Iterator[Event]:
     """Train an agent; files in ``run_folder`` follow the events.
 
@@ -43,14 +44,19 @@ def train(
         settings: may be None to resume.
         stop: called between two steps; when it returns True, the run ends with a resume point of that very step, which
             leaves no trace in its metrics.
+        most_bytes: that all runs of the folder which this one is in may hold on disk; None is as much as there is.
 
     Raises:
-        InputError: settings or a folder that do not fit.
+        InputError: settings or a folder that do not fit, or no room for a resume point; then the last one stays.
     """
-    folder = RunFolder(run_folder, settings, resume=resume)
-    torch.set_num_threads(folder.settings.threads)
-    memory.keep()
-    run = _Run(folder)
+    folder = RunFolder(run_folder, settings, resume=resume, most_bytes=most_bytes)
+    try:
+        torch.set_num_threads(folder.settings.threads)
+        memory.keep()
+        run = _Run(folder)
+    except BaseException:
+        folder.close()
+        raise
     try:
         yield from run.events(resume=resume, stop=stop or (lambda: False))
     finally:
@@ -69,14 +75,7 @@ class _Run:
         seeds = np.random.SeedSequence(s.seed).generate_state(s.rings + 1)
         self.random = self.agent.random = np.random.default_rng(int(seeds[-1]))
         self.envs = Environments([partial(make, s.environment)] * s.rings, (seeds[:-1] % _LARGEST_START).tolist())
-        self.replay = Replay(
-            s.buffer,
-            s.rings,
-            self.agent.n_observations,
-            n_step=s.n_step,
-            own=own,
-            exponent=s.priority_exponent if s.prioritised else None,
-        )
+        self.replay = buffer_of(s, self.agent.n_observations)
         self.heads = np.full(s.rings, self.agent.acting_head)
         self.returns = np.zeros(s.rings)
         self.losses = [0.0, 0]  # sum and count since the last episode

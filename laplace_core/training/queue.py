@@ -1,8 +1,9 @@
 """The queue of training runs in one folder: a few train at a time, each in a process of its own, and others wait.
 
 All that matters is on disk, so that another queue on the same folder, after a restart or beside this one, sees the
-same: who waits and in which order (``job.json`` in the folder of each run), who trains (``process.json``), why one
-failed (``errors.txt``). A process outlives the queue that started it, and the next queue finds it again.
+same: who waits and in which order (``job.json`` in the folder of each run), who trains (its lock and
+``process.json``), why one failed (``errors.txt``). A process outlives the queue that started it, and the next queue
+finds it again. Whatever is wrong with the files of one run is that run's failure, and the others go on.
 """
 
 from __future__ import annotations
@@ -13,26 +14,44 @@ import os
 import shutil
 import threading
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from pathlib import Path
 
 from filelock import FileLock
 
 from laplace_core.agents.settings import LoopSettings
 from laplace_core.errors import InputError
-from laplace_core.supervise import End, Worker, command, end_in, read_process
+from laplace_core.supervise import End, Process, Worker, command, end_in, is_taken, read_process
 from laplace_core.training.defaults import name_of
-from laplace_core.training.job import Job, born_at, is_run, read_job, run_folders, settings_in, write_job
+from laplace_core.training.disk import check_free, held
+from laplace_core.training.job import (
+    Job,
+    ask_to_stop,
+    born_at,
+    forget_request,
+    is_run,
+    read_job,
+    run_folders,
+    settings_in,
+    write_job,
+    write_owner,
+)
 from laplace_core.training.run_folder import RUN_NAME, new_run
 
 MOST_TRAINING = 2
 MOST_WAITING = 20
 EVERY = 0.4
 """Seconds between two looks at the runs, while one trains or waits."""
-_MOST_BUFFER = 2_000_000_000
+_STARTS_WITHIN = 60.0
+"""Seconds in which a process of another container may be on its way to take the lock of its run."""
+_LEAVES_WITHIN = 10.0
+"""Seconds that a process of another container is given to end before its files are removed."""
 
-WAITING, TRAINING, FINISHED, STOPPED, FAILED = "waiting", "training", "finished", "stopped", "failed"
+WAITING, TRAINING, STOPPING, FINISHED, STOPPED, FAILED = (
+    "waiting", "training", "stopping", "finished", "stopped", "failed",
+)  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -41,6 +60,7 @@ class Run:
 
     Attributes:
         settings: None if its folder holds none that can be read.
+        state: "stopping" from the request to end until its resume point is written and its process gone.
         place: in the queue, from 1; 0 if it does not wait.
         error: one sentence if it failed.
         born: when it was made, in seconds.
@@ -56,23 +76,44 @@ class Run:
 
     @property
     def going(self) -> bool:
-        return self.state in (WAITING, TRAINING)
+        return self.state in (WAITING, TRAINING, STOPPING)
+
+    @property
+    def at_work(self) -> bool:
+        """Whether it has a process."""
+        return self.state in (TRAINING, STOPPING)
 
 
 class Queue:
     """The runs in ``folder``.
 
+    Args:
+        most: runs that train at once.
+        most_bytes: that all runs may hold on disk; None is as much as there is.
+        allowed: whether an environment may be trained on.
+        read_only: runs are shown and nothing is changed: none is started, stopped or removed.
+
+    Attributes:
+        trouble: why the queue itself cannot go on for the moment, as one sentence; None while it can.
+
     Raises:
         InputError: a folder that cannot be made or written to.
     """
 
-    def __init__(self, folder: str | Path, most: int = MOST_TRAINING):
-        self.folder, self._most = Path(folder), most
+    def __init__(
+        self, folder: str | Path, most: int = MOST_TRAINING, *, most_bytes: int | None = None,
+        allowed: Callable[[str], bool] = lambda environment: True, read_only: bool = False,
+    ):  # fmt: skip
+        self.folder, self._most, self._most_bytes = Path(folder), most, most_bytes
+        self._allowed, self._read_only = allowed, read_only
+        self.trouble: str | None = None
         self._workers: dict[str, Worker] = {}
+        self._broken: dict[str, str] = {}  # why a run failed whose folder takes no note of it
         self._new = True
         self._turn = threading.RLock()
         self._thread: threading.Thread | None = None
-        self._make()
+        if not read_only:
+            self._make()
 
     def _make(self) -> None:
         try:
@@ -88,6 +129,8 @@ class Queue:
     @contextlib.contextmanager
     def _locked(self) -> Iterator[None]:
         """One at a time, among threads and among servers on the same folder."""
+        if self._read_only:
+            raise InputError("this server only shows runs: nothing can be started, stopped or removed here.")
         with self._turn:
             if not self.folder.is_dir():  # the lock would make it
                 raise self._refusal(FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT)))
@@ -125,21 +168,28 @@ class Queue:
         settings, refused = settings_in(path / "config.json", born)
         if settings is None:
             return Run(path.name, path, None, FAILED, 0, f"its settings cannot be read: {refused}", born), job
-        if process is not None and process.alive:
-            state = TRAINING
+        if _trains(path, process, job):
+            state = STOPPING if job.wanted == "stop" and job.begun else TRAINING
         elif (path / "last.safetensors").is_file():
             state = FINISHED
         else:
             state = {"run": WAITING, "fail": FAILED}.get(job.wanted, STOPPED)
+        if path.name in self._broken and state in (WAITING, STOPPED):
+            state, error = FAILED, self._broken[path.name]
         return Run(path.name, path, settings, state, 0, error if state == FAILED else None, born), job
 
-    def add(self, settings: LoopSettings) -> str:
+    def add(self, settings: LoopSettings, owner: str | None = None) -> str:
         """A new run, which begins when there is a place; returns its name.
 
+        Args:
+            owner: whose it is, in any form that is not secret; see :func:`laplace_core.training.job.owner_of`.
+
         Raises:
-            InputError: settings that no agent can be made of, the very run that is here already, or too many that wait.
+            InputError: settings that no agent can be made of or that this queue does not train, the very run that is
+                here already, too many that wait, or no room on the disk.
         """
         check_trainable(settings)
+        self._check_allowed(settings)
         self._make()  # it may have been deleted since
         with self._locked():
             runs = self.runs()
@@ -147,40 +197,98 @@ class Queue:
                 if run.settings == settings:
                     raise InputError(f"this very run is here already, as {run.name}: take another seed, or resume it.")
             _check_line(runs)
+            self._check_room(settings, [run for run in runs if run.going])
             path, taken = self.folder / name_of(settings), 1
             while path.exists() or path.is_symlink():
                 taken += 1
                 path = self.folder / f"{name_of(settings)}_{taken}"
             new_run(path, settings)
+            if owner is not None:
+                write_owner(path, owner)
             write_job(path, Job("run", time.time_ns()))
         self.wake()
         return path.name
 
     def resume(self, name: str) -> None:
-        """Let a run that was stopped or failed go on when there is a place."""
+        """Let a run that was stopped or failed go on when there is a place.
+
+        Raises:
+            InputError: no such run, one that this queue does not train, or too many that wait.
+        """
         with self._locked():
             run = self.get(name)
             if run.state in (STOPPED, FAILED) and run.settings is not None:
+                self._check_allowed(run.settings)
                 _check_line(self.runs())
+                self._broken.pop(name, None)
                 write_job(run.folder, Job("run", time.time_ns()))
         self.wake()
 
-    def stop(self, name: str) -> None:
-        """End a run within some two seconds, or take it out of the queue; it stays and can be resumed."""
+    def stop(self, name: str, patience: float | None = None) -> None:
+        """Ask a run to end, or take it out of the queue; it stays and can be resumed.
+
+        Its process writes a resume point first and is not disturbed, however long that takes.
+
+        Args:
+            patience: seconds to wait for its end; None waits until it comes.
+
+        Raises:
+            InputError: no such run, or a folder that takes no note; the process is asked to end all the same.
+        """
         with self._locked():
             run = self.get(name)
+            workers = self._workers_of(run)
+            for worker in workers:
+                worker.ask()
+            if run.at_work:
+                write_job(run.folder, Job("stop", 0, begun=True))
+            elif run.going:
+                write_job(run.folder, Job("stop", 0))
+        self.wake()
+        if run.at_work and self._wait(run.folder, patience):
+            with self._locked():
+                self._settle(run.folder)
+
+    def end_at_once(self, name: str) -> None:
+        """End a run that was asked to end and does not; it can be resumed from its last resume point.
+
+        Raises:
+            InputError: no such run, or one whose process is in another container and does not end when it is asked to.
+        """
+        with self._locked():
+            run = self.get(name)
+            workers = self._workers_of(run)
+            self._workers.pop(name, None)
             if run.going:
                 write_job(run.folder, Job("stop", 0))
-            # Ours, and the one that another server has started since.
-            workers = [self._workers.pop(name, None), Worker.noted(run.folder)]
         for worker in workers:
-            if worker is not None:
-                worker.stop()
+            worker.stop()
+        if not self._wait(run.folder, _LEAVES_WITHIN):
+            raise InputError(f"{name} is trained by another server: end it there, or wait until it has ended.")
         self.wake()
 
+    def _workers_of(self, run: Run) -> list[Worker]:
+        """Ours, and the one that another server has started since."""
+        return [worker for worker in (self._workers.get(run.name), Worker.noted(run.folder)) if worker is not None]
+
+    def _wait(self, path: Path, patience: float | None) -> bool:
+        """Wait until nobody trains a run any more, for so many seconds at the most; returns whether that is so."""
+        limit = None if patience is None else time.monotonic() + patience
+        while _trains(path, read_process(path), read_job(path)):
+            ask_to_stop(path)  # also where a signal does not reach it, in another container
+            if limit is not None and time.monotonic() >= limit:
+                return False
+            time.sleep(0.05)
+        forget_request(path)
+        return True
+
     def remove(self, name: str) -> None:
-        """End a run and delete its files."""
-        self.stop(name)
+        """End a run, without a resume point, and delete its files.
+
+        Raises:
+            InputError: no such run, or one that cannot be ended or deleted.
+        """
+        self.end_at_once(name)
         with self._locked():
             run = self.get(name)  # once more: somebody else may have removed or resumed it
             if run.going:
@@ -190,10 +298,32 @@ class Queue:
                 os.rename(run.folder, away)
             except OSError as error:
                 raise InputError(f"{name} cannot be removed: {(error.strerror or 'unknown error').lower()}.") from None
+            self._broken.pop(name, None)
             shutil.rmtree(away, ignore_errors=True)
+
+    def _check_allowed(self, settings: LoopSettings) -> None:
+        if not self._allowed(settings.environment):
+            raise InputError(f"this server does not train on {settings.environment}: choose another environment.")
+        if self._most < 1:
+            raise InputError("this server trains nothing: train on your own machine, by the command line.")
+
+    def _check_room(self, settings: LoopSettings, others: list[Run], folder: Path | None = None) -> None:
+        """Refuse a run whose files will not fit beside what is there and what other runs will still write.
+
+        Args:
+            folder: of the run, where it has one already.
+        """
+        pairs = [(run.settings, run.folder) for run in others if run.settings is not None]
+        needed = sum(
+            max(0, bytes_of_run(each) - (0 if path is None else held(path)))
+            for each, path in [(settings, folder), *pairs]
+        )
+        check_free(self.folder, needed, self._most_bytes)
 
     def wake(self) -> None:
         """Start the thread that begins runs as places become free, until none waits or trains any more."""
+        if self._read_only:
+            return
         with self._turn:
             if self._thread is None or not self._thread.is_alive():
                 self._thread = threading.Thread(target=self._attend, name="training queue", daemon=True)
@@ -203,9 +333,9 @@ class Queue:
         while True:
             with self._turn:
                 try:
-                    going = self.tick()
-                except (OSError, InputError):  # the folder is full or gone for the moment
-                    going = self.folder.is_dir()
+                    going, self.trouble = self.tick(), None
+                except (OSError, InputError) as error:  # the folder is full or gone for the moment
+                    going, self.trouble = self.folder.is_dir(), _sentence(error)
                 if not going:
                     self._thread = None
                     return
@@ -215,14 +345,19 @@ class Queue:
         """Record which runs have ended and start the next ones; returns whether any run still trains or waits."""
         with self._locked():
             for path in run_folders(self.folder):
-                self._settle(path)
+                try:
+                    self._settle(path)
+                except (OSError, InputError) as error:
+                    self._fail(path, error)
             self._new = False
             runs = self.runs()
-            free = self._most - sum(run.state == TRAINING for run in runs)
-            queued = sorted((run for run in runs if run.state == WAITING), key=lambda run: run.place)
-            for run in queued[: max(0, free)]:
-                if not read_job(run.folder).begun:  # else its process is ending, and the next look settles it
-                    self._start(run)
+            places = self._most - sum(run.at_work for run in runs)
+            for run in sorted((run for run in runs if run.state == WAITING), key=lambda run: run.place):
+                if places < 1:
+                    break
+                ending = read_job(run.folder).begun  # the next look settles it
+                if ending or self._start(run):
+                    places -= 1
         return any(run.going for run in runs)
 
     def _settle(self, path: Path) -> None:
@@ -234,10 +369,14 @@ class Queue:
         run, job = self._look(path)
         if job.wanted == "later" and self._new:
             write_job(path, Job("run", job.ticket))
-        if run.state != WAITING or not job.begun:
+        if run.state not in (WAITING, STOPPED) or not job.begun:
             return
         if worker is not None and end is None:
             return  # it is ending: its note of itself goes before it does
+        if job.wanted == "stop":
+            refusal = None if end is None else end.refusal  # as of a resume point that there is no room for
+            write_job(path, Job("stop", 0) if refusal is None else Job("fail", 0, error=refusal))
+            return
         end = end or end_in(path)
         if end.asked:
             write_job(path, Job("later", job.ticket))
@@ -245,14 +384,48 @@ class Queue:
         error = _why(end)
         write_job(path, Job("run", job.ticket) if error is None else Job("fail", 0, error=error))
 
-    def _start(self, run: Run) -> None:
-        write_job(run.folder, Job("run", read_job(run.folder).ticket, begun=True))
-        self._workers[run.name] = Worker.start(run.folder, _command(run.folder.resolve()))
+    def _start(self, run: Run) -> bool:
+        """Begin to train a run; returns whether it began. What keeps it from that is its failure."""
+        try:
+            assert run.settings is not None  # others do not wait
+            self._check_allowed(run.settings)
+            self._check_room(run.settings, [other for other in self.runs() if other.at_work], run.folder)
+            forget_request(run.folder)
+            write_job(run.folder, Job("run", read_job(run.folder).ticket, begun=True))
+            self._workers[run.name] = Worker.start(run.folder, _command(run.folder.resolve(), self._most_bytes))
+        except (OSError, InputError) as error:
+            self._fail(run.folder, error)
+            return False
+        return True
+
+    def _fail(self, path: Path, error: OSError | InputError) -> None:
+        """Note why a run cannot go on: in its folder, or, where that is what is wrong, here."""
+        try:
+            write_job(path, Job("fail", 0, error=_sentence(error)))
+        except (OSError, InputError):
+            self._broken[path.name] = _sentence(error)
 
 
-def _command(folder: Path) -> list[str]:
+def _sentence(error: OSError | InputError) -> str:
+    if isinstance(error, InputError):
+        return str(error)
+    name = Path(str(error.filename)).name if error.filename else "a file of the run"
+    return f"{name} cannot be used: {(error.strerror or 'unknown error').lower()}."
+
+
+def _trains(path: Path, process: Process | None, job: Job) -> bool:
+    """Whether a process works on a run, in whatever container."""
+    if (process is not None and process.alive) or is_taken(path):
+        return True
+    if process is None or process.near or not job.begun:
+        return False
+    return abs(time.time() - process.started) < _STARTS_WITHIN
+
+
+def _command(folder: Path, most_bytes: int | None) -> list[str]:
     """To resume a run that has not begun is to begin it."""
-    return command("train", "--resume", str(folder))
+    disk = [] if most_bytes is None else ["--disk", str(most_bytes // 10**6)]
+    return command("train", "--resume", str(folder), *disk)
 
 
 def _why(end: End) -> str | None:
@@ -277,9 +450,14 @@ def check_trainable(settings: LoopSettings) -> None:
 
     vector.make(settings.environment).close()
     new_agent(settings)
-    size = settings.buffer * (8 * vector.spec(settings.environment).observation + 18)
-    if size > _MOST_BUFFER:
-        raise InputError(f"these settings ask for a replay buffer of {size / 1e9:.1f} GB: lower buffer.")
+
+
+@lru_cache(maxsize=256)
+def bytes_of_run(settings: LoopSettings) -> int:
+    """Bytes that the files of a run take at the most; loads torch."""
+    from laplace_core.training import resume_point
+
+    return resume_point.bytes_of_run(settings)
 
 
 def _check_line(runs: list[Run]) -> None:

@@ -44,7 +44,7 @@ elif word == "vanish":
 
 def stand_in(monkeypatch) -> None:
     """Let queues start the stand-in."""
-    monkeypatch.setattr(queue, "_command", lambda folder: [sys.executable, "-c", _CHILD, str(folder)])
+    monkeypatch.setattr(queue, "_command", lambda folder, most_bytes: [sys.executable, "-c", _CHILD, str(folder)])
 
 
 def until(done: Callable[[], object], seconds: float = 60) -> None:

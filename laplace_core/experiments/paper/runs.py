@@ -13,7 +13,7 @@ from typing import Any
 from laplace_core.agents.settings import LoopSettings
 from laplace_core.errors import InputError
 from laplace_core.experiments.paper.experiment import Cell, Experiment, run_name, shortened
-from laplace_core.supervise import read_process
+from laplace_core.supervise import is_taken, read_process
 from laplace_core.training.progress import read_progress
 from laplace_core.training.run_folder import read_config, read_metrics
 
@@ -75,7 +75,7 @@ class Training:
     def busy(self) -> bool:
         """Whether a process trains it at this moment."""
         process = read_process(self.folder)
-        return process is not None and process.alive
+        return (process is not None and process.alive) or is_taken(self.folder)
 
     @property
     def step(self) -> int:

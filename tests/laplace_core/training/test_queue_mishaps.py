@@ -23,11 +23,13 @@ A, B = (f"laplace_two_branch_{seed}" for seed in range(2))
 
 
 def test_a_run_that_somebody_else_removes_or_resumes_meanwhile(still_runs, monkeypatch):
-    stop = Queue.stop
+    end = Queue.end_at_once
     added(still_runs, 1)
 
     def then(act):
-        monkeypatch.setattr(Queue, "stop", lambda self, name: (stop(self, name), act(Queue(still_runs.folder), name)))
+        monkeypatch.setattr(
+            Queue, "end_at_once", lambda self, name: (end(self, name), act(Queue(still_runs.folder), name))
+        )
 
     then(lambda other, name: other.resume(name))
     with pytest.raises(InputError) as refused:
@@ -38,7 +40,7 @@ def test_a_run_that_somebody_else_removes_or_resumes_meanwhile(still_runs, monke
     with pytest.raises(InputError) as refused:
         still_runs.remove(A)
     assert_one_sentence(str(refused.value), A)
-    monkeypatch.setattr(Queue, "stop", stop)
+    monkeypatch.setattr(Queue, "end_at_once", end)
     assert still_runs.add(SMALL) == A
     monkeypatch.setattr("os.rename", lambda *paths: (_ for _ in ()).throw(PermissionError(1, "Not permitted")))
     with pytest.raises(InputError) as refused:

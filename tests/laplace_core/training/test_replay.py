@@ -13,8 +13,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from laplace_core.environments.vector import Environments, make
+from laplace_core.errors import InputError
 from laplace_core.training.replay import Replay
 from laplace_core.training.sum_tree import SumTree
+from tests.support.hostile import assert_one_sentence
 
 
 class Script(gymnasium.Env):
@@ -147,11 +149,96 @@ def test_with_experience_of_their_own_each_discount_sees_one_environment():
 def test_what_was_kept_comes_back():
     replay, other = gathered(9, envs=2, exponent=0.6), Replay(1_000, 2, 1, exponent=0.6)
     replay.prioritise(np.array([[0], [3]]), np.array([5.0, 0.1]))
-    other.restore({name: array.copy() for name, array in replay.arrays().items()})
+    other.restore({name: array.copy() for name, array in replay.arrays().items()}, "kept")
     samples = [one.sample(64, np.random.default_rng(1), 0.5) for one in (replay, other)]
     for name in ("observations", "rewards", "terminated", "weights"):
         assert torch.equal(getattr(samples[0][0], name), getattr(samples[1][0], name))
     assert other.top == replay.top
+
+
+def one_hot(places) -> np.ndarray:
+    """Observations of a world of five states."""
+    return np.eye(5, dtype=np.float32)[places]
+
+
+def walked(replay: Replay, steps: int) -> Replay:
+    """Two environments that walk round five states, with a reward of its own for every step."""
+    for step in range(steps):
+        now, after = np.array([step % 5, (step + 2) % 5]), np.array([(step + 1) % 5, (step + 3) % 5])
+        over = np.array([step % 3 == 2, False])
+        replay.add(
+            np.array([True, True]), one_hot(now), np.array([0, 1]), np.array([step, -step]),
+            next_observations=one_hot(after), terminated=over, truncated=np.array([False, step % 4 == 3]),
+            elapsed=np.array([step % 3, step % 4]),
+        )  # fmt: skip
+    return replay
+
+
+@pytest.mark.parametrize("steps", [3, 9])
+@pytest.mark.parametrize("exponent", [None, 0.6])
+def test_places_of_one_hot_states_are_replayed_as_the_states_are(steps, exponent):
+    """Six transitions a ring; the slow twin keeps every number of an observation."""
+    kinds = [walked(Replay(12, 2, 5, n_step=2, exponent=exponent, one_hot=kind), steps) for kind in (True, False)]
+    (one, _), (other, _) = (replay.sample(64, np.random.default_rng(1), 0.5) for replay in kinds)
+    for name in vars(other):
+        assert torch.equal(getattr(one, name), getattr(other, name)), name
+        assert getattr(one, name).dtype == getattr(other, name).dtype
+    assert kinds[0].bytes_of_transition < kinds[1].bytes_of_transition
+
+
+def test_only_what_is_filled_is_saved():
+    """Of 245,000 places a ring 3 are filled."""
+    replay = walked(Replay(490_000, 2, 500), 0)
+    assert {array.shape[1] for array in replay.arrays().values() if array.ndim > 1} == {0}
+    small = walked(Replay(490_000, 2, 5), 3)
+    assert {array.shape[1] for array in small.arrays().values() if array.ndim > 1} == {3}
+    # 2 * 5 float32 observations, an int64 action, a float32 reward, two truth values and an int32: 58 bytes.
+    assert sum(array.nbytes for array in small.arrays().values()) == 6 * 58 + 2 * 2 * 8
+    assert small.bytes_of_transition == 58
+
+
+@pytest.mark.parametrize("exponent", [None, 0.6])
+@pytest.mark.parametrize("steps", [0, 3, 6, 9])
+def test_resume_points_of_version_0_2_hold_every_place_and_every_number(steps, exponent):
+    """They have whole rings, observations as vectors, and priorities in one row."""
+    old, new = (Replay(12, 2, 5, exponent=exponent, one_hot=one_hot) for one_hot in (False, True))
+    walked(old, steps)
+    arrays = {name: array.copy() for name, array in old.arrays().items() if array.ndim == 1}
+    arrays |= {name: getattr(old, name) for name in ("observations", "next_observations", "actions", "rewards")}
+    arrays |= {name: getattr(old, name) for name in ("terminated", "ended", "elapsed")}
+    if exponent:
+        arrays["priorities"] = old.tree.leaves()
+    new.restore(arrays, "old")
+    assert (new.sizes.tolist(), new.heads.tolist()) == (old.sizes.tolist(), old.heads.tolist())
+    if steps:
+        (one, _), (other, _) = (replay.sample(64, np.random.default_rng(1)) for replay in (old, new))
+        assert all(torch.equal(getattr(one, name), getattr(other, name)) for name in vars(one))
+
+
+def test_a_buffer_that_cannot_be_is_refused(subtests):
+    good = {name: array.copy() for name, array in walked(Replay(12, 2, 5, one_hot=True), 3).arrays().items()}
+    longer = {name: np.repeat(array, 3, axis=1) if array.ndim > 1 else array for name, array in good.items()}
+    for name, arrays in {
+        "more places than the buffer has": longer,
+        "a size beyond what is there": good | {"sizes": np.array([4, 4])},
+        "a negative size": good | {"sizes": np.array([-1, 3])},
+        "a head elsewhere": good | {"heads": np.array([2, 3])},
+        "a head outside": good | {"heads": np.array([12, 3])},
+        "no sizes": {name: array for name, array in good.items() if name != "sizes"},
+        "no actions": {name: array for name, array in good.items() if name != "actions"},
+        "a state that is not there": good | {"observations": np.full_like(good["observations"], 5)},
+        "a state below 0": good | {"next_observations": np.full_like(good["observations"], -1)},
+        "another type": good | {"rewards": good["rewards"].astype(float)},
+        "another number of rings": {name: array[:1] for name, array in good.items()},
+        "unequal lengths": good | {"rewards": good["rewards"][:, :2]},
+        "an actions array of one dimension": good | {"actions": good["actions"][0]},
+    }.items():
+        with subtests.test(name):
+            buffer = Replay(12, 2, 5, one_hot=True)
+            with pytest.raises(InputError) as refused:
+                buffer.restore(arrays, "kept")
+            assert_one_sentence(str(refused.value), "kept")
+            assert len(buffer) == 0
 
 
 # Priorities

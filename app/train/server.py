@@ -1,0 +1,63 @@
+"""What this server grants and how much of it is used."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import NamedTuple
+
+import streamlit as st
+
+from app.catalogue import training_runs
+from app.session.limits import ENVIRONMENTS, limits, may_train
+from laplace_core.agents import ENVIRONMENTS as KNOWN
+from laplace_core.training.disk import held
+from laplace_core.training.queue import Run
+
+
+class Use(NamedTuple):
+    """One limit: what it is of, how much is used in which unit, and the environment variable that sets it."""
+
+    what: str
+    used: float
+    limit: float
+    unit: str
+    variable: str
+
+
+SOURCES: list[Callable[[], Use]] = []
+"""Where the rows beside those of the runs come from, such as the caches: a function for each."""
+
+
+def server(runs: Sequence[Run]) -> None:
+    """The section of the page, closed until somebody asks."""
+    box = st.expander("Server", key="server", on_change="rerun")
+    if not box.open:
+        return
+    with box:
+        rows = ["| | used | limit | set by |", "|---|---:|---:|---|"]
+        for use in (*_of_runs(runs), *(source() for source in SOURCES)):
+            rows.append(f"| {use.what} | {use.used:,.0f} {use.unit} | {use.limit:,.0f} {use.unit} | `{use.variable}` |")
+        st.markdown("\n".join(rows))
+        allowed = [each for each in KNOWN if may_train(each)]
+        if len(allowed) < len(KNOWN):
+            st.caption(f"Trained on here: {', '.join(allowed) or 'nothing'} (`{ENVIRONMENTS}`).")
+        st.caption(_who())
+
+
+def _of_runs(runs: Sequence[Run]) -> list[Use]:
+    granted = limits()
+    return [
+        Use("Training runs at once", sum(run.at_work for run in runs), granted.trainings, "", "LAPLACE_TRAININGS"),
+        Use("Disk of all runs", held(training_runs.queue().folder) / 1e6, granted.disk, "MB", "LAPLACE_DISK"),
+    ]
+
+
+def _who() -> str:
+    if limits().read_only:
+        return "Runs are shown and cannot be changed here (`LAPLACE_READ_ONLY`)."
+    if not limits().owners:
+        return "Everybody may stop, resume, download and remove every run (`LAPLACE_OWNERS`)."
+    return (
+        "Everybody sees all runs. A run is stopped, resumed, downloaded and removed in the browser that started it, "
+        "which is known again by a cookie; a run from the command line, by everybody (`LAPLACE_OWNERS`)."
+    )
