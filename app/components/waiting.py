@@ -9,6 +9,7 @@ import streamlit as st
 
 from app.session.background import Work
 from laplace_core import InputError
+from laplace_core.figures.typed import in_markdown
 
 Result = TypeVar("Result")
 LOOK_EVERY = 0.4  # seconds between two looks at work that is not done
@@ -40,5 +41,5 @@ def attempt(make: Callable[[], Result]) -> Result | None:
     try:
         return make()
     except InputError as error:
-        st.error(str(error))
+        st.error(in_markdown(error))
         return None

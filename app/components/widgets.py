@@ -12,6 +12,7 @@ import streamlit as st
 from app import session
 from app.session import store
 from laplace_core import InputError
+from laplace_core.figures.typed import in_markdown
 from laplace_core.parameters import Parameter
 
 Titles = Callable[[Any], str] | Mapping[Any, str]
@@ -89,7 +90,7 @@ def upload(label: str, endings: Sequence[str], key: str, take: Callable[[str, by
     """
     st.file_uploader(label, type=list(endings), key=key, on_change=_uploaded, args=(key, take), **more)
     if key in session.current().refusals:
-        st.error(session.current().refusals[key])
+        st.error(in_markdown(session.current().refusals[key]))
 
 
 def _uploaded(key: str, take: Callable[[str, bytes], None]) -> None:

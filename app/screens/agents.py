@@ -15,6 +15,7 @@ from app.components.widgets import select, upload
 from app.session import store
 from app.view import compute, export, panels
 from laplace_core import InputError
+from laplace_core.figures.typed import in_markdown
 from laplace_core.agents.capabilities import HasGammaSpace
 from laplace_core.environments import Environment, environment_of
 from laplace_core.training.checkpoint import Loaded
@@ -89,7 +90,7 @@ def _view(loaded: Loaded, scene: Environment, asked: Rolling | None) -> None:
         base = view_of(loaded, scene, store.without(*LIVE), observation)
         compute.study_for(view)
     except InputError as error:
-        st.error(str(error))
+        st.error(in_markdown(error))
         return
     lead = followed = None
     if rolled is not None and rollout is not None:

@@ -11,6 +11,7 @@ from app.worlds import bring, compare, export, learning, sidebar, sources
 from app.worlds.presets import presets_for
 from app.worlds.schema import LINK
 from laplace_core import InputError
+from laplace_core.figures.typed import in_markdown
 
 LOOK_EVERY = 0.7  # seconds between two looks at a learner
 
@@ -36,7 +37,7 @@ def _view(*, running: bool) -> None:
         base = sources.view_of(store.without(*LIVE), learned)
         compute.study_for(view)
     except InputError as error:
-        st.error(str(error))
+        st.error(in_markdown(error))
         st.button("Undo the last change", on_click=store.undo)
         return
     store.worked()

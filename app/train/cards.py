@@ -22,6 +22,7 @@ from app.train.schema import changed
 from laplace_core import InputError
 from laplace_core.agents.settings import algorithm_title
 from laplace_core.figures.theme import NEUTRAL
+from laplace_core.figures.typed import in_markdown
 from laplace_core.training.curves import Curves, metrics_csv
 from laplace_core.training.defaults import command_of
 from laplace_core.training.progress import Progress, read_progress
@@ -143,7 +144,7 @@ def _do(what: str, name: str) -> None:
         action: Callable[[str], None] = getattr(training_runs.queue(), what)
         action(name)
     except InputError as error:
-        st.toast(str(error))
+        st.toast(in_markdown(error))
 
 
 def _open(run: Run) -> None:
@@ -178,9 +179,9 @@ def _more(run: Run, curves: Curves | None) -> None:
                 _file("Metrics (CSV)", metrics, f"{run.name}.csv", metrics_csv)
             words = command_of(training_runs.settings_of(run), f"runs/{run.name}_again")
             copy_button("Copy the command", shlex.join(["python", "-m", "laplace_core", *words]), f"command {run.name}")
-        st.caption(f"In {run.folder}")
+        st.caption(f"In {in_markdown(run.folder)}")
         if run.name in session.part(_Cards).to_remove:
-            st.button(f"Yes, remove {run.name} for good", key=f"yes {run.name}", type="primary", width="stretch",
+            st.button(f"Yes, remove {in_markdown(run.name)} for good", key=f"yes {run.name}", type="primary", width="stretch",
                       on_click=_remove, args=(run.name,))  # fmt: skip
         else:
             st.button("Remove ...", key=f"remove {run.name}", width="stretch", on_click=_ask, args=(run.name,))

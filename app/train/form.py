@@ -15,6 +15,7 @@ from app.session.url import by_name
 from app.train.schema import FORM, OPENING, TRAIN, fields, suited, wanted
 from laplace_core import InputError
 from laplace_core.agents.settings import ENVIRONMENTS, LOOP_SCHEMA, SETTINGS, LoopSettings, algorithm_title
+from laplace_core.figures.typed import in_markdown
 from laplace_core.parameters import Parameter
 
 _FORM = "training"  # what refusals of this form go by
@@ -46,10 +47,10 @@ def form() -> None:
         with box:
             _in_columns(others, shown)
     if refused:
-        st.error(refused)
+        st.error(in_markdown(refused))
     st.button("Start training", type="primary", width="stretch", on_click=start, disabled=refused is not None)
     if _FORM in session.current().refusals:
-        st.error(session.current().refusals[_FORM])
+        st.error(in_markdown(session.current().refusals[_FORM]))
     if any(name.startswith(TRAIN) for name in values):
         st.button("Back to the settings that suit it", on_click=_suit, width="stretch")
 

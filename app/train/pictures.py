@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from html import escape
 
 import streamlit as st
 
@@ -17,6 +18,7 @@ from laplace_core.agents.settings import SETTINGS, algorithm_title
 from laplace_core.figures import training as figures
 from laplace_core.figures.theme import ACTION_COLOURS, action_colour
 from laplace_core.figures.training import TALL, Band, Line
+from laplace_core.figures.typed import in_markdown
 from laplace_core.training.queue import Run
 
 _MOST_OFFERED = 24
@@ -110,11 +112,11 @@ def _beside(same: Sequence[Run], run: Run) -> tuple[list[Run], list[Band]]:
         titles = {one.name: label(one) for one in same}
         options = [name for name in others if name in others[-_MOST_OFFERED:] or name in names]
         left.pills(
-            f"Beside {label(run)}", options, selection_mode="multi", key=store.put("beside", names),
-            format_func=lambda name: titles.get(name, name), on_change=_pick, args=("beside",),
+            f"Beside {in_markdown(label(run))}", options, selection_mode="multi", key=store.put("beside", names),
+            format_func=lambda name: in_markdown(titles.get(name, name)), on_change=_pick, args=("beside",),
         )  # fmt: skip
     else:
-        left.html(f'<div class="panel-title">{label(run)}</div>')
+        left.html(f'<div class="panel-title">{escape(label(run))}</div>')
     if curves:
         right.pills(
             "Agents that ship", list(curves), selection_mode="multi", key=store.put("ships", ships),

@@ -16,6 +16,7 @@ from app.components.lens.state import checked, state_of, values_of
 from app.session import store
 from app.view import compute
 from app.view.subjects import PARAM, View
+from laplace_core.figures.typed import in_markdown
 from laplace_core.study.artefacts import Artefact
 from laplace_core.study.settings import BY_NAME, SWITCHES
 from laplace_core.study.verdict import Verdict
@@ -158,6 +159,6 @@ def _artefact(artefact: Artefact) -> None:
     remedies = artefact.remedies[:2]
     for column, offer in zip(st.columns(len(remedies)) if remedies else (), remedies, strict=True):
         column.button(
-            offer.label, key=f"fix {artefact.name} {offer.label}", on_click=remedy,
+            in_markdown(offer.label), key=f"fix {artefact.name} {offer.label}", on_click=remedy,
             args=(offer.changes,), width="stretch",
         )  # fmt: skip

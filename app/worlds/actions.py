@@ -8,6 +8,7 @@ from app.session import link, store
 from app.worlds import sources
 from app.worlds.schema import OPENING
 from laplace_core import World, load_world
+from laplace_core.figures.typed import in_markdown
 from laplace_core.study.settings import BY_NAME
 from laplace_core.worlds import dump_world
 
@@ -50,7 +51,7 @@ def drop_missing(world: World) -> None:
     chosen = store.chosen()
     for name, members in (("state", world.states), ("action", world.actions)):
         if name in chosen and chosen[name] not in members:
-            st.toast(f"The world has no {name} {chosen.pop(name)!r} any more.")
+            st.toast(in_markdown(f"The world has no {name} {chosen.pop(name)!r} any more."))
 
 
 def reset() -> None:

@@ -16,6 +16,7 @@ from app.view.subjects import View
 from app.worlds import sources
 from app.worlds.actions import edit_world, go_to, world_name
 from laplace_core import InputError, World
+from laplace_core.figures.typed import in_markdown
 from laplace_core.worlds import (
     dump_world,
     parse_world,
@@ -142,7 +143,7 @@ def _world_table(world: World) -> None:
     try:
         made = _made(rows, base)
     except InputError as error:
-        st.warning(f"Not taken over yet: {error}")
+        st.warning(f"Not taken over yet: {in_markdown(error)}")
         _offer_rescale(right, rows, base)
         return
     _edited(sources.OWN, word, pack(dump_world(made)))
@@ -198,6 +199,6 @@ def _timeline_table(world: World) -> None:
     try:
         timeline_world(rows, chosen_rest)
     except InputError as error:
-        beside.warning(f"Not taken over yet: {error}")
+        beside.warning(f"Not taken over yet: {in_markdown(error)}")
         return
     _edited(sources.TIMELINE, word, sources.packed_timeline(rows, chosen_rest))

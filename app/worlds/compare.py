@@ -20,6 +20,7 @@ from app.worlds import learning, sources
 from app.worlds.actions import world_name
 from app.worlds.schema import unpinned
 from laplace_core import InputError
+from laplace_core.figures.typed import in_markdown
 
 _UNSAID = ("pin", "edit", "compare", "look", "run", "own", "timeline")
 
@@ -84,7 +85,7 @@ def comparison(view: View) -> None:
             return
         compute.study_for(pinned)
     except InputError as error:
-        st.warning(f"A cannot be shown any more: {error}")
+        st.warning(f"A cannot be shown any more: {in_markdown(error)}")
         return
     title, choice, away = st.columns([3.2, 1, 0.7], vertical_alignment="center")
     title.html(f'<div class="panel-title">A, pinned, against B, what you see above</div>{_differs(values)}')
@@ -98,4 +99,4 @@ def comparison(view: View) -> None:
     sentence, figures = compute.comparison(pinned, view, what)
     for column, (name, figure) in zip(st.columns(3, gap="small"), figures.items(), strict=False):
         chart(figure, f"compare {name}", f"{what.replace('_', '-')}: {name}", revision=what, place=column)
-    st.caption(sentence)
+    st.caption(in_markdown(sentence))

@@ -13,6 +13,7 @@ from app.view import subjects
 from app.view.subjects import PARAM
 from app.worlds import actions, sources
 from laplace_core import PRESETS, World
+from laplace_core.figures.typed import in_markdown
 from laplace_core.study.settings import BY_NAME, Resolved
 from laplace_core.worlds import parameters_of
 
@@ -55,7 +56,7 @@ def state_group(world: World, settings: Resolved) -> None:
         select("State", world.states, store.show("state", settings.state), help=BY_NAME["state"].help)
         return
     _state_index(world.state_index(subjects.state_in(settings)), world.states)
-    st.caption(settings.state)
+    st.caption(in_markdown(settings.state))
 
 
 def state_of_file(states: int) -> None:

@@ -14,6 +14,7 @@ from app.view.export import downloads, reading, settings_on_disk
 from app.view.subjects import View
 from app.worlds import sources
 from app.worlds.actions import world_name
+from laplace_core.figures.typed import in_markdown
 
 TOO_LONG = "This view is too long for a link; download the world to keep it."
 
@@ -48,9 +49,9 @@ def _copying(place: DeltaGenerator, view: View) -> None:
         copy_button("Copy as Python", python_of(view), "python")
         if view.learner is not None:
             mean = " The command shows the first learner, not the mean of all." if view.learner.index is None else ""
-            st.caption(f"Both read {file}: Download agent saves it.{mean}")
+            st.caption(f"Both read {in_markdown(file)}: Download agent saves it.{mean}")
         elif world_name() in sources.BROUGHT:
-            st.caption(f"Both read {file}, so download or keep that file beside them.")
+            st.caption(f"Both read {in_markdown(file)}, so download or keep that file beside them.")
 
 
 def python_of(view: View) -> str:

@@ -19,6 +19,7 @@ from app.view.subjects import View
 from app.worlds import learners, sources
 from app.worlds.sources import LEARN
 from laplace_core import InputError, World, load_world
+from laplace_core.figures.typed import in_markdown
 from laplace_core.tabular import LEARN_SCHEMA, Learned, LearnSettings, learned_bytes, resolve_learning
 from laplace_core.tabular.settings import DECIDED_NAMES, ResolvedLearning
 
@@ -205,7 +206,7 @@ def _progress(view: View, watched: learners.Watched | None) -> None:
             st.caption(f"Learned in {shown.episodes:,} episodes by {who}, policy {shown.policy}.")
         return
     if watched.error:
-        st.error(watched.error)
+        st.error(in_markdown(watched.error))
         return
     progress = watched.progress()
     if progress is None and not watched.running:
