@@ -8,8 +8,8 @@ from typing import TypeVar
 import streamlit as st
 
 from app.session.background import Work
+from app.session.typed import in_markdown
 from laplace_core import InputError
-from laplace_core.figures.typed import in_markdown
 
 Result = TypeVar("Result")
 LOOK_EVERY = 0.4  # seconds between two looks at work that is not done

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import streamlit as st
 
-from app.catalogue import training_runs
+from app.catalogue import checkpoints, training_runs
 from app.components.waiting import attempt
+from app.components.widgets import left_out
 from app.session import store
 from app.train import cards, form, pictures
 from app.train.schema import LINK, OPENING
@@ -18,6 +19,7 @@ def page() -> None:
     store.open_page("train", LINK)
     with st.sidebar:
         form.form()
+        left_out(checkpoints.left_out())
     going = attempt(lambda: _going(training_runs.queue().runs()))
     if going is not None:
         st.fragment(_view, run_every=LOOK_EVERY if going else None)(going=going)

@@ -6,12 +6,12 @@ import streamlit as st
 
 from app.components.lens.state import LIVE
 from app.session import store
+from app.session.typed import in_markdown
 from app.view import compute, panels
 from app.worlds import bring, compare, export, learning, sidebar, sources
 from app.worlds.presets import presets_for
 from app.worlds.schema import LINK
 from laplace_core import InputError
-from laplace_core.figures.typed import in_markdown
 
 LOOK_EVERY = 0.7  # seconds between two looks at a learner
 

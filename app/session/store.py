@@ -15,8 +15,8 @@ import streamlit as st
 from app import session
 from app.session import link
 from app.session.echoes import Shown, touches
+from app.session.typed import in_markdown
 from app.session.url import Schema, query_of
-from laplace_core.figures.typed import in_markdown
 
 
 def page_name() -> str:

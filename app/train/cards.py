@@ -14,15 +14,16 @@ from app import session
 from app.catalogue import training_runs
 from app.catalogue.names import capital, world_title
 from app.components.copy import copy_button
+from app.components.waiting import attempt
 from app.components.widgets import download
 from app.session import store
+from app.session.typed import in_markdown
 from app.train import form
 from app.train.pictures import colour_of
 from app.train.schema import changed
 from laplace_core import InputError
 from laplace_core.agents.settings import algorithm_title
 from laplace_core.figures.theme import NEUTRAL
-from laplace_core.figures.typed import in_markdown
 from laplace_core.training.curves import Curves, metrics_csv
 from laplace_core.training.defaults import command_of
 from laplace_core.training.progress import Progress, read_progress
@@ -177,12 +178,14 @@ def _more(run: Run, curves: Curves | None) -> None:
             with right:
                 _file("Metrics (JSONL)", metrics, f"{run.name}.jsonl")
                 _file("Metrics (CSV)", metrics, f"{run.name}.csv", metrics_csv)
-            words = command_of(training_runs.settings_of(run), f"runs/{run.name}_again")
-            copy_button("Copy the command", shlex.join(["python", "-m", "laplace_core", *words]), f"command {run.name}")
+            words = attempt(lambda: command_of(training_runs.settings_of(run), f"runs/{run.name}_again"))
+            if words is not None:
+                command = shlex.join(["python", "-m", "laplace_core", *words])
+                copy_button("Copy the command", command, f"command {run.name}")
         st.caption(f"In {in_markdown(run.folder)}")
         if run.name in session.part(_Cards).to_remove:
-            st.button(f"Yes, remove {in_markdown(run.name)} for good", key=f"yes {run.name}", type="primary", width="stretch",
-                      on_click=_remove, args=(run.name,))  # fmt: skip
+            sure = f"Yes, remove {in_markdown(run.name)} for good"
+            st.button(sure, key=f"yes {run.name}", type="primary", width="stretch", on_click=_remove, args=(run.name,))
         else:
             st.button("Remove ...", key=f"remove {run.name}", width="stretch", on_click=_ask, args=(run.name,))
 

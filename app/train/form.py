@@ -9,13 +9,14 @@ import streamlit as st
 from app import session
 from app.catalogue import training_runs
 from app.catalogue.names import capital, world_title
+from app.components.waiting import attempt
 from app.components.widgets import field, select
 from app.session import store
+from app.session.typed import in_markdown
 from app.session.url import by_name
 from app.train.schema import FORM, OPENING, TRAIN, fields, suited, wanted
 from laplace_core import InputError
 from laplace_core.agents.settings import ENVIRONMENTS, LOOP_SCHEMA, SETTINGS, LoopSettings, algorithm_title
-from laplace_core.figures.typed import in_markdown
 from laplace_core.parameters import Parameter
 
 _FORM = "training"  # what refusals of this form go by
@@ -32,7 +33,9 @@ def form() -> None:
     select("Algorithm", tuple(SETTINGS), key, algorithm_title, keep=_change_algorithm)
     key = store.show("environment", OPENING["environment"])
     select("Environment", ENVIRONMENTS, key, world_title, keep=_change_environment)
-    usual, refused = suited(values), None
+    usual, refused = attempt(lambda: suited(values)), None
+    if usual is None:  # the file of settings that ships for the two is damaged
+        return
     try:
         shown = wanted(values)
     except InputError as error:

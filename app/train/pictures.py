@@ -12,13 +12,13 @@ from app.catalogue.names import world_title
 from app.catalogue.training_runs import settings_of
 from app.components.chart import chart
 from app.session import store
+from app.session.typed import in_markdown
 from app.train.schema import MOST_AT_ONCE, NOTHING, names_in
 from app.view import explain
 from laplace_core.agents.settings import SETTINGS, algorithm_title
 from laplace_core.figures import training as figures
 from laplace_core.figures.theme import ACTION_COLOURS, action_colour
 from laplace_core.figures.training import TALL, Band, Line
-from laplace_core.figures.typed import in_markdown
 from laplace_core.training.queue import Run
 
 _MOST_OFFERED = 24

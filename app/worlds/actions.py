@@ -5,10 +5,10 @@ from __future__ import annotations
 import streamlit as st
 
 from app.session import link, store
+from app.session.typed import in_markdown
 from app.worlds import sources
 from app.worlds.schema import OPENING
 from laplace_core import World, load_world
-from laplace_core.figures.typed import in_markdown
 from laplace_core.study.settings import BY_NAME
 from laplace_core.worlds import dump_world
 

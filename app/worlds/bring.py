@@ -9,14 +9,14 @@ from streamlit.delta_generator import DeltaGenerator
 
 from app import session
 from app.catalogue import tabular
-from app.components.widgets import download, upload
+from app.components.widgets import download, left_out, upload
 from app.session import store
 from app.session.link import pack
+from app.session.typed import in_markdown
 from app.view.subjects import View
 from app.worlds import sources
 from app.worlds.actions import edit_world, go_to, world_name
 from laplace_core import InputError, World
-from laplace_core.figures.typed import in_markdown
 from laplace_core.worlds import (
     dump_world,
     parse_world,
@@ -42,9 +42,11 @@ def open_group(world: World | None) -> None:
     with box:
         kinds = "World (.json), gamma-space (.npz) or learned agent (.safetensors)"
         upload(kinds, ("json", "npz", "safetensors"), "upload", _open, help=_CONTENTS)
-        for name in tabular.shipped_agents():
-            title = name.removesuffix("_td").replace("_", " ")
+        agents = tabular.shipped_agents()
+        for name in (name for name, refusal in agents.items() if refusal is None):
+            title = in_markdown(name.removesuffix("_td").replace("_", " "))
             st.button(f"Open the learned {title}", on_click=_open_agent, args=(name,), width="stretch")
+        left_out([refusal for refusal in agents.values() if refusal is not None])
         if world is not None and world_name() not in sources.BROUGHT:
             st.button("Edit this world as a table", on_click=edit_world, args=(world,), width="stretch")
         if world_name() != sources.TIMELINE:

@@ -13,6 +13,7 @@ from app.components.lens import Pin
 from app.components.lens.state import state_of
 from app.session import store
 from app.session.link import pack
+from app.session.typed import in_markdown
 from app.session.url import query_of
 from app.view import compute
 from app.view.subjects import View
@@ -20,7 +21,6 @@ from app.worlds import learning, sources
 from app.worlds.actions import world_name
 from app.worlds.schema import unpinned
 from laplace_core import InputError
-from laplace_core.figures.typed import in_markdown
 
 _UNSAID = ("pin", "edit", "compare", "look", "run", "own", "timeline")
 

@@ -9,11 +9,11 @@ import streamlit as st
 from app.catalogue.names import world_title
 from app.components.widgets import field, select
 from app.session import store
+from app.session.typed import in_markdown
 from app.view import subjects
 from app.view.subjects import PARAM
 from app.worlds import actions, sources
 from laplace_core import PRESETS, World
-from laplace_core.figures.typed import in_markdown
 from laplace_core.study.settings import BY_NAME, Resolved
 from laplace_core.worlds import parameters_of
 

@@ -8,13 +8,13 @@ from streamlit.delta_generator import DeltaGenerator
 
 from app.components.copy import copy_button
 from app.session import link, store
+from app.session.typed import in_markdown
 from app.session.url import query_of
 from app.view import compute
 from app.view.export import downloads, reading, settings_on_disk
 from app.view.subjects import View
 from app.worlds import sources
 from app.worlds.actions import world_name
-from laplace_core.figures.typed import in_markdown
 
 TOO_LONG = "This view is too long for a link; download the world to keep it."
 

@@ -13,13 +13,13 @@ from app.components.chart import chart
 from app.components.waiting import attempt
 from app.components.widgets import download, field, select
 from app.session import store
+from app.session.typed import in_markdown
 from app.session.url import by_name
 from app.view import compute, subjects
 from app.view.subjects import View
 from app.worlds import learners, sources
 from app.worlds.sources import LEARN
 from laplace_core import InputError, World, load_world
-from laplace_core.figures.typed import in_markdown
 from laplace_core.tabular import LEARN_SCHEMA, Learned, LearnSettings, learned_bytes, resolve_learning
 from laplace_core.tabular.settings import DECIDED_NAMES, ResolvedLearning
 

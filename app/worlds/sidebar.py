@@ -5,10 +5,10 @@ from __future__ import annotations
 import streamlit as st
 
 from app.session import store
+from app.session.typed import in_markdown
 from app.worlds import actions, bring, controls, learning, sources
 from app.worlds.schema import OPENING
 from laplace_core import InputError
-from laplace_core.figures.typed import in_markdown
 
 
 def groups() -> bool:

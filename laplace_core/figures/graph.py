@@ -7,8 +7,7 @@ from collections import deque
 import numpy as np
 
 from laplace_core import World
-from laplace_core.figures.theme import NEUTRAL, Figure, Trace, action_colour, axis, build
-from laplace_core.figures.typed import in_plotly
+from laplace_core.figures.theme import NEUTRAL, Figure, Trace, action_colour, axis, build, in_plotly
 from laplace_core.worlds import END, Outcome
 
 MAX_DRAWN = 26

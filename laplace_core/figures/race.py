@@ -6,8 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from laplace_core.figures.theme import NEUTRAL, Figure, Trace, axis, build, translucent
-from laplace_core.figures.typed import in_plotly
+from laplace_core.figures.theme import NEUTRAL, Figure, Trace, axis, build, in_plotly, translucent
 
 if TYPE_CHECKING:  # it brings torch along, which no figure needs
     from laplace_core.acting.race import Races

@@ -16,10 +16,10 @@ from laplace_core.figures.theme import (
     action_colour,
     axis,
     build,
+    in_plotly,
     staircase,
     translucent,
 )
-from laplace_core.figures.typed import in_plotly
 
 if TYPE_CHECKING:  # it brings torch along, which no figure needs
     from laplace_core.acting.return_laws import ReturnLaw, SimulatedReturns

@@ -5,8 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from laplace_core import Study
-from laplace_core.figures.theme import NEUTRAL, Figure, Trace, action_colour, axis, build, translucent
-from laplace_core.figures.typed import in_plotly
+from laplace_core.figures.theme import NEUTRAL, Figure, Trace, action_colour, axis, build, in_plotly, translucent
 from laplace_core.tabular import Band, Bands
 
 

@@ -8,8 +8,7 @@ from typing import Protocol
 
 import numpy as np
 
-from laplace_core.figures.theme import NEUTRAL, Figure, Trace, axis, build, translucent
-from laplace_core.figures.typed import in_plotly
+from laplace_core.figures.theme import NEUTRAL, Figure, Trace, axis, build, in_plotly, translucent
 from laplace_core.training.curves import Curves
 
 TALL, CARD = 330, 132

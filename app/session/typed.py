@@ -1,14 +1,13 @@
-"""Text from outside, such as a name in a file or an entry of a link, shown exactly as it was typed.
+"""Text from outside, such as a name in a file or an entry of a link, shown on a page exactly as it was typed.
 
-What draws a text reads it as a language: Streamlit as Markdown, plotly as a few tags of HTML. A name such as
-``<b>x</b>`` or ``![](//host/picture)`` would become bold, a link or a request to another host. Whoever puts a text that
-is not the program's own into a figure or on a page passes it through the function of that language, once, where it is
-drawn; for HTML that is :func:`html.escape`. What JavaScript draws needs none: it sets texts, never HTML.
+Streamlit reads what it shows, labels and help as well, as Markdown: a name such as ``![](//host/picture)`` would be a
+request to another host. Whatever is not the program's own words passes through :func:`in_markdown`, once, where it is
+shown. HTML has :func:`html.escape`, figures :func:`laplace_core.figures.theme.in_plotly`. What JavaScript draws needs
+none of them: it sets texts, never HTML.
 """
 
 from __future__ import annotations
 
-import html
 import re
 
 _JOINER = "\u2060"  # takes no room, and breaks up what is found by its letters alone
@@ -36,8 +35,3 @@ def in_markdown(text: object) -> str:
     if first is None:
         return line
     return f"\\{line}" if not line[0].isdigit() else f"{first[0]}\\{line[first.end() :]}"
-
-
-def in_plotly(text: object) -> str:
-    """A text for a plotly label, legend, hover text or its custom data, which shows it as typed."""
-    return html.escape(str(text), quote=False).replace("%{", "&#37;{").replace("$", "&#36;")
