@@ -14,7 +14,7 @@ from app.session.url import Entries, by_name, check_of
 from laplace_core import InputError
 from laplace_core.agents.settings import ENVIRONMENTS, SETTINGS, algorithm_title
 from laplace_core.caching import cached
-from laplace_core.experiments.shipping import TrainingCurve, curves_of, manifest
+from laplace_core.experiments.shipping import TABULAR, TrainingCurve, curves_of, damaged, manifest
 from laplace_core.parameters import Parameter
 from laplace_core.training.checkpoint import Loaded, load_checkpoint, parse_checkpoint
 
@@ -25,9 +25,20 @@ RUN = "run:"  # prefix of the names of those that were trained here
 @cache
 def shipped() -> tuple[str, ...]:
     """Names of the checkpoints that come with the workbench, ``ALGORITHM_ENVIRONMENT``: those with many discounts
-    first, then by environment. Tabular ones open on the page of worlds."""
-    stems = [path.stem for path in SHIPPED.glob("*.safetensors") if not path.stem.endswith("_td")]
+    first, then by environment. Tabular ones open on the page of worlds; damaged ones are left out."""
+    files = [path for path in SHIPPED.glob("*.safetensors") if not path.stem.endswith(TABULAR)]
+    stems = [path.stem for path in files if path.name not in _damaged(SHIPPED)]
     return tuple(sorted(stems, key=lambda name: (not name.startswith("laplace_"), *_place(name))))
+
+
+@cached(1, fixed=True)
+def _damaged(folder: Path) -> dict[str, str]:
+    return damaged(folder)
+
+
+def left_out() -> tuple[str, ...]:
+    """What cannot be used of the files that come with the workbench, a sentence each."""
+    return tuple(_damaged(SHIPPED).values())
 
 
 def _place(name: str) -> tuple[int, int, str]:
@@ -76,9 +87,12 @@ def curves(name: str) -> tuple[TrainingCurve, ...]:
 
 @cached(32, fixed=True)
 def _shipped_curves(name: str) -> tuple[TrainingCurve, ...]:
-    for entry in manifest(SHIPPED):
-        if entry["file"] == f"{name}.safetensors":
-            return tuple(sorted(curves_of(SHIPPED, entry), key=lambda curve: curve.seed != entry["seed"]))
+    try:
+        for entry in manifest(SHIPPED):
+            if entry["file"] == f"{name}.safetensors":
+                return tuple(sorted(curves_of(SHIPPED, entry), key=lambda curve: curve.seed != entry.get("seed")))
+    except InputError:  # which is among those that are left out
+        pass
     return ()
 
 

@@ -15,16 +15,28 @@ SHIPPED = Path(__file__).resolve().parents[2] / "checkpoints"
 
 
 @cache
-def shipped_agents() -> tuple[str, ...]:
-    """Names of the learned agents that come with the workbench."""
-    return tuple(sorted(path.stem for path in SHIPPED.glob("*_td.safetensors")))
+def shipped_agents() -> dict[str, str | None]:
+    """Names of the learned agents that come with the workbench; with a sentence where the file is damaged."""
+    return {path.stem: _refusal(path) for path in sorted(SHIPPED.glob("*_td.safetensors"))}
+
+
+def _refusal(path: Path) -> str | None:
+    try:
+        _read(path)
+    except InputError as error:
+        return str(error)
+    return None
 
 
 @cached(8, fixed=True)
+def _read(path: Path) -> Learned:
+    return read_learned(path)
+
+
 def shipped_agent(name: str) -> Learned:
     if name not in shipped_agents():
         raise InputError(f"no agent {name[:40]!r} comes with the workbench; there are: {', '.join(shipped_agents())}.")
-    return read_learned(SHIPPED / f"{name}.safetensors")
+    return _read(SHIPPED / f"{name}.safetensors")
 
 
 def opened_agents() -> Mapping[str, Learned]:

@@ -9,6 +9,7 @@ import streamlit as st
 
 from app.catalogue.names import capital
 from app.session.jobs import Job, Wish, duration
+from app.session.typed import in_markdown
 from laplace_core import InputError
 
 Result = TypeVar("Result")
@@ -79,5 +80,5 @@ def attempt(make: Callable[[], Result]) -> Result | None:
     try:
         return make()
     except InputError as error:
-        st.error(str(error))
+        st.error(in_markdown(error))
         return None

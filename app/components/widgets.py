@@ -14,6 +14,7 @@ from streamlit.runtime.uploaded_file_manager import DeletedFile, UploadedFile
 
 from app import session
 from app.session import store
+from app.session.typed import in_markdown
 from laplace_core import InputError
 from laplace_core.parameters import Parameter
 
@@ -92,7 +93,13 @@ def upload(label: str, endings: Sequence[str], key: str, take: Callable[[str, by
     """
     st.file_uploader(label, type=list(endings), key=key, on_change=_uploaded, args=(key, take), **more)
     if key in session.current().refusals:
-        st.error(session.current().refusals[key])
+        st.error(in_markdown(session.current().refusals[key]))
+
+
+def left_out(sentences: Sequence[str]) -> None:
+    """Which files that come with the workbench cannot be used, a sentence each."""
+    for sentence in sentences:
+        st.warning(f"Left out, a file of the workbench is damaged: {in_markdown(sentence)}")
 
 
 def _uploaded(key: str, take: Callable[[str, bytes], None]) -> None:

@@ -1405,6 +1405,11 @@ function save(content, name, type) {
   link.click();
   setTimeout(() => URL.revokeObjectURL(link.href), 1e4);
 }
+var commented = (value) => JSON.stringify(value, (_, each) => typeof each === "string" ? each.replaceAll(",", "\0") : each).replaceAll(
+  "\\u0000",
+  "\\u002c"
+);
+var quoted = (words) => `"${`${/^[=+@\t\r\n-]/.test(words) ? "'" : ""}${words}`.replace(/"/g, '""')}"`;
 var nameOf = ({ scene: { model } }) => `lens_${model.header.world.replace(/[^A-Za-z0-9_-]+/g, "_").slice(0, 40)}`;
 function heading(pen, { verdict, scene: { model, state, colours } }) {
   const lines = [""];
@@ -1473,7 +1478,7 @@ var saveSvg = async (lens2) => save(await svgOf(lens2), `${nameOf(lens2)}.svg`, 
 function csvOf({ scene }) {
   const { model, seen, state } = scene, simulated = simulatedFor(scene), far = simulated && distancesOf(scene);
   const came = (tau) => simulated && far ? [...["reward", "rewardError", "survival", "survivalError"].map((name) => simulated[name][tau]), far[tau]] : [];
-  const quoted = (words) => `"${String(words).replace(/"/g, '""')}"`, names = model.header.actions, a = state.action;
+  const names = model.header.actions, a = state.action;
   const head = [
     "tau",
     "reward",
@@ -1501,7 +1506,7 @@ function csvOf({ scene }) {
   ]);
   const { world, state: from_state } = model.header, gammas = Array.from(seen.grid.gammas);
   return [
-    `# ${JSON.stringify({ world, from_state, ...state, action: names[a], gammas })}`,
+    `# ${commented({ world, from_state, ...state, action: names[a], gammas })}`,
     head.map(quoted).join(","),
     ...rows.map((row) => row.map((x) => x ?? "").join(","))
   ].join("\n");

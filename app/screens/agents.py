@@ -11,8 +11,9 @@ from app.agents.schema import LINK, OBSERVED, observation_of, view_of
 from app.catalogue import checkpoints
 from app.components.lens.state import LIVE
 from app.components.waiting import attempt
-from app.components.widgets import select, upload
+from app.components.widgets import left_out, select, upload
 from app.session import store
+from app.session.typed import in_markdown
 from app.view import compute, export, panels
 from laplace_core import InputError
 from laplace_core.agents.capabilities import HasGammaSpace
@@ -24,6 +25,7 @@ def page() -> None:
     store.open_page("agents", LINK)
     with st.sidebar:
         _choose()
+        left_out(checkpoints.left_out())
         name = store.chosen().get("checkpoint")
         if name is None:
             st.info("No trained agent is here yet: open a checkpoint, or train one with `laplace train`.")
@@ -90,7 +92,7 @@ def _view(loaded: Loaded, scene: Environment, rolling: Rolling | None) -> None:
         base = view_of(loaded, scene, store.without(*LIVE), observation)
         compute.study_for(view)
     except InputError as error:
-        st.error(str(error))
+        st.error(in_markdown(error))
         return
     lead = followed = None
     if rolled is not None and rollout is not None:

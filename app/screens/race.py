@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import streamlit as st
 
+from app.catalogue import checkpoints
 from app.components.waiting import attempt
+from app.components.widgets import left_out
 from app.race import field, form, schema
 from app.race.jobs import Control
 from app.session import store
@@ -15,6 +17,7 @@ def page() -> None:
     store.open_page("race", schema.LINK)
     with st.sidebar:
         form.choose()
+        left_out(checkpoints.left_out())
         if schema.AGENT not in store.chosen():
             st.info("No trained agent is here yet: train one on the page Train, or open one on Trained agents.")
             return

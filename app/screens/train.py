@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import streamlit as st
 
-from app.catalogue import training_runs
+from app.catalogue import checkpoints, training_runs
 from app.components.owner import keep_owner
 from app.components.waiting import attempt
+from app.components.widgets import left_out
 from app.session import store
 from app.session.limits import limits
 from app.train import cards, form, pictures, server
@@ -22,6 +23,7 @@ def page() -> None:
         keep_owner()
     with st.sidebar:
         form.form()
+        left_out(checkpoints.left_out())
     going = attempt(lambda: _going(training_runs.queue().runs()))
     if going is not None:
         st.fragment(_view, run_every=LOOK_EVERY if going else None)(going=going)

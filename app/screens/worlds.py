@@ -6,6 +6,7 @@ import streamlit as st
 
 from app.components.lens.state import LIVE
 from app.session import store
+from app.session.typed import in_markdown
 from app.view import compute, panels
 from app.worlds import bring, compare, export, learners, learning, sidebar, sources
 from app.worlds.presets import presets_for
@@ -36,7 +37,7 @@ def _view(*, running: bool) -> None:
         base = sources.view_of(store.without(*LIVE), learned)
         compute.study_for(view)
     except InputError as error:
-        st.error(str(error))
+        st.error(in_markdown(error))
         st.button("Undo the last change", on_click=store.undo)
         return
     store.worked()

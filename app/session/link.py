@@ -12,7 +12,8 @@ from laplace_core.caching import cached
 
 LONGEST = 7_000
 """Characters of a link's values; proxies and chat programs cut much longer ones off."""
-_MOST = 2_000_000  # characters that a packed text may unfold to
+MOST = 2_000_000
+"""Bytes that a packed text may unfold to."""
 
 
 def pack(text: str) -> str:
@@ -30,7 +31,7 @@ def unpack(word: str) -> str:
     try:
         data = base64.b64decode(word + "=" * (-len(word) % 4), altchars=b"-_", validate=True)
         unfolding = zlib.decompressobj()
-        text = unfolding.decompress(data, _MOST)
+        text = unfolding.decompress(data, MOST)
         if not unfolding.eof:
             raise InputError("the link holds a text that is cut off or far too long; copy it again in full.")
         return text.decode()

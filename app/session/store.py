@@ -15,6 +15,7 @@ import streamlit as st
 from app import session
 from app.session import link
 from app.session.echoes import Shown, touches
+from app.session.typed import in_markdown
 from app.session.url import Schema, query_of
 
 
@@ -129,7 +130,7 @@ def open_page(page: str, schema: Schema) -> None:
         kept.chosen, kept.notes = schema.read(query) if query else (dict(schema.opening()), [])
     record.sidebar_stale = False
     for note in kept.notes:
-        st.warning(note)
+        st.warning(in_markdown(note))
 
 
 def write_url() -> None:

@@ -15,9 +15,11 @@ from app import session
 from app.catalogue import training_runs
 from app.catalogue.names import capital, world_title
 from app.components.copy import copy_button
+from app.components.waiting import attempt
 from app.components.widgets import download
 from app.session import store
 from app.session.limits import limits
+from app.session.typed import in_markdown
 from app.train import form
 from app.train.pictures import colour_of
 from app.train.schema import changed
@@ -167,7 +169,7 @@ def _do(what: str, name: str) -> None:
     try:
         training_runs.change(what, name)
     except InputError as error:
-        st.toast(str(error))
+        st.toast(in_markdown(error))
 
 
 def _open(run: Run) -> None:
@@ -200,12 +202,14 @@ def _more(run: Run, curves: Curves | None) -> None:
             with right:
                 _file("Metrics (JSONL)", metrics, f"{run.name}.jsonl")
                 _file("Metrics (CSV)", metrics, f"{run.name}.csv", metrics_csv)
-            words = command_of(training_runs.settings_of(run), f"runs/{run.name}_again")
-            copy_button("Copy the command", shlex.join(["python", "-m", "laplace_core", *words]), f"command {run.name}")
-        st.caption(f"In {run.folder}")
+            words = attempt(lambda: command_of(training_runs.settings_of(run), f"runs/{run.name}_again"))
+            if words is not None:
+                command = shlex.join(["python", "-m", "laplace_core", *words])
+                copy_button("Copy the command", command, f"command {run.name}")
+        st.caption(f"In {in_markdown(run.folder)}")
         if run.name in session.part(_Cards).to_remove:
-            st.button(f"Yes, remove {run.name} for good", key=f"yes {run.name}", type="primary", width="stretch",
-                      on_click=_remove, args=(run.name,))  # fmt: skip
+            sure = f"Yes, remove {in_markdown(run.name)} for good"
+            st.button(sure, key=f"yes {run.name}", type="primary", width="stretch", on_click=_remove, args=(run.name,))
         else:
             st.button("Remove ...", key=f"remove {run.name}", width="stretch", on_click=_ask, args=(run.name,))
 

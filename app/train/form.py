@@ -9,9 +9,11 @@ import streamlit as st
 from app import session
 from app.catalogue import training_runs
 from app.catalogue.names import capital, world_title
+from app.components.waiting import attempt
 from app.components.widgets import field, select
 from app.session import store
 from app.session.limits import limits, may_train
+from app.session.typed import in_markdown
 from app.session.url import by_name
 from app.train.schema import FORM, OPENING, TRAIN, fields, suited, wanted
 from laplace_core import InputError
@@ -41,7 +43,9 @@ def form() -> None:
         world_title,
         keep=_change_environment,
     )
-    usual, refused = suited(values), None
+    usual, refused = attempt(lambda: suited(values)), None
+    if usual is None:  # the file of settings that ships for the two is damaged
+        return
     try:
         shown = wanted(values)
     except InputError as error:
@@ -56,10 +60,10 @@ def form() -> None:
         with box:
             _in_columns(others, shown)
     if refused:
-        st.error(refused)
+        st.error(in_markdown(refused))
     st.button("Start training", type="primary", width="stretch", on_click=start, disabled=refused is not None)
     if _FORM in session.current().refusals:
-        st.error(session.current().refusals[_FORM])
+        st.error(in_markdown(session.current().refusals[_FORM]))
     if any(name.startswith(TRAIN) for name in values):
         st.button("Back to the settings that suit it", on_click=_suit, width="stretch")
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from html import escape
 
 import streamlit as st
 
@@ -11,6 +12,7 @@ from app.catalogue.names import world_title
 from app.catalogue.training_runs import settings_of
 from app.components.chart import chart
 from app.session import store
+from app.session.typed import in_markdown
 from app.train.schema import MOST_AT_ONCE, NOTHING, names_in
 from app.view import explain
 from laplace_core.agents.settings import SETTINGS, algorithm_title
@@ -110,11 +112,11 @@ def _beside(same: Sequence[Run], run: Run) -> tuple[list[Run], list[Band]]:
         titles = {one.name: label(one) for one in same}
         options = [name for name in others if name in others[-_MOST_OFFERED:] or name in names]
         left.pills(
-            f"Beside {label(run)}", options, selection_mode="multi", key=store.put("beside", names),
-            format_func=lambda name: titles.get(name, name), on_change=_pick, args=("beside",),
+            f"Beside {in_markdown(label(run))}", options, selection_mode="multi", key=store.put("beside", names),
+            format_func=lambda name: in_markdown(titles.get(name, name)), on_change=_pick, args=("beside",),
         )  # fmt: skip
     else:
-        left.html(f'<div class="panel-title">{label(run)}</div>')
+        left.html(f'<div class="panel-title">{escape(label(run))}</div>')
     if curves:
         right.pills(
             "Agents that ship", list(curves), selection_mode="multi", key=store.put("ships", ships),

@@ -107,8 +107,11 @@ def names_in(word: object) -> list[str]:
 
 
 def changed(settings: LoopSettings) -> list[str]:
-    """What a run's settings have that the suited ones have not, in words."""
-    usual = _usual(settings.ALGORITHM, settings.environment)
+    """What a run's settings have that the suited ones have not, in words; nothing where those cannot be read."""
+    try:
+        usual = _usual(settings.ALGORITHM, settings.environment)
+    except InputError:
+        return []
     names = [p.name for p in settings.SCHEMA if p.name not in ("seed", "evaluate_every")]
     return [
         f"{name} {getattr(settings, name):g}" if isinstance(getattr(settings, name), float)

@@ -15,6 +15,7 @@ from app.components.lens.payload import Simulated
 from app.components.lens.state import checked, state_of, values_of
 from app.components.waiting import attempt
 from app.session import store
+from app.session.typed import in_markdown
 from app.view import compute
 from app.view.subjects import PARAM, View
 from laplace_core.study.artefacts import Artefact
@@ -162,6 +163,6 @@ def _artefact(artefact: Artefact) -> None:
     remedies = artefact.remedies[:2]
     for column, offer in zip(st.columns(len(remedies)) if remedies else (), remedies, strict=True):
         column.button(
-            offer.label, key=f"fix {artefact.name} {offer.label}", on_click=remedy,
+            in_markdown(offer.label), key=f"fix {artefact.name} {offer.label}", on_click=remedy,
             args=(offer.changes,), width="stretch",
         )  # fmt: skip

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import streamlit as st
 
-from app.session import link, store
+from app.session import store
+from app.session.typed import in_markdown
 from app.worlds import sources
 from app.worlds.schema import OPENING
 from laplace_core import World, load_world
 from laplace_core.study.settings import BY_NAME
-from laplace_core.worlds import dump_world
 
 _KEPT_ACROSS_WORLDS = {"normalise", "policy", "softness", "look", "pin", "compare", "deadline", "source"}
 _BROUGHT_ALONG = ("own", "timeline", "data", "pin")  # what Reset leaves: it cannot be had again
@@ -20,9 +20,12 @@ def world_name() -> str:
 
 
 def go_to(**values: object) -> None:
-    """Look at another world; values that make sense in any world stay."""
+    """Look at another world; values that make sense in any world stay, but for those of the opening view.
+
+    Its rescaled rows show an artefact of the paper: a world of one's own opens as it was decoded.
+    """
     kept = {name: value for name, value in store.chosen().items() if name in _KEPT_ACROSS_WORLDS}
-    store.replace_all(kept | values)
+    store.replace_all({name: value for name, value in kept.items() if OPENING.get(name) != value} | values)
     store.refresh_sidebar()
 
 
@@ -42,7 +45,8 @@ def edit_world(world: World) -> None:
     """Make a world the person's own and open it as a table; settings that suited it stay with it."""
     suited = {name: value for name, value in world.suggested.items() if name in BY_NAME}
     stays = {name: value for name, value in store.chosen().items() if name in BY_NAME or name in ("action", "horizon")}
-    go_to(**suited, **stays, world=sources.OWN, own=link.pack(dump_world(world)), edit="yes")
+    stays = {name: value for name, value in stays.items() if OPENING.get(name) != value}
+    go_to(**suited, **stays, world=sources.OWN, own=sources.word_of(world), edit="yes")
 
 
 def drop_missing(world: World) -> None:
@@ -50,7 +54,7 @@ def drop_missing(world: World) -> None:
     chosen = store.chosen()
     for name, members in (("state", world.states), ("action", world.actions)):
         if name in chosen and chosen[name] not in members:
-            st.toast(f"The world has no {name} {chosen.pop(name)!r} any more.")
+            st.toast(in_markdown(f"The world has no {name} {chosen.pop(name)!r} any more."))
 
 
 def reset() -> None:

@@ -9,21 +9,20 @@ from streamlit.delta_generator import DeltaGenerator
 
 from app import session
 from app.catalogue import tabular
-from app.components.widgets import download, upload
+from app.components.widgets import download, left_out, upload
 from app.session import store
-from app.session.link import pack
+from app.session.typed import in_markdown
 from app.view.subjects import View
 from app.worlds import sources
 from app.worlds.actions import edit_world, go_to, world_name
 from laplace_core import InputError, World
 from laplace_core.worlds import (
     dump_world,
-    parse_world,
+    parse_world_bytes,
     rescaled,
     timeline_world,
     world_from_rows,
     world_rows,
-    world_text,
 )
 
 MOST_ROWS = 2_000
@@ -41,9 +40,11 @@ def open_group(world: World | None) -> None:
     with box:
         kinds = "World (.json), gamma-space (.npz) or learned agent (.safetensors)"
         upload(kinds, ("json", "npz", "safetensors"), "upload", _open, help=_CONTENTS)
-        for name in tabular.shipped_agents():
-            title = name.removesuffix("_td").replace("_", " ")
+        agents = tabular.shipped_agents()
+        for name in (name for name, refusal in agents.items() if refusal is None):
+            title = in_markdown(name.removesuffix("_td").replace("_", " "))
             st.button(f"Open the learned {title}", on_click=_open_agent, args=(name,), width="stretch")
+        left_out([refusal for refusal in agents.values() if refusal is not None])
         if world is not None and world_name() not in sources.BROUGHT:
             st.button("Edit this world as a table", on_click=edit_world, args=(world,), width="stretch")
         if world_name() != sources.TIMELINE:
@@ -59,9 +60,7 @@ def _open(name: str, data: bytes) -> None:
     """An uploaded file replaces the view."""
     ending = name.lower().rpartition(".")[2]
     if ending == "json":
-        text = world_text(data, name)
-        parse_world(text)
-        go_to(world=sources.OWN, own=pack(text))
+        go_to(world=sources.OWN, own=sources.word_of(parse_world_bytes(data, name)))
     elif ending == "safetensors":
         _open_agent(tabular.open_agent(name, data))
     else:
@@ -142,10 +141,10 @@ def _world_table(world: World) -> None:
     try:
         made = _made(rows, base)
     except InputError as error:
-        st.warning(f"Not taken over yet: {error}")
+        st.warning(f"Not taken over yet: {in_markdown(error)}")
         _offer_rescale(right, rows, base)
         return
-    _edited(sources.OWN, word, pack(dump_world(made)))
+    _edited(sources.OWN, word, sources.word_of(made))
 
 
 def _made(rows: list[dict], base: World) -> World:
@@ -160,7 +159,7 @@ def _offer_rescale(place: DeltaGenerator, rows: list[dict], base: World) -> None
         made = _made(rescaled(rows), base)
     except InputError:
         return
-    place.button("Rescale probabilities to 1", on_click=_take_over, args=(pack(dump_world(made)),))
+    place.button("Rescale probabilities to 1", on_click=_take_over, args=(sources.word_of(made),))
 
 
 def _take_over(word: str) -> None:
@@ -170,7 +169,7 @@ def _take_over(word: str) -> None:
 
 
 def _download(world: World) -> None:
-    download("Download world", dump_world(world), sources.file_name(world), width="stretch")
+    download("Download world", lambda: dump_world(world), sources.file_name(world), width="stretch")
 
 
 def _timeline_table(world: World) -> None:
@@ -198,6 +197,6 @@ def _timeline_table(world: World) -> None:
     try:
         timeline_world(rows, chosen_rest)
     except InputError as error:
-        beside.warning(f"Not taken over yet: {error}")
+        beside.warning(f"Not taken over yet: {in_markdown(error)}")
         return
     _edited(sources.TIMELINE, word, sources.packed_timeline(rows, chosen_rest))

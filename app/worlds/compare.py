@@ -13,6 +13,7 @@ from app.components.lens import Pin
 from app.components.lens.state import state_of
 from app.session import store
 from app.session.link import pack
+from app.session.typed import in_markdown
 from app.session.url import query_of
 from app.view import compute
 from app.view.subjects import View
@@ -84,7 +85,7 @@ def comparison(view: View) -> None:
             return
         compute.study_for(pinned)
     except InputError as error:
-        st.warning(f"A cannot be shown any more: {error}")
+        st.warning(f"A cannot be shown any more: {in_markdown(error)}")
         return
     title, choice, away = st.columns([3.2, 1, 0.7], vertical_alignment="center")
     title.html(f'<div class="panel-title">A, pinned, against B, what you see above</div>{_differs(values)}')
@@ -98,4 +99,4 @@ def comparison(view: View) -> None:
     sentence, figures = compute.comparison(pinned, view, what)
     for column, (name, figure) in zip(st.columns(3, gap="small"), figures.items(), strict=False):
         chart(figure, f"compare {name}", f"{what.replace('_', '-')}: {name}", revision=what, place=column)
-    st.caption(sentence)
+    st.caption(in_markdown(sentence))

@@ -9,6 +9,7 @@ import streamlit as st
 from app.catalogue.names import world_title
 from app.components.widgets import field, select
 from app.session import store
+from app.session.typed import in_markdown
 from app.view import subjects
 from app.view.subjects import PARAM
 from app.worlds import actions, sources
@@ -55,7 +56,7 @@ def state_group(world: World, settings: Resolved) -> None:
         select("State", world.states, store.show("state", settings.state), help=BY_NAME["state"].help)
         return
     _state_index(world.state_index(subjects.state_in(settings)), world.states)
-    st.caption(settings.state)
+    st.caption(in_markdown(settings.state))
 
 
 def state_of_file(states: int) -> None:

@@ -7,8 +7,8 @@ import streamlit as st
 from streamlit.delta_generator import DeltaGenerator
 
 from app.components.copy import copy_button
-from app.session import link, store
-from app.session.url import query_of
+from app.session import store
+from app.session.typed import in_markdown
 from app.view import compute
 from app.view.export import downloads, reading, settings_on_disk
 from app.view.subjects import View
@@ -16,11 +16,13 @@ from app.worlds import sources
 from app.worlds.actions import world_name
 
 TOO_LONG = "This view is too long for a link; download the world to keep it."
+FILE_ONLY = "The link of this view does not hold your file: keep the file."
 
 
 def footer(view: View) -> None:
     regret, words, copying, download = st.columns([3, 1, 0.8, 0.9], vertical_alignment="center")
-    regret.caption(_loss(view) if link.fits(query_of(store.chosen())) else TOO_LONG)
+    lacking = FILE_ONLY if view.world is None else TOO_LONG
+    regret.caption(_loss(view) if sources.in_link(store.chosen()) else lacking)
     reading(words)
     _copying(copying, view)
     downloads(download, view)
@@ -48,9 +50,9 @@ def _copying(place: DeltaGenerator, view: View) -> None:
         copy_button("Copy as Python", python_of(view), "python")
         if view.learner is not None:
             mean = " The command shows the first learner, not the mean of all." if view.learner.index is None else ""
-            st.caption(f"Both read {file}: Download agent saves it.{mean}")
+            st.caption(f"Both read {in_markdown(file)}: Download agent saves it.{mean}")
         elif world_name() in sources.BROUGHT:
-            st.caption(f"Both read {file}, so download or keep that file beside them.")
+            st.caption(f"Both read {in_markdown(file)}, so download or keep that file beside them.")
 
 
 def python_of(view: View) -> str:

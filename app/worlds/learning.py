@@ -14,6 +14,7 @@ from app.components.waiting import attempt, place_in_line
 from app.components.widgets import download, field, select
 from app.session import store
 from app.session.jobs import Wish, duration
+from app.session.typed import in_markdown
 from app.session.url import by_name
 from app.view import compute, subjects
 from app.view.subjects import View
@@ -220,7 +221,7 @@ def _progress(view: View, watched: learners.Watched | None) -> None:
             st.caption(f"Learned in {_done(view.learned)} episodes by {who}, policy {shown.policy}.")
         return
     if watched.error:
-        st.error(capital(watched.error))
+        st.error(in_markdown(capital(watched.error)))
         return
     progress = watched.progress()
     if progress is None and not watched.running:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import streamlit as st
 
 from app.session import store
+from app.session.typed import in_markdown
 from app.worlds import actions, bring, controls, learning, sources
 from app.worlds.schema import OPENING
 from laplace_core import InputError
@@ -20,7 +21,7 @@ def groups() -> bool:
         learned, _ = learning.current(world) if world is not None else (None, None)
         view = sources.view_of(store.chosen(), learned)
     except InputError as error:
-        st.error(str(error))
+        st.error(in_markdown(error))
         st.button("Undo the last change", on_click=store.undo)
         st.button("Back to the opening view", on_click=actions.go_to, kwargs=OPENING)
         return False
@@ -28,7 +29,7 @@ def groups() -> bool:
         file = sources.gamma_space_files()[str(store.chosen()["data"])]
         space = view.subject.gamma_space
         if space is not None:
-            st.caption(f"{file.name}: {len(space.gammas)} discounts, {len(space.thetas)} sensitivities")
+            st.caption(f"{in_markdown(file.name)}: {len(space.gammas)} discounts, {len(space.thetas)} sensitivities")
         controls.state_of_file(file.states)
     else:
         controls.state_group(world, view.settings)

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
 from app import session
-from app.session.link import pack, unpack
+from app.session import link
+from app.session.link import MOST, pack, unpack
+from app.session.url import query_of
 from app.view.subjects import PARAM, Exact, FromFile, Learner, Subject, Values, View, plain_name
 from laplace_core import PRESETS, InputError, Settings, World, load_world
 from laplace_core.caching import cached
@@ -25,6 +28,10 @@ BROUGHT = (OWN, TIMELINE, DATA)
 DATA_IS_GONE = (
     "The link shows a gamma-space from a file, which stays with the person who opened it: open the file again."
 )
+WORLD_IS_GONE = (
+    "The link shows a world that is too large for a link and stays with the person who opened it: open its file again."
+)
+_DIGEST = re.compile(r"[0-9a-f]{12}")  # no packed word is one: all of those begin with eN
 LEARN = "l."
 """Prefix of the settings of learning, in the session and in the URL."""
 
@@ -57,8 +64,30 @@ def _timeline(word: str) -> World:
     return timeline_world(*timeline_rows_of(word))
 
 
-@cached(16)
+def word_of(world: World) -> str:
+    """What the values hold of a world of one's own: all of it, packed; a very large one by its digest.
+
+    A link does not hold that one, but this session keeps it, in place of the last one.
+    """
+    text = dump_world(world)
+    data = text.encode()
+    return pack(text) if len(data) <= MOST else session.keep_opened(world, data)
+
+
 def own_world(word: str) -> World:
+    """The world of a word of :func:`word_of`.
+
+    Raises:
+        InputError: a word that was damaged, or a digest of a world that this session does not keep.
+    """
+    kept = session.opened(World).get(word)
+    if kept is None and _DIGEST.fullmatch(word):
+        raise InputError(WORLD_IS_GONE)
+    return kept or _packed_world(word)
+
+
+@cached(16)
+def _packed_world(word: str) -> World:
     return parse_world(unpack(word))
 
 
@@ -111,11 +140,17 @@ def open_gamma_space(name: str, data: bytes) -> str:
     return session.keep_opened(GammaSpaceFile(name, data, states_of(data, name=name), (None, first)), data)
 
 
+def in_link(values: Values) -> bool:
+    """Whether the link of a view holds all of it: neither too long nor with a file that only this session has."""
+    kept = values.get("data") if values.get("world") == DATA else values.get(OWN)
+    return link.fits(query_of(values)) and not _DIGEST.fullmatch(str(kept))
+
+
 def world_values(world: World) -> dict[str, Any]:
     """The values that make a page show this world, whether it has a name here or not."""
     if world.source in WORLDS:
         return {"world": world.source, **{PARAM + name: value for name, value in world.params}}
-    return {"world": OWN, OWN: pack(dump_world(world))}
+    return {"world": OWN, OWN: word_of(world)}
 
 
 @cached(16)

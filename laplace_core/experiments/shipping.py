@@ -9,7 +9,9 @@ from __future__ import annotations
 
 import hashlib
 import json
+from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -20,10 +22,14 @@ from laplace_core.errors import InputError
 from laplace_core.experiments import training
 from laplace_core.files.atomic import write_whole
 from laplace_core.files.strict_json import parse_json
+from laplace_core.files.tensors import read_bytes
+from laplace_core.training.checkpoint import load_checkpoint
 from laplace_core.training.defaults import settings_of
 from laplace_core.training.run_folder import read_metrics
 
 MANIFEST = "manifest.json"
+TABULAR = "_td"
+"""Ending of the names of agents that learned a tabular world; another reader opens them."""
 PICKED, ALONE = "median score over the seeds", "the only seed"
 MOST_BYTES, MOST_TOGETHER = 8_000_000, 40_000_000
 MOST_CURVE_BYTES = 200_000
@@ -117,11 +123,46 @@ def curves_of(folder: Path, entry: dict[str, Any]) -> tuple[TrainingCurve, ...]:
             TrainingCurve(int(each["seed"]), *(tuple(map(float, each[name])) for name in ("steps", "scores", "errors")))
             for each in parse_json(data, path.name)
         ]
-    except (KeyError, TypeError, ValueError):
+    except (InputError, KeyError, TypeError, ValueError, OverflowError):
         raise wrong from None
-    if any(not len(curve.steps) == len(curve.scores) == len(curve.errors) for curve in curves):
-        raise wrong
+    for curve in curves:
+        columns = (curve.steps, curve.scores, curve.errors)
+        if not curve.steps or len({*map(len, columns)}) > 1 or not np.isfinite(columns).all():
+            raise wrong
     return tuple(curves)
+
+
+def damaged(folder: Path) -> dict[str, str]:
+    """One sentence for every file of a folder of shipped agents that cannot be used, by its name.
+
+    A checkpoint with the manifest's sha256 is as it was shipped. Any other is opened, as one may lie there that the
+    manifest does not know.
+    """
+    found: dict[str, str] = {}
+    entries: dict[str, dict[str, Any]] = {}
+
+    def tried(name: str, use: Callable[[], object]) -> None:
+        try:
+            use()
+        except InputError as error:
+            found[name] = str(error)
+
+    tried(MANIFEST, lambda: entries.update((each["file"], each) for each in manifest(folder)))
+    for path in sorted(folder.glob("*.safetensors")):
+        entry = entries.get(path.name, {})
+        if not path.stem.endswith(TABULAR) and not _is_as_shipped(path, entry):
+            tried(path.name, partial(load_checkpoint, path))
+    for name, entry in entries.items():
+        tried(f"{Path(name).stem}.curve.json", partial(curves_of, folder, entry))
+    return found
+
+
+def _is_as_shipped(path: Path, entry: dict[str, Any]) -> bool:
+    try:
+        data = path.read_bytes() if path.stat().st_size <= MOST_BYTES else b""
+    except OSError:
+        return False
+    return hashlib.sha256(data).hexdigest() == entry.get("sha256")
 
 
 def command(settings: LoopSettings) -> str:
@@ -130,11 +171,18 @@ def command(settings: LoopSettings) -> str:
 
 
 def manifest(folder: Path) -> list[dict[str, Any]]:
-    """Entries of a folder's manifest; none if it has no manifest."""
+    """Entries of a folder's manifest; none if it has no manifest.
+
+    Raises:
+        InputError: a manifest that is no list of entries with the names of files.
+    """
     path = folder / MANIFEST
     if not path.exists():
         return []
-    entries = parse_json(path.read_bytes(), path.name)
-    if not isinstance(entries, list) or not all(isinstance(entry, dict) and "file" in entry for entry in entries):
+    entries = parse_json(read_bytes(path, path.name, most_bytes=MOST_BYTES), path.name)
+    named = isinstance(entries, list) and all(
+        isinstance(entry, dict) and isinstance(entry.get("file"), str) for entry in entries
+    )
+    if not named:
         raise InputError(f"{path.name} must be a list of entries that each name a file.")
     return entries

@@ -7,7 +7,7 @@ from collections import deque
 import numpy as np
 
 from laplace_core import World
-from laplace_core.figures.theme import NEUTRAL, Figure, Trace, action_colour, axis, build
+from laplace_core.figures.theme import NEUTRAL, Figure, Trace, action_colour, axis, build, in_plotly
 from laplace_core.worlds import END, Outcome
 
 MAX_DRAWN = 26
@@ -219,8 +219,8 @@ def _nodes(world: World, drawn: list[int], places: Places, state: int, *, action
         "x": [places[s][0] for s in drawn],
         "y": [places[s][1] for s in drawn],
         "mode": "markers" if crowded else "markers+text",
-        "text": [name if len(name) <= 14 else name[:13] + "…" for name in names],
-        "customdata": [[s, name] for s, name in zip(drawn, names, strict=True)],
+        "text": [in_plotly(name if len(name) <= 14 else name[:13] + "…") for name in names],
+        "customdata": [[s, in_plotly(name)] for s, name in zip(drawn, names, strict=True)],
         "hovertemplate": "%{customdata[1]}<br>click to look from here<extra></extra>",
         "marker": {
             "size": size,

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from laplace_core.figures.theme import NEUTRAL, Figure, Trace, axis, build, translucent
+from laplace_core.figures.theme import NEUTRAL, Figure, Trace, axis, build, in_plotly, translucent
 
 if TYPE_CHECKING:  # it brings torch along, which no figure needs
     from laplace_core.acting.race import Races
@@ -57,7 +57,7 @@ def differences(
         margin={"t": 54},
         shapes=[zero],
         hovermode="closest",
-        xaxis=axis(f"{names[1]} less {names[0]} (reward)"),
+        xaxis=axis(in_plotly(f"{names[1]} less {names[0]} (reward)")),
         yaxis=axis("starts", range=[0.0, top], rangemode="tozero"),
     )
 

@@ -16,6 +16,7 @@ from laplace_core.figures.theme import (
     action_colour,
     axis,
     build,
+    in_plotly,
     staircase,
     translucent,
 )
@@ -56,11 +57,11 @@ def returns_side_by_side(rows: Sequence[ReturnRow]) -> Figure:
     traces, layout, words = [], {}, []
     for i, row in enumerate(rows):
         number = "" if i == 0 else str(i + 1)
-        place, first = {"xaxis": "x", "yaxis": f"y{number}"}, i == 0
+        place, first, name = {"xaxis": "x", "yaxis": f"y{number}"}, i == 0, in_plotly(row.name)
         top = 1.0 - i * (_ROW + _GAP) / height
         layout[f"yaxis{number}"] = axis("", domain=[max(0.0, top - _ROW / height), top], range=[-0.04, 1.04],
                                         tickvals=[0, 0.5, 1])  # fmt: skip
-        words.append({"text": f"<b>{row.name}</b>", "x": 0.0, "xref": "paper", "xanchor": "left", "y": top,
+        words.append({"text": f"<b>{name}</b>", "x": 0.0, "xref": "paper", "xanchor": "left", "y": top,
                       "yref": "paper", "yanchor": "bottom", "showarrow": False, "font": {"size": 12}})  # fmt: skip
         if row.observed is not None:
             words.append({"text": f"W1 {row.observed.distance(row.law):.3g}", "x": 1.0, "xref": "paper",
@@ -72,11 +73,11 @@ def returns_side_by_side(rows: Sequence[ReturnRow]) -> Figure:
         traces.append({
             "type": "scatter", "x": x, "y": y, "mode": "lines", "name": "learned", "showlegend": first,
             "line": {"color": _LEARNED, "width": 2, "shape": "hv"}, **fill, **place,
-            "hovertemplate": f"{row.name}<br>learned: return at most %{{x:.3g}}: %{{y:.0%}}<extra></extra>",
+            "hovertemplate": f"{name}<br>learned: return at most %{{x:.3g}}: %{{y:.0%}}<extra></extra>",
         })  # fmt: skip
-        traces.append(_mean_mark(row.law.mean, _LEARNED, f"{row.name}<br>learned mean", place))
+        traces.append(_mean_mark(row.law.mean, _LEARNED, f"{name}<br>learned mean", place))
         if row.observed is not None:
-            traces.append(_mean_mark(row.observed.mean[0], OBSERVED, f"{row.name}<br>observed mean", place))
+            traces.append(_mean_mark(row.observed.mean[0], OBSERVED, f"{name}<br>observed mean", place))
     return build(
         "",
         traces,
@@ -131,7 +132,7 @@ def _range(laws: Sequence[tuple[np.ndarray, np.ndarray]]) -> tuple[float, float]
 def returns_of_actions(laws: Sequence[ReturnLaw], names: Sequence[str], highlighted: int) -> Figure:
     """P(return at most x) after every action, as learned, with the means; the highlighted action is heavier."""
     low, high = _range([(law.locations, law.masses) for law in laws])
-    traces = []
+    traces, names = [], [in_plotly(name) for name in names]
     for a, (law, name) in enumerate(zip(laws, names, strict=True)):
         x, y = staircase(law.locations, law.masses, low, high)
         traces.append({
@@ -152,6 +153,7 @@ def returns_of_actions(laws: Sequence[ReturnLaw], names: Sequence[str], highligh
 
 def values_of_actions(values: np.ndarray, names: Sequence[str], gamma: float, highlighted: int) -> Figure:
     """A bar an action: ``values`` ``(A,)``, discounted returns."""
+    names = [in_plotly(name) for name in names]
     edges = [{"width": 2.5 if a == highlighted else 0, "color": NEUTRAL} for a in range(len(names))]
     bars = [
         {"type": "bar", "orientation": "h", "x": [value], "y": [name], "showlegend": False,
@@ -177,7 +179,7 @@ def values_over_time_to_go(values: np.ndarray, names: Sequence[str], gamma: floa
         {"type": "scatter", "x": horizons, "y": values[:, a], "mode": "lines", "name": name,
          "line": {"color": action_colour(a), "width": 2},
          "hovertemplate": f"{name}<br>T %{{x}}: %{{y:.4g}}<extra></extra>"}
-        for a, name in enumerate(names)
+        for a, name in enumerate(map(in_plotly, names))
     ]  # fmt: skip
     return build(
         f"learned value of the next T steps, γ {gamma:g}",

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import base64
+import html
 import json
 from typing import Any
 
@@ -53,6 +54,14 @@ def staircase(locations: np.ndarray, masses: np.ndarray, low: float, high: float
 
 
 _AXIS = {"zeroline": False, "tickfont": {"size": 11}}
+
+
+def in_plotly(text: object) -> str:
+    """A text from outside for a label, legend, hover text or its custom data, shown exactly as it was typed.
+
+    Plotly reads tags such as ``<b>`` and ``<a>`` in all of them, and fills in values at ``%{``.
+    """
+    return html.escape(str(text), quote=False).replace("%{", "&#37;{").replace("$", "&#36;")
 
 
 def axis(title: str = "", **options: object) -> dict[str, Any]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from laplace_core import Study
-from laplace_core.figures.theme import NEUTRAL, Figure, Trace, action_colour, axis, build, translucent
+from laplace_core.figures.theme import NEUTRAL, Figure, Trace, action_colour, axis, build, in_plotly, translucent
 from laplace_core.tabular import Band, Bands
 
 
@@ -62,7 +62,8 @@ def _band(taus: np.ndarray, band: Band, action: int, step: float, *, colour: str
 
 def values_over_horizon(study: Study, row: int, bands: Bands) -> Figure:
     """V_T of every action over T, its range over the learners, the share of them that chooses it, and the best one."""
-    horizons, names, decoded, truth = study.horizons, study.action_names, study.decoded, study.truth
+    horizons, decoded, truth = study.horizons, study.decoded, study.truth
+    names = tuple(map(in_plotly, study.action_names))
     mode = "lines+markers" if len(horizons) <= 40 else "lines"
     traces: list[Trace] = []
     for a, name in enumerate(names):
@@ -84,7 +85,7 @@ def values_over_horizon(study: Study, row: int, bands: Bands) -> Figure:
     return build(
         "values and choices over the seeds",
         traces,
-        margin={"l": 56, "t": 40 + 19 * _legend_rows(names)},
+        margin={"l": 56, "t": 40 + 19 * _legend_rows(study.action_names)},
         shapes=[{**cursor, "line": {"color": NEUTRAL, "width": 1.5, "dash": "dash"}}],
         xaxis=axis("horizon T (steps)", anchor="y2"),
         yaxis=axis("value V<sub>T</sub>", domain=[0.24, 1.0], **_value_range(study)),

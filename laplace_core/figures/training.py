@@ -8,7 +8,7 @@ from typing import Protocol
 
 import numpy as np
 
-from laplace_core.figures.theme import NEUTRAL, Figure, Trace, axis, build, translucent
+from laplace_core.figures.theme import NEUTRAL, Figure, Trace, axis, build, in_plotly, translucent
 from laplace_core.training.curves import Curves
 
 TALL, CARD = 330, 132
@@ -75,8 +75,8 @@ def learning_curves(title: str, lines: Sequence[Line], steps: int, shipped: Sequ
     """
     raw, smooth, scores = [], [], []
     for line in lines:
-        c, common = line.curves, {"type": "scatter", "legendgroup": line.name, "name": line.name}
-        hover = f"{line.name}<br>step %{{x:,.0f}}<br>"
+        c, common = line.curves, {"type": "scatter", "legendgroup": line.name, "name": in_plotly(line.name)}
+        hover = f"{in_plotly(line.name)}<br>step %{{x:,.0f}}<br>"
         faint = 0.25 if len(c.returns) < _MANY else 0.1
         raw.append({**common, "x": c.episode_steps, "y": c.returns, "mode": "lines", "showlegend": False,
                     "hoverinfo": "skip", "line": {"color": translucent(line.colour, faint), "width": 1}})  # fmt: skip

@@ -11,9 +11,9 @@ from laplace_core.code.gamma_space import GammaSpace, bin_differences
 from laplace_core.inverse.axis import axis_of
 from laplace_core.inverse.channels import channel_gains, layered
 from laplace_core.inverse.feasible import feasible
+from laplace_core.inverse.linear import decode_matrix
 from laplace_core.inverse.nonnegative import nonnegative
 from laplace_core.inverse.problem import Problem, Solution
-from laplace_core.inverse.tikhonov import decode_matrix
 
 LAYERS = 3
 SHARE = 0.5

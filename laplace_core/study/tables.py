@@ -5,13 +5,12 @@ UTF-8, comma and decimal point; numbers are written so that they come back exact
 
 from __future__ import annotations
 
-import csv
-import io
 from collections.abc import Sequence
 
 import numpy as np
 
 from laplace_core.errors import InputError
+from laplace_core.files.cells import csv_cell
 from laplace_core.planning import check_policy, reward_timeline
 from laplace_core.study.pipeline import Study, WorldStudy, policies_of
 from laplace_core.worlds import MAX_TAU, timeline_rows
@@ -105,7 +104,7 @@ def _long(
     flat = [array.reshape(len(study.action_names), len(rows), -1) for array in columns.values()]
     endings = [f",{words}" for words in bins] if bins is not None else [""]
     for a, name in enumerate(study.action_names):
-        action = _cell(name)
+        action = csv_cell(name)
         for k, row in enumerate(rows):
             before = f"{action},{row}"
             numbers = map(",".join, zip(*(_texts(array[a, k]) for array in flat), strict=True))
@@ -116,10 +115,3 @@ def _long(
 def _texts(numbers: np.ndarray) -> list[str]:
     """Every number as the shortest text that reads back as itself."""
     return list(map(repr, numbers.tolist()))
-
-
-def _cell(name: str) -> str:
-    """A name as a CSV cell that no spreadsheet takes for a formula."""
-    text = io.StringIO()
-    csv.writer(text, lineterminator="").writerow([f"'{name}" if name.startswith(("=", "+", "-", "@")) else name])
-    return text.getvalue()

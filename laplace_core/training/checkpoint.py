@@ -20,6 +20,8 @@ from laplace_core.files.tensor_file import parse_tensors, read_tensors, write_te
 
 MAX_BYTES = 64_000_000
 LARGEST_WEIGHT = 1e6
+MOST_COUNT = 2**53
+"""Steps or episodes that a file may tell of: what a float holds exactly."""
 
 _FIELDS: dict[str, type | tuple[type, ...]] = {
     "algorithm": str, "environment": str, "settings": dict, "seed": int, "step": int, "score": (float, int, type(None)),
@@ -106,7 +108,7 @@ def _checked(arrays: dict[str, np.ndarray], about: dict[str, Any], name: str) ->
     settings = _settings(SETTINGS[about["algorithm"]], about["settings"], name)
     if settings.environment != about["environment"] or settings.seed != about["seed"]:
         raise InputError(f"the settings in {name!r} contradict the environment or seed beside them.")
-    if about["step"] < 0 or about["episodes"] < 0 or len(about["version"]) > 40:
+    if not (0 <= about["step"] <= MOST_COUNT and 0 <= about["episodes"] <= MOST_COUNT) or len(about["version"]) > 40:
         raise InputError(f"the metadata of {name!r} has a step, episodes or version that cannot be.")
     score = about["score"]
     if score is not None and not (abs(score) <= 1e12 and math.isfinite(score)):

@@ -17,6 +17,7 @@ from pathlib import Path
 
 import numpy as np
 
+from laplace_core.files.cells import no_formula
 from laplace_core.supervise import PLAIN
 
 MOST_POINTS = 1024
@@ -193,7 +194,8 @@ def metrics_csv(path: str | Path) -> bytes:
             try:
                 about = json.loads(line)
                 if about["event"] in ("Episode", "Evaluation"):
-                    rows.writerow([about.get(name) for name in columns])
+                    values = (about.get(name) for name in columns)
+                    rows.writerow([no_formula(value) if isinstance(value, str) else value for value in values])
             except (ValueError, TypeError, KeyError, RecursionError):
                 continue
     return text.getvalue().encode()

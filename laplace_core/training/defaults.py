@@ -3,21 +3,29 @@ those that were given in their place; and the command and the folder's name that
 
 from __future__ import annotations
 
-import json
 from importlib import resources
 from typing import Any
 
 from laplace_core.agents.settings import SETTINGS, LoopSettings
 from laplace_core.environments import ENVIRONMENTS, GYMNASIUM
 from laplace_core.errors import InputError
+from laplace_core.files.strict_json import parse_json
 from laplace_core.parameters import as_text
 from laplace_core.study.settings import flag
 
 
 def tuned_settings(algorithm: str, environment: str) -> dict[str, Any]:
-    """Settings in the file of this pair, by name; empty if there is no file."""
+    """Settings in the file of this pair, by name; empty if there is no file.
+
+    Raises:
+        InputError: a file that holds no JSON object.
+    """
     file = resources.files("laplace_core.training") / "settings" / algorithm / f"{environment}.json"
-    return json.loads(file.read_text(encoding="utf-8")) if file.is_file() else {}
+    name = f"the file of settings {algorithm}/{environment}.json"
+    settings = parse_json(file.read_bytes(), name) if file.is_file() else {}
+    if not isinstance(settings, dict):
+        raise InputError(f"{name} must hold one JSON object: take it from the package again.")
+    return settings
 
 
 def name_of(settings: LoopSettings) -> str:

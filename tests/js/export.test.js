@@ -53,3 +53,29 @@ test('the lens in a file of its own holds its payload, and no tag ends early', (
   assert.equal(held.payload, given.payload);
   assert.equal(held.state.look, '</script>');
 });
+
+// Names that a spreadsheet would compute, in a cell of their own, within a comment, and in more than one line.
+const FORMULAS = ['=1+1', '+1', '-1', '@SUM(1)', '\t=1', '\r=1', '\n=1', 'a,=1+1,b', '",=1+1,"'];
+
+// The cells of a text of CSV, as RFC 4180 has them.
+function cellsOf(text) {
+  const cells = [];
+  for (const line of text.split(/\n(?=(?:[^"]*"[^"]*")*[^"]*$)/)) {
+    for (const [, quoted, bare] of line.matchAll(/(?:^|,)(?:"((?:[^"]|"")*)"|([^,]*))/g))
+      cells.push(quoted === undefined ? bare : quoted.replaceAll('""', '"'));
+  }
+  return cells;
+}
+
+test('no name becomes a formula in the table, and every name can be read from it again', () => {
+  for (const name of FORMULAS) {
+    const formula = lens(),
+      { header } = formula.scene.model;
+    Object.assign(header, { world: name, state: name, actions: header.actions.map(() => name) });
+    const text = csvOf(formula);
+    assert.equal(JSON.parse(text.split('\n')[0].slice(2)).from_state, name);
+    for (const cell of cellsOf(text))
+      assert.match(cell, /^(?:-?[\d.]+(e[+-]?\d+)?$|[^=+@\t\r\n-]|$)/, JSON.stringify(name));
+    assert.ok(/^[=+@\t\r\n-]/.test(name) === cellsOf(text).includes(`'${name}`), JSON.stringify(name));
+  }
+});

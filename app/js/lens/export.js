@@ -26,6 +26,16 @@ export function save(content, name, type) {
   setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
 }
 
+// JSON on one line of a table: a comma within a word would begin a cell of its own, and that could be a formula.
+const commented = (value) =>
+  JSON.stringify(value, (_, each) => (typeof each === 'string' ? each.replaceAll(',', '\0') : each)).replaceAll(
+    '\\u0000',
+    '\\u002c',
+  );
+
+// Words as a cell that no spreadsheet takes for a formula; `csv_cell` in Python is the same rule.
+const quoted = (words) => `"${`${/^[=+@\t\r\n-]/.test(words) ? "'" : ''}${words}`.replace(/"/g, '""')}"`;
+
 const nameOf = ({ scene: { model } }) => `lens_${model.header.world.replace(/[^A-Za-z0-9_-]+/g, '_').slice(0, 40)}`;
 
 // The verdict, on as many lines as it needs, and under it what is seen.
@@ -141,8 +151,7 @@ export function csvOf({ scene }) {
     simulated && far
       ? [...['reward', 'rewardError', 'survival', 'survivalError'].map((name) => simulated[name][tau]), far[tau]]
       : [];
-  const quoted = (words) => `"${String(words).replace(/"/g, '""')}"`,
-    names = model.header.actions,
+  const names = model.header.actions,
     a = state.action;
   const head = [
     'tau',
@@ -172,7 +181,7 @@ export function csvOf({ scene }) {
   const { world, state: from_state } = model.header,
     gammas = Array.from(seen.grid.gammas);
   return [
-    `# ${JSON.stringify({ world, from_state, ...state, action: names[a], gammas })}`,
+    `# ${commented({ world, from_state, ...state, action: names[a], gammas })}`,
     head.map(quoted).join(','),
     ...rows.map((row) => row.map((x) => x ?? '').join(',')),
   ].join('\n');

@@ -372,7 +372,7 @@ def test_a_world_too_long_for_a_link_is_shown_and_says_so():
     assert not page.error
     assert link(page) == {}
     assert any("too long for a link" in caption.value for caption in page.caption)
-    assert_shows(page, study(parse_world(text), Settings(normalise="paper")))
+    assert_shows(page, study(parse_world(text), Settings()))
     choose(page, alpha=0.05)  # the view stays although its link is empty
     assert page.selectbox(key="world").value == "own"
     assert handed(page)[0]["state"]["alpha"] == 0.05
@@ -385,3 +385,29 @@ def test_a_world_of_ones_own_can_be_begun_beside_a_gamma_space():
     run(page)
     assert link(page)["world"] == "own"
     assert page.data_editor[0].value.to_dict("records") == world_rows(load_world("two_branch"))
+
+
+# --- worlds that are too large for a link ---
+
+
+def large_world() -> bytes:
+    """A world file of more than 3 MB: few states, and very many outcomes of each action."""
+    states = [f"state {i}" for i in range(12)]
+    outcomes = [{"p": 1 / 1024, "next": states[i % 12] if i % 3 else "END", "reward": i % 4} for i in range(1024)]
+    rows = [{"state": s, "action": a, "outcomes": outcomes} for s in states for a in ("stay", "go", "run", "wait")]
+    text = json.dumps({"name": "large", "states": states, "actions": ["stay", "go", "run", "wait"], "transitions": rows})
+    assert len(text) > links.MOST
+    return text.encode()
+
+
+def test_a_world_too_large_for_a_link_opens_and_the_page_says_what_the_link_lacks(monkeypatch):
+    saved, content = downloads(monkeypatch), large_world()
+    page = upload(opened("bring"), "large.json", content)
+    assert not page.error
+    assert_shows(page, study(parse_world(content.decode()), Settings()))
+    assert any("too long for a link" in caption.value for caption in page.caption)
+    assert parse_world(str(saved["large.json"])).states == parse_world(content.decode()).states
+    again = opened(**link(page))  # somebody else, or the same person after a reload
+    assert "too large for a link" in again.warning[0].value
+    assert_one_sentence(again.warning[0].value.removeprefix("Left out of the link: "))
+    assert handed(again)[0]["state"] == handed(opened())[0]["state"]

@@ -82,12 +82,23 @@ def test_settings_that_contradict_each_other_are_one_sentence_and_no_trace():
 
 
 def test_another_world_brings_its_own_settings_but_keeps_the_normalisation():
-    page = opened("learning")
+    page = opened("learning", normalise="survival")
     page.selectbox(key="world").set_value("fig6_chain")
     page.run()
     assert page.number_input(key="gammas").value == 100
-    assert handed(page)[0]["state"]["normalise"] == "paper"
+    assert handed(page)[0]["state"]["normalise"] == "survival"
     assert page.number_input(key="theta_min").value == pytest.approx(-2.8)
+
+
+@pytest.mark.parametrize("button", ["", "Edit this world as a table", "Draw a timeline", "Open the learned fig6 chain"])
+def test_what_follows_the_opening_view_is_as_decoded_without_its_artefact(button):
+    page = opened("bring")
+    assert handed(page)[0]["state"]["normalise"] == "paper"
+    if button:
+        press(page, button)
+    else:
+        page.selectbox(key="world").set_value("fig6_chain").run()
+    assert handed(page)[0]["state"]["normalise"] == "none"
 
 
 def test_what_was_not_set_by_hand_follows_the_world():
