@@ -1,4 +1,4 @@
-"""``make audit``: whether a locked package has a known vulnerability; exit status 1 if one has, 2 if nobody could say."""
+"""``make audit``: whether a locked package has a known vulnerability; exit status 1 if so, 2 if nobody can say."""
 
 from __future__ import annotations
 
@@ -9,11 +9,7 @@ from pathlib import Path
 from typing import Any
 
 ROOT = Path(__file__).resolve().parents[1]
-LOCKS = (
-    "requirements.lock",
-    "requirements-cuda.lock",
-    "requirements-dev.lock",
-)  # torch with CUDA needs all that torch does
+LOCKS = ("requirements.lock", "requirements-cuda.lock", "requirements-dev.lock")
 CANNOT = "Nothing was audited: pip-audit cannot reach its data on vulnerabilities from here."
 
 
@@ -23,11 +19,11 @@ def told(report: dict[str, Any]) -> tuple[int, str]:
     audited = [package for package in packages if "vulns" in package]
     if not audited:
         return 2, CANNOT
-    lines = [
-        f"{package['name']} {package['version']}: {flaw['id']}, mended in {', '.join(flaw['fix_versions']) or 'no version'}"
-        for package in audited
-        for flaw in package["vulns"]
-    ]
+    lines = []
+    for package in audited:
+        for flaw in package["vulns"]:
+            mended = ", ".join(flaw["fix_versions"]) or "no version"
+            lines.append(f"{package['name']} {package['version']}: {flaw['id']}, mended in {mended}")
     left = [package["name"] for package in packages if "vulns" not in package]
     if left:
         lines.append(f"not audited: {', '.join(left)}")

@@ -1,8 +1,8 @@
 """``make lock``: from the pins of requirements*.txt, every package that they need, with the hashes of its files.
 
-``requirements.lock`` is the app's without torch, ``requirements-dev.lock`` what the tests need on top. torch comes in two
-builds: ``requirements-cpu.lock`` is the one without CUDA, which is small and enough, ``requirements-cuda.lock`` the one
-that a registry gives on Linux, with some gigabytes of libraries. On all other systems there is only one.
+``requirements.lock`` is the app's without torch, ``requirements-dev.lock`` what the tests need on top. torch comes in
+two builds: ``requirements-cpu.lock`` is the one without CUDA, which is small and enough, ``requirements-cuda.lock`` the
+one that a registry gives on Linux, with some gigabytes of libraries. On all other systems there is only one.
 """
 
 from __future__ import annotations
@@ -23,8 +23,8 @@ _ENTRY = re.compile(r"^(?=\S)(?!#)", re.MULTILINE)  # where the entry of a packa
 def compiled(requirements: str) -> dict[str, str]:
     """The entry of every package that a file of requirements leads to, by its first line: name, version, marker."""
     command = [
-        sys.executable, "-m", "uv", "pip", "compile", requirements, "--quiet", "--universal", "--python-version", "3.11",
-        "--generate-hashes", "--no-annotate", "--no-header", "--no-emit-index-url", "--no-emit-find-links",
+        sys.executable, "-m", "uv", "pip", "compile", requirements, "--quiet", "--universal", "--generate-hashes",
+        "--python-version", "3.11", "--no-annotate", "--no-header", "--no-emit-index-url", "--no-emit-find-links",
     ]  # fmt: skip
     done = subprocess.run(command, cwd=ROOT, stdout=subprocess.PIPE, text=True, check=True)
     entries = [entry for entry in _ENTRY.split(done.stdout) if entry.strip() and not entry.startswith("#")]

@@ -85,13 +85,11 @@ def test_torch_is_locked_in_both_builds_and_only_one_of_them_needs_cuda():
 
 
 def test_entries_are_told_apart_by_their_first_lines(monkeypatch):
-    answer = "# a remark\nalpha==1 \\\n    --hash=sha256:aa \\\n    --hash=sha256:bb\nbeta==2 ; os_name == 'nt' \\\n    --hash=sha256:cc\n"
-    done = type("Done", (), {"stdout": answer})
+    first = "alpha==1 \\\n    --hash=sha256:aa \\\n    --hash=sha256:bb\n"
+    second = "beta==2 ; os_name == 'nt' \\\n    --hash=sha256:cc\n"
+    done = type("Done", (), {"stdout": f"# a remark\n{first}{second}"})
     monkeypatch.setattr(LOCK["subprocess"], "run", lambda *_, **__: done)
-    assert LOCK["compiled"]("requirements.txt") == {
-        "alpha==1": "alpha==1 \\\n    --hash=sha256:aa \\\n    --hash=sha256:bb\n",
-        "beta==2 ; os_name == 'nt'": "beta==2 ; os_name == 'nt' \\\n    --hash=sha256:cc\n",
-    }
+    assert LOCK["compiled"]("requirements.txt") == {"alpha==1": first, "beta==2 ; os_name == 'nt'": second}
 
 
 def test_an_audit_tells_flaws_and_what_it_could_not_see(subtests):
