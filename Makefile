@@ -1,12 +1,16 @@
 # make app: set up and open the workbench.  make test: set up and pass the tests.  make bench: ratios in one run.
 # make verify: what takes long.  make coverage: what no unit test comes by.
+# make lock: after a change of requirements*.txt.  make audit: known vulnerabilities.
 PYTHON ?= python3
 PORT ?= 8501
 BIN = .venv/bin
 # Node comes into .venv with pip; npm and what it starts look for it on the path.
 NPM = PATH="$(CURDIR)/$(BIN):$$PATH" $(BIN)/npm
 
-.PHONY: app test unit browser lint lint-python lint-js coverage verify bench clean
+# By the lock: these packages and no others, each file by its hash.
+INSTALL = $(BIN)/python -m pip install --quiet --require-hashes --no-deps
+
+.PHONY: app test unit browser lint lint-python lint-js coverage verify bench lock audit clean
 
 app: .venv/.app
 	$(BIN)/streamlit run app/main.py --server.port $(PORT)
@@ -49,13 +53,21 @@ verify: .venv/.verify
 bench: .venv/.bench
 	OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 $(BIN)/python -m bench
 
+lock: .venv/.lock
+	$(BIN)/python .ci/lock.py
+
+audit: .venv/.lock
+	$(BIN)/python .ci/audit.py
+
 clean:
 	rm -rf .venv node_modules
 
-.venv/.app: requirements.txt pyproject.toml
+# torch without CUDA is small and enough; where pip finds no such build, the one with CUDA is taken.
+.venv/.app: requirements.lock requirements-cpu.lock requirements-cuda.lock pyproject.toml
 	$(PYTHON) -m venv .venv
-	$(BIN)/python -m pip install --quiet -r requirements.txt
-	$(BIN)/python -m pip install --quiet --no-deps --editable .
+	$(INSTALL) -r requirements.lock
+	$(INSTALL) -r requirements-cpu.lock || $(INSTALL) -r requirements-cuda.lock
+	$(BIN)/python -m pip install --quiet --no-deps --no-build-isolation --editable .
 	touch $@
 
 .venv/.bench: .venv/.dev requirements-bench.txt
@@ -66,7 +78,11 @@ clean:
 	$(BIN)/python -m pip install --quiet -r requirements-verify.txt
 	touch $@
 
-.venv/.dev: .venv/.app requirements-dev.txt package-lock.json
-	$(BIN)/python -m pip install --quiet -r requirements-dev.txt
+.venv/.lock: .venv/.app requirements-lock.txt
+	$(BIN)/python -m pip install --quiet -r requirements-lock.txt
+	touch $@
+
+.venv/.dev: .venv/.app requirements-dev.lock package-lock.json
+	$(INSTALL) -r requirements-dev.lock
 	$(NPM) ci --silent --no-audit --no-fund
 	touch $@

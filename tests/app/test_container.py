@@ -5,8 +5,10 @@ from __future__ import annotations
 import contextlib
 import json
 import os
+import re
 import shutil
 import socket
+import stat
 import subprocess
 import sys
 import time
@@ -32,13 +34,15 @@ def image(tmp_path_factory) -> Path:
     environment.pop("PYTHONPATH", None)
     for keyword, rest in instructions():
         if keyword == "COPY":
-            source, target = rest.split()
-            if (ROOT / source).is_dir():
-                ignored = shutil.ignore_patterns("__pycache__", "plotly.min.js", "laplace-*.js")
-                shutil.copytree(ROOT / source, folder / target, ignore=ignored)
-            else:
-                shutil.copy(ROOT / source, folder / target)
+            *sources, target = rest.split()
+            for source in sources:
+                if (ROOT / source).is_dir():
+                    ignored = shutil.ignore_patterns("__pycache__", "plotly.min.js", "laplace-*.js")
+                    shutil.copytree(ROOT / source, folder / target, ignore=ignored)
+                else:
+                    shutil.copy(ROOT / source, folder / target)
         if keyword == "RUN":
+            rest = rest.replace("/srv/runs", str(folder / "runs"))
             done = subprocess.run(rest, shell=True, cwd=folder, env=environment, capture_output=True, text=True)
             assert done.returncode == 0, f"RUN {rest}: {done.stderr[-2000:]}"
     return folder
@@ -47,7 +51,19 @@ def image(tmp_path_factory) -> Path:
 def test_it_runs_as_nobody_in_particular():
     last = [rest for keyword, rest in instructions() if keyword == "USER"][-1]
     assert int(last.split(":")[0]) > 0
-    assert instructions()[0] == ("FROM", "python:3.11-slim")
+
+
+def test_the_base_is_one_image_and_no_other():
+    keyword, base = instructions()[0]
+    assert keyword == "FROM"
+    assert re.fullmatch(r"python:3\.11\.\d+-slim-bookworm@sha256:[0-9a-f]{64}", base)
+
+
+def test_runs_lie_in_a_volume_that_whoever_runs_it_may_write(image):
+    told = dict(instructions())
+    assert told["VOLUME"] == "/srv/runs"
+    assert "LAPLACE_RUNS=/srv/runs" in told["ENV"]
+    assert stat.S_IMODE((image / "runs").stat().st_mode) == 0o1777
 
 
 def test_the_health_check_is_python_and_asks_streamlit():
