@@ -9,6 +9,7 @@ from importlib import import_module
 from pathlib import Path
 
 from laplace_core.cli.options import checked_number
+from laplace_core.files.atomic import write_whole
 from laplace_core.training.defaults import settings_of
 
 
@@ -36,6 +37,13 @@ def add_report(verbs: argparse._SubParsersAction[argparse.ArgumentParser]) -> No
         "--check", action="store_true", help="end with status 1 where a share is below what is demanded"
     )
     verdicts.set_defaults(run=_verdicts)
+
+    auto = kinds.add_parser("auto", help="fit the coefficients of the selector auto to random worlds")
+    auto.add_argument("--worlds", default="240", metavar="N", help="random worlds (default: 240)")
+    auto.add_argument("--jobs", default="1", metavar="N", help="processes at a time (default: 1)")
+    auto.add_argument("--out", metavar="FILE.json", help="write the coefficients there")
+    auto.add_argument("--json", action="store_true", help="print JSON")
+    auto.set_defaults(run=_auto)
 
     training = kinds.add_parser("training", help="score, steps and time of an algorithm over several seeds")
     training.add_argument("algorithm", metavar="ALGORITHM", help="as in train")
@@ -166,6 +174,17 @@ def _verdicts(options: argparse.Namespace) -> None:
     print(json.dumps(numbers, indent=1) if options.json else text)
     if options.check:
         _check([row["words"] for row in numbers["rows"] if not row["met"]])
+
+
+def _auto(options: argparse.Namespace) -> None:
+    worlds = checked_number("worlds", options.worlds, int, 2, high=100_000)
+    jobs = checked_number("jobs", options.jobs, int, 1, high=256)
+    from laplace_core.experiments.inverse import auto_fit
+
+    numbers, text = auto_fit.report(worlds, jobs)
+    if options.out is not None:
+        write_whole(Path(options.out), auto_fit.as_file(numbers))
+    print(json.dumps(numbers, indent=1) if options.json else text)
 
 
 def _training(options: argparse.Namespace) -> None:

@@ -38,6 +38,32 @@ def sweep_alphas(spectrum: Spectrum, solver: str, count: int = SWEEP) -> np.ndar
 
 
 @dataclass(frozen=True, eq=False)
+class Energies:
+    """Mean squares of weighted data over their columns.
+
+    Attributes:
+        components: ``(r,)``, of each component.
+        outside: sum over what no component reaches.
+        columns: how many.
+    """
+
+    components: np.ndarray
+    outside: float
+    columns: int
+
+    @property
+    def total(self) -> float:
+        """Mean over the columns of the sum over the discounts."""
+        return float(self.components.sum()) + self.outside
+
+
+def _energies(data: np.ndarray, directions: np.ndarray) -> Energies:
+    """Of weighted data ``(G, m)``."""
+    parts = ((directions.T @ data) ** 2).mean(axis=-1)
+    return Energies(parts, max(0.0, float((data**2).sum(axis=0).mean() - parts.sum())), data.shape[-1])
+
+
+@dataclass(frozen=True, eq=False)
 class Sweep:
     """A problem at many alphas: n groups of columns, each of which is given one alpha, at a alphas.
 
@@ -56,6 +82,8 @@ class Sweep:
         components: ``(n, r, m)``, of the weighted data.
         expected: ``(n,)``, sum of squares that the error alone has, over all discounts and columns; None where its
             size is not known.
+        masses: components of the masses themselves, of all bins and actions.
+        time_step: from one row to the next, in steps of the world.
     """
 
     spectrum: Spectrum
@@ -66,6 +94,8 @@ class Sweep:
     outside: np.ndarray
     components: np.ndarray
     expected: np.ndarray | None
+    masses: Energies
+    time_step: float = 1.0
 
     @property
     def discounts(self) -> int:
@@ -95,7 +125,7 @@ class Sweep:
 
     def _reached(self, shares: Callable[[Spectrum, np.ndarray, str], np.ndarray]) -> np.ndarray:
         kind = LINEAR[self.solver].filter
-        return shares(self.spectrum, self.alphas, kind)[:, _reached(self.spectrum)]
+        return shares(self.spectrum, self.alphas, kind)[:, reached(self.spectrum)]
 
     @cached_property
     def degrees(self) -> np.ndarray:
@@ -128,7 +158,7 @@ class Sweep:
         Args:
             functional: from ``(..., G, m)`` to ``(..., q, m)``, linear, perhaps complex.
         """
-        reach = functional(self.spectrum.U[:, _reached(self.spectrum)])  # (q, r)
+        reach = functional(self.spectrum.U[:, reached(self.spectrum)])  # (q, r)
         beyond = functional(self.outside)
         own = (np.abs(beyond) ** 2).sum(axis=-1)  # (n, q)
         cross = np.real((beyond.conj() @ self.components.swapaxes(-1, -2)) * reach)  # (n, q, r)
@@ -140,7 +170,7 @@ class Sweep:
         return np.maximum(total, 0.0)
 
 
-def _reached(spectrum: Spectrum) -> np.ndarray:
+def reached(spectrum: Spectrum) -> np.ndarray:
     """Which components are more than rounding, bool ``(r,)``."""
     return np.concatenate([np.ones(spectrum.free, dtype=bool), spectrum.usable])
 
@@ -174,7 +204,7 @@ def sweep_of(
         tails = np.cumsum(stacked[..., ::-1], axis=-1)
         data = np.ascontiguousarray(tails.transpose(1, 0, 2)).reshape(1, G, -1)
     data = spectrum.weighted(data)
-    directions = spectrum.U[:, _reached(spectrum)]
+    directions = spectrum.U[:, reached(spectrum)]
     components = directions.T @ data
     expected = None
     if noise is not None:
@@ -192,4 +222,6 @@ def sweep_of(
         outside=data - directions @ components,
         components=components,
         expected=expected,
+        masses=_energies(spectrum.weighted(np.moveaxis(stacked, 1, 0).reshape(G, -1)), directions),
+        time_step=problem.time_step,
     )

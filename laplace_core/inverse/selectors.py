@@ -19,10 +19,11 @@ from typing import Any
 import numpy as np
 
 from laplace_core.errors import InputError
+from laplace_core.inverse.auto import auto_alpha
 from laplace_core.inverse.components import Sweep, sweep_of
 from laplace_core.inverse.problem import Problem
 
-AUTO = "aic"
+AUTO = "fitted"
 """The rule that ``auto`` stands for."""
 ROBUSTNESS = 0.9
 """Share of plain cross-validation in ``rgcv``; the rest is weighed by how much of the noise is fitted."""
@@ -168,6 +169,12 @@ def quasiopt(sweep: Sweep) -> np.ndarray:
     return curve
 
 
+def fitted(sweep: Sweep) -> np.ndarray:
+    """How far alpha is from the formula of :mod:`laplace_core.inverse.auto`, as a logarithm; one for all groups."""
+    off = np.abs(np.log(sweep.alphas / auto_alpha(sweep)))
+    return np.broadcast_to(off, (len(sweep.energy), off.size))
+
+
 SELECTORS: Mapping[str, Callable[[Sweep], np.ndarray]] = {
     "gcv": gcv,
     "rgcv": rgcv,
@@ -179,6 +186,7 @@ SELECTORS: Mapping[str, Callable[[Sweep], np.ndarray]] = {
     "discrepancy": discrepancy,
     "ncp": ncp,
     "quasiopt": quasiopt,
+    "fitted": fitted,
 }
 """From a sweep to the function of alpha, ``(n, a)``, that a rule makes small; infinity where it has no value."""
 ALPHA_CHOICES = (TYPED, "auto", *SELECTORS)

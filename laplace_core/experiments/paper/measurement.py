@@ -16,8 +16,8 @@ from pathlib import Path
 from typing import Any
 
 from laplace_core.errors import InputError
-from laplace_core.experiments.paper.result_files import as_json
 from laplace_core.files.atomic import write_whole
+from laplace_core.files.plain_json import as_json
 from laplace_core.files.strict_json import parse_json
 from laplace_core.files.versions import versions
 from laplace_core.supervise.parallel import in_parallel

@@ -13,11 +13,12 @@ import numpy as np
 
 from laplace_core.errors import InputError
 from laplace_core.experiments.paper.experiment import Experiment, train_command
-from laplace_core.experiments.paper.result_files import RESULT, as_json, cells_in, result_file
+from laplace_core.experiments.paper.result_files import RESULT, cells_in, result_file
 from laplace_core.experiments.paper.runs import Training
 from laplace_core.experiments.search import EPISODES, START_SEEDS
 from laplace_core.experiments.training import evaluated, seconds_behind
 from laplace_core.files.atomic import write_whole
+from laplace_core.files.plain_json import as_json
 from laplace_core.files.versions import versions
 from laplace_core.training.checkpoint import load_checkpoint
 
