@@ -338,7 +338,8 @@ class Cache(Generic[Value]):
             entry = self._entries.get(key)
             if entry is None:
                 return
-            content = {identity for identity, size in entry.weight.buffers.items() if size >= _CONTENT}
+            held = weigh(entry.value).buffers  # as it is now
+            content = {identity for identity, size in held.items() if size >= _CONTENT}
             gone = self._drop(key)
             for cache in self._budget._caches:
                 if not cache.fixed:

@@ -8,7 +8,7 @@ threshold ``theta``; this module makes both grids and the activation
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 
 import numpy as np
 
@@ -136,6 +136,39 @@ def activation(rewards: np.ndarray, thetas: np.ndarray, slope: float) -> np.ndar
 def bin_masses(rewards: np.ndarray, thetas: np.ndarray, slope: float) -> np.ndarray:
     """f_h(r) - f_{h+1}(r): the mass a reward leaves at each midpoint, shape ``rewards.shape + (H-1,)``."""
     return -np.diff(activation(rewards, thetas, slope), axis=-1)
+
+
+_BLOCK = 1_000_000
+"""Numbers of a matrix of rewards by sensitivities that are made at a time where only its products are wanted."""
+
+
+def encoded(weights: np.ndarray, rewards: np.ndarray, thetas: np.ndarray, slope: float) -> np.ndarray:
+    """weights @ activation: what rewards leave at each sensitivity, ``(..., V)`` to ``(..., H)``, block by block."""
+    parts = [weights @ activation(rewards, part, slope) for part in _blocks(thetas, rewards.size)]
+    return parts[0] if len(parts) == 1 else np.concatenate(parts, axis=-1)
+
+
+def smeared(weights: np.ndarray, rewards: np.ndarray, thetas: np.ndarray, slope: float) -> np.ndarray:
+    """weights @ bin_masses: what rewards leave at each midpoint, ``(..., V)`` to ``(..., H-1)``, block by block."""
+    parts = [weights @ bin_masses(rewards, part, slope) for part in _blocks(thetas, rewards.size, overlap=1)]
+    return parts[0] if len(parts) == 1 else np.concatenate(parts, axis=-1)
+
+
+def read_at_midpoints(rewards: np.ndarray, thetas: np.ndarray, slope: float) -> tuple[np.ndarray, np.ndarray]:
+    """The mass of each reward that lies at midpoints, and the sum of masses times midpoints, ``(V,)`` each."""
+    middles, held, proxy = theta_midpoints(thetas), [], []
+    for part in _blocks(rewards, thetas.size):
+        masses = bin_masses(part, thetas, slope)
+        held.append(masses.sum(axis=-1))
+        proxy.append(masses @ middles)
+    return np.concatenate(held), np.concatenate(proxy)
+
+
+def _blocks(points: np.ndarray, others: int, overlap: int = 0) -> Iterator[np.ndarray]:
+    """Points in order, so many at a time that these by the others are a block; each with some of the next one's."""
+    size = max(1, _BLOCK // max(1, others))
+    for start in range(0, max(1, points.size - overlap), size):
+        yield points[start : start + size + overlap]
 
 
 def reward_distance(tau_space: np.ndarray, tails: np.ndarray, thetas: np.ndarray) -> np.ndarray:

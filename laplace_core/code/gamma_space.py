@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from laplace_core.code.encoding import activation, softening, theta_midpoints
+from laplace_core.code.encoding import encoded, softening, theta_midpoints
 from laplace_core.code.noise import normal_noise
 from laplace_core.errors import InputError
 
@@ -160,7 +160,7 @@ def shown_shape(shape: tuple[int, ...]) -> str:
 
 def encode(basis: np.ndarray, rewards: np.ndarray, gammas: np.ndarray, thetas: np.ndarray, slope: float) -> GammaSpace:
     """gamma_space = W @ f for a reward-indicator basis ``(A, G, V)``; all that a change of slope costs."""
-    return GammaSpace(basis @ activation(rewards, thetas, slope), basis.sum(axis=-1), gammas, thetas)
+    return GammaSpace(encoded(basis, rewards, thetas, slope), basis.sum(axis=-1), gammas, thetas)
 
 
 _SOFTENED = 5_000_000

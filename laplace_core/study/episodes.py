@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 
 from laplace_core.caching import cached
-from laplace_core.code.encoding import bin_masses, theta_midpoints
+from laplace_core.code.encoding import read_at_midpoints
 from laplace_core.code.gamma_space import encode
 from laplace_core.code.ties import greedy_action
 from laplace_core.errors import InputError
@@ -72,7 +72,7 @@ def values_everywhere(world: World, settings: ResolvedForWorld, learned: np.ndar
             f"{most:,}: lower steps or thetas, or leave the rows as they are."
         )
     if s.normalise == "none":
-        proxy = bin_masses(world.reward_values, thetas, s.slope) @ theta_midpoints(thetas)
+        proxy = read_at_midpoints(world.reward_values, thetas, s.slope)[1]
         if learned is None:
             values = _proxies(world, proxy.tobytes(), gammas.tobytes(), s.policy, acting_gamma=s.acting_gamma)
         else:

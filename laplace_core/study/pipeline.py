@@ -15,7 +15,7 @@ from typing import Self, TypeVar
 import numpy as np
 
 from laplace_core.caching import cached
-from laplace_core.code.encoding import PAPER_GAMMAS, bin_masses, discount_grid, sensitivity_grid
+from laplace_core.code.encoding import PAPER_GAMMAS, discount_grid, sensitivity_grid, smeared
 from laplace_core.code.gamma_space import GammaSpace, encode, shifted, softened, with_noise
 from laplace_core.errors import InputError
 from laplace_core.inverse import (
@@ -570,12 +570,15 @@ def _truth(
 ) -> Truth:
     """The truth on the rows and columns of a study, from a timeline ``(A, N, V)`` and an optimum ``(N, A)``."""
     s, length = settings, timeline.shape[1]
-    shares = row_shares(s.steps, length, s.time_step)
-    rewards = (timeline @ world.reward_values) @ shares.T
+    means, survival = timeline @ world.reward_values, timeline.sum(axis=-1)
+    on_rows, rewards = timeline, means
+    if s.time_step != 1.0:  # else each step is a row
+        shares = row_shares(s.steps, length, s.time_step)
+        on_rows, rewards, survival = shares @ timeline, means @ shares.T, survival @ shares.T
     nearest = np.clip(np.rint(row_horizons(s.steps, s.time_step)).astype(int), 1, length)
     return Truth(
-        tau_space=(shares @ timeline) @ bin_masses(world.reward_values, thetas, s.slope),
-        survival=timeline.sum(axis=-1) @ shares.T,
+        tau_space=smeared(on_rows, world.reward_values, thetas, s.slope),
+        survival=survival,
         expected_reward=rewards,
         horizon_values=horizon_values(rewards, s.value_gamma, s.softness, s.time_step),
         scale=scale_of_values(rewards, world.reward_values),

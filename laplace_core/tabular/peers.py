@@ -259,20 +259,21 @@ def return_distribution(
     would round again at every step. Beyond ``most`` atoms the nearby returns of a state are replaced by their mean.
     Given the atom, such a move has mean zero whatever happens afterwards, so that the squares of the moves add up:
     ``error`` is the root of their sum, which bounds the Wasserstein-2 and hence the Wasserstein-1 distance, plus
-    what may still be paid when the propagation ends, below ``tolerance`` (in units of reward).
+    what may still be paid when the propagation ends, below ``tolerance`` (in units of reward). Of a state and action
+    with very many outcomes the nearby rewards are replaced by their mean beforehand, which counts in the same way.
     """
     policy = check_policy(world, policy)
     moves = selection(world, policy)  # (S, S*A): chance of each pair in a state
     largest = float(np.abs(world.reward).max())
-    pair_of_outcome = world.state * world.n_actions + world.action
-    bounds = np.searchsorted(pair_of_outcome, np.arange(world.n_states * world.n_actions + 1))
+    bounds, outcomes, spread = _merged_outcomes(world, 1e-12 * max(largest, 1e-300))
     pairs, returns, masses = np.array([state * world.n_actions + action]), np.zeros(1), np.ones(1)
     done: list[tuple[np.ndarray, np.ndarray]] = []
     discount, squares, cell = 1.0, 0.0, 1e-12 * max(largest, 1e-300)
     while masses.size and masses.sum() * discount * largest / (1.0 - gamma) > tolerance:
+        squares += discount**2 * float(masses @ spread[pairs])
         source, outcome = _expand(bounds, pairs)
-        returns = returns[source] + discount * world.reward[outcome]
-        masses, states = masses[source] * world.probability[outcome], world.following[outcome]
+        returns = returns[source] + discount * outcomes.reward[outcome]
+        masses, states = masses[source] * outcomes.probability[outcome], outcomes.following[outcome]
         states, returns, masses, shift, cell = _merge(states, returns, masses, cell, most=most)
         squares += shift
         ended = states == END
@@ -285,6 +286,38 @@ def return_distribution(
     locations, totals = (np.concatenate(column) for column in zip(*done, (returns, masses), strict=True))
     _, locations, totals, shift, _ = _merge(np.zeros(locations.size, int), locations, totals, cell, most=most)
     return ReturnDistribution(locations, totals, float(np.sqrt(squares + shift)) + left)
+
+
+MOST_OUTCOMES = 300
+"""Of one state and action, beyond which nearby rewards are taken together: each of the atoms has all of them next."""
+
+
+class _Outcomes(NamedTuple):
+    """Outcomes of all pairs of state and action, ``(M,)`` each."""
+
+    probability: np.ndarray
+    reward: np.ndarray
+    following: np.ndarray
+
+
+def _merged_outcomes(world: World, cell: float) -> tuple[np.ndarray, _Outcomes, np.ndarray]:
+    """Where the outcomes of each pair begin and end, the outcomes, and the mean square of what was moved of a pair."""
+    pairs = world.n_states * world.n_actions
+    bounds = np.searchsorted(world.state * world.n_actions + world.action, np.arange(pairs + 1))
+    outcomes, spread = _Outcomes(world.probability, world.reward, world.following), np.zeros(pairs)
+    counts = np.diff(bounds)
+    if counts.max() <= MOST_OUTCOMES:
+        return bounds, outcomes, spread
+    parts = []
+    for pair in range(pairs):
+        probability, reward, following = (column[bounds[pair] : bounds[pair + 1]] for column in outcomes)
+        if counts[pair] > MOST_OUTCOMES:
+            following, reward, probability, spread[pair], _ = _merge(
+                following, reward, probability, cell, most=MOST_OUTCOMES
+            )
+        parts.append((probability, reward, following))
+    merged = _Outcomes(*(np.concatenate(column) for column in zip(*parts, strict=True)))
+    return np.cumsum([0, *(len(part[0]) for part in parts)]), merged, spread
 
 
 def _expand(bounds: np.ndarray, rows: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

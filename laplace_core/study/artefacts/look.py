@@ -19,7 +19,7 @@ from functools import cached_property
 
 import numpy as np
 
-from laplace_core.code.encoding import bin_masses
+from laplace_core.code.encoding import read_at_midpoints, smeared
 from laplace_core.code.gamma_space import shifted
 from laplace_core.inverse import normalise_rows
 from laplace_core.study.artefacts.model import VISIBLE, Artefact
@@ -103,11 +103,16 @@ class Look:
         """Z of this action by reward, as it is there, noise and all, ``(G, V)``."""
         return self.by_reward(self.study.gamma_space.differences[self.action])
 
-    @cached_property
-    def masses(self) -> np.ndarray:
-        """What each distinct reward leaves at each midpoint, ``(V, H-1)``."""
+    def smeared(self, weights: np.ndarray) -> np.ndarray:
+        """What each distinct reward leaves at each midpoint, weighed: ``(..., V)`` to ``(..., H-1)``."""
         study = self.of_world
-        return bin_masses(study.world.reward_values, study.gamma_space.thetas, study.settings.slope)
+        return smeared(weights, study.world.reward_values, study.gamma_space.thetas, study.settings.slope)
+
+    @cached_property
+    def at_midpoints(self) -> tuple[np.ndarray, np.ndarray]:
+        """Mass of each distinct reward that lies at midpoints, and the sum of masses times midpoints, ``(V,)`` each."""
+        study = self.of_world
+        return read_at_midpoints(study.world.reward_values, study.gamma_space.thetas, study.settings.slope)
 
     def basis(self, policy: str | None = None) -> np.ndarray:
         """The exact reward-indicator basis of this action, ``(G, V)``."""
@@ -115,7 +120,7 @@ class Look:
 
     def exact(self, policy: str | None = None) -> np.ndarray:
         """Exact Z by reward under the study's own target policy or another one, ``(G, V)``."""
-        return self.by_reward(self.basis(policy) @ self.masses)
+        return self.by_reward(self.smeared(self.basis(policy)))
 
     def timeline(self, steps: int | None = None) -> np.ndarray:
         """True P(r_tau = v, alive) at the whole steps that ``steps`` rows hold, ``(N, V)``."""
@@ -168,7 +173,7 @@ class Look:
         """Timeline error at an alpha, before rescaling: total variation from the truth, as a share of the truth."""
         alpha = self.settings.alpha if alpha is None else alpha
         if alpha not in self._errors:
-            true = self.by_reward(self.true_steps @ self.masses)
+            true = self.by_reward(self.smeared(self.true_steps))
             off = np.abs(self.by_step(self.decode(self.differences, alpha)) - true).sum()
             # Hardly anything may be left inside the sensitivities.
             self._errors[alpha] = float(off / (2.0 * max(true.sum(), VISIBLE)))

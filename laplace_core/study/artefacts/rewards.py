@@ -23,7 +23,7 @@ def edge_clipping(look: Look) -> Artefact | None:
     """Rewards outside the sensitivities, or on their edge: largest probability lost in a row."""
     study, s, least = look.study, look.settings, VISIBLE
     if look.has_truth:
-        outside = 1.0 - look.masses.sum(axis=-1)
+        outside = 1.0 - look.at_midpoints[0]
         outside[outside < NEGLIGIBLE] = 0.0  # the tail of any activation, which a small alpha would magnify
         lost = look.decode((look.basis() @ outside)[:, None])[:, 0]
     elif s.normalise == "none":
@@ -94,8 +94,8 @@ def reward_quantisation(look: Look) -> Artefact | None:
     inside &= (slope * spacing > STEEP) & (chance.max(axis=0) > 1e-6)
     if not inside.any():
         return None
-    rewards, spacing, masses = rewards[inside], spacing[inside], look.masses[inside]
-    proxy = masses @ look.study.midpoints / masses.sum(axis=-1)
+    held, proxy = (each[inside] for each in look.at_midpoints)
+    rewards, spacing, proxy = rewards[inside], spacing[inside], proxy / held
     off = np.abs(proxy - rewards) / spacing
     size = float((chance[:, inside] @ off).max())
     if size < VISIBLE:

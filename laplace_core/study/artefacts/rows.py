@@ -36,7 +36,7 @@ def folding(look: Look) -> Artefact | None:
 def _folded(look: Look, whole: np.ndarray, steps: int) -> float:
     """D (Z - what the rows hold): ``whole`` is the exact Z of the true process, ``(G, V)``."""
     timeline = look.timeline(steps)
-    held = look.by_reward((look.gammas[:, None] ** np.arange(len(timeline)) @ timeline) @ look.masses)
+    held = look.by_reward(look.smeared(look.gammas[:, None] ** np.arange(len(timeline)) @ timeline))
     return largest_change(look.decode(whole - held, steps=steps))
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import base64
 import json
 from dataclasses import replace
 from functools import cache
@@ -19,6 +18,7 @@ from laplace_core.study.compare import difference
 from laplace_core.study.settings import resolve
 from laplace_core.tabular import Learning, LearnSettings, bands, return_distributions, study_of
 from laplace_core.tabular.reading import study_settings
+from tests.support.unpacking import unpacked
 
 LEARNING = ("curve", "probabilities", "returns")
 OVER_SEEDS = ("values", "rewards")
@@ -74,13 +74,6 @@ def test_plotly_accepts_every_map_of_a_comparison(subtests):
                 assert list(maps) == ["A", "B", "B - A"]
                 for figure in maps.values():
                     go.Figure(json.loads(figure))
-
-
-def unpacked(packed: dict | list) -> np.ndarray:
-    if isinstance(packed, list):
-        return np.array(packed)
-    flat = np.frombuffer(base64.b64decode(packed["bdata"]), dtype="<f4")
-    return flat.reshape([int(n) for n in packed["shape"].split(",")]) if "shape" in packed else flat
 
 
 def test_large_worlds_are_drawn_in_part_and_say_so():
