@@ -46,6 +46,7 @@ def _view(*, going: bool) -> None:
         if not limits().read_only:
             st.button("Train Laplace DQN on CartPole", type="primary", on_click=_first)
         pictures.shipped(str(store.chosen().get("environment", OPENING["environment"])))
+        server.server(runs)
         return
     looked = pictures.looked_at(runs)
     if looked is not None:

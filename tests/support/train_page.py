@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import streamlit
 from streamlit.testing.v1 import AppTest
 
+from app.session import owner
 from laplace_core.agents.settings import LoopSettings
 from laplace_core.training.checkpoint import new_agent, save_checkpoint
 from laplace_core.training.queue import Queue
@@ -38,3 +40,9 @@ def made(
     if checkpoint:
         save_checkpoint(folder / "best.safetensors", new_agent(settings), 50, 9.0, episodes=20)
     return folder
+
+
+def with_cookie(monkeypatch, word: str | None) -> None:
+    """Pages that are opened from here on are opened in the browser that keeps this word; None has none yet."""
+    cookies = {} if word is None else {owner.COOKIE: word}
+    monkeypatch.setattr(type(streamlit.context), "cookies", property(lambda context: cookies))

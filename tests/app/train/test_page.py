@@ -12,6 +12,7 @@ from laplace_core.agents.settings import ENVIRONMENTS, SETTINGS
 from laplace_core.training.defaults import settings_of
 from laplace_core.training.queue import Queue
 from laplace_core.training.run_folder import read_config
+from tests.support import pages
 from tests.support.hostile import assert_one_sentence
 from tests.support.pages import MAIN, labels, link, press, run, wait
 from tests.support.quick_runs import SMALL, stand_in, states
@@ -55,8 +56,9 @@ def test_a_bad_combination_is_refused_at_once(runs):
 
 
 def test_what_no_agent_can_be_made_of_is_refused_by_the_button(runs):
-    page = press(opened(environment="gym:Taxi-v4", **{"t.buffer": "1000000"}), "Start training")
-    assert_one_sentence(page.error[0].value, "buffer")
+    page = press(opened(**FORM | {"t.hidden": "1024", "t.features": "512", "t.gammas": "100", "t.thetas": "1000"}),
+                 "Start training")  # fmt: skip
+    assert_one_sentence(page.error[0].value, "weights")
     assert runs.runs() == []
 
 
@@ -150,6 +152,35 @@ def test_where_nothing_can_be_written_the_runs_go_to_a_temporary_folder(tmp_path
     assert found.parent == tmp_path
     assert found.is_dir()
     assert training_runs.folder() == found
+    training_runs._temporary.cache_clear()
+
+
+def test_without_any_folder_that_can_be_written_every_page_opens(subtests, tmp_path, monkeypatch):
+    """As on a read-only file system without a temporary folder."""
+    from laplace_core.agents import LaplaceSettings
+    from laplace_core.training.checkpoint import new_agent, save_checkpoint
+
+    def nowhere() -> str:
+        raise FileNotFoundError(2, "No usable temporary directory found")
+
+    save_checkpoint(tmp_path / "mine.safetensors", new_agent(LaplaceSettings(hidden=8, features=4)), 50, 9.0)
+    monkeypatch.delenv(training_runs.VARIABLE)
+    monkeypatch.setattr("os.access", lambda path, mode: False)
+    monkeypatch.setattr("tempfile.gettempdir", nowhere)
+    training_runs._temporary.cache_clear()
+    for screen in (None, "agents", "race"):
+        with subtests.test(screen=screen):
+            assert not pages.opened(screen=screen).error
+    with subtests.test("learn"):
+        page = pages.opened(world="two_branch", source="learned")
+        press(page, "Learn now")
+        assert_one_sentence(page.error[0].value, "temporary")
+    with subtests.test("train"):
+        assert_one_sentence(opened().error[0].value, training_runs.VARIABLE)
+    with subtests.test("open a file"):
+        page = pages.opened(screen="agents")
+        page = pages.upload(page, "mine.safetensors", (tmp_path / "mine.safetensors").read_bytes())
+        assert "opened file" in page.selectbox(key="checkpoint").format_func(page.selectbox(key="checkpoint").value)
     training_runs._temporary.cache_clear()
 
 

@@ -19,7 +19,7 @@ from tests.laplace_core.training.test_curves import STORY
 from tests.support.hostile import assert_one_sentence
 from tests.support.pages import charts, copied, downloads, labels, link, numbers, press, run, wait
 from tests.support.quick_runs import SMALL, states, tell
-from tests.support.train_page import FORM, NAME, made, opened, words
+from tests.support.train_page import FORM, NAME, made, opened, with_cookie, words
 
 
 def shown(figure: dict) -> list[str]:
@@ -69,7 +69,8 @@ def test_cancel_and_resume(runs):
     assert "Resume" not in labels(page)
 
 
-def test_another_session_sees_the_same_runs(runs):
+def test_another_tab_of_the_browser_has_the_same_runs(runs, monkeypatch):
+    with_cookie(monkeypatch, "a" * 43)
     press(opened(**FORM), "Start training")
     assert NAME in {one.name for one in runs.runs()}
     other = opened()
