@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from dataclasses import field as field_of
 from typing import Any
 
 import numpy as np
 import streamlit as st
 
 from app import session
+from app.catalogue import files
 from app.session import store
 from app.session.typed import in_markdown
 from laplace_core import InputError
@@ -91,6 +94,21 @@ def upload(label: str, endings: Sequence[str], key: str, take: Callable[[str, by
     st.file_uploader(label, type=list(endings), key=key, on_change=_uploaded, args=(key, take), **more)
     if key in session.current().refusals:
         st.error(in_markdown(session.current().refusals[key]))
+    home = session.part(_Homes).by_key.get(key)
+    if home is not None:
+        st.page_link(f"screens/{home}.py", label=f"To the page {files.TITLES[home]}")
+
+
+@dataclass
+class _Homes:
+    """Pages that open a file which was refused, by the key of the widget."""
+
+    by_key: dict[str, str] = field_of(default_factory=dict)
+
+
+def shortened(name: str) -> str:
+    """A file's name, as a sentence can hold it."""
+    return name if len(name) <= 60 else f"{name[:40]} ... {name[-15:]}"
 
 
 def left_out(sentences: Sequence[str]) -> None:
@@ -102,8 +120,15 @@ def left_out(sentences: Sequence[str]) -> None:
 def _uploaded(key: str, take: Callable[[str, bytes], None]) -> None:
     """Callback: an uploaded file replaces the view, or says in one sentence why it cannot."""
     session.current().refusals.pop(key, None)
+    session.part(_Homes).by_key.pop(key, None)
     file = st.session_state[key]
     if file is None:
+        return
+    home = files.home_of(file.name, file.getvalue())
+    if home is not None and home[0] != store.page_name():
+        session.part(_Homes).by_key[key] = home[0]
+        name = shortened(file.name)
+        session.current().refusals[key] = f"{name} is {home[1]}: the page {files.TITLES[home[0]]} opens it."
         return
     try:
         take(file.name, file.getvalue())

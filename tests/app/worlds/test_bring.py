@@ -8,6 +8,7 @@ import json
 import numpy as np
 import pytest
 
+from app.catalogue.checkpoints import SHIPPED
 from app.session import link as links
 from app.worlds.sources import FIRST_TIMELINE, packed_timeline, timeline_rows_of
 from laplace_core import Settings, load_world, study, study_of_gamma_space
@@ -440,3 +441,29 @@ def test_a_world_too_large_for_a_link_opens_and_the_page_says_what_the_link_lack
     assert "too large for a link" in again.warning[0].value
     assert_one_sentence(again.warning[0].value.removeprefix("Left out of the link: "))
     assert handed(again)[0]["state"] == handed(opened())[0]["state"]
+
+
+# --- a file at the wrong page ---
+
+
+@pytest.mark.parametrize(
+    ("screen", "name", "what", "home"),
+    [
+        ("worlds", "dqn_CartPole-v1.safetensors", "a trained agent", "Trained agents"),
+        ("agents", "fig6_chain_td.safetensors", "learned a tabular world", "Worlds"),
+        ("agents", "world.json", "a world", "Worlds"),
+        ("agents", "space.npz", "a gamma-space", "Worlds"),
+    ],
+)
+def test_a_file_at_the_wrong_page_is_sent_to_the_right_one(screen, name, what, home):
+    content = (SHIPPED / name).read_bytes() if name.endswith("safetensors") else TEXT.encode()
+    page = opened("bring", screen=screen)
+    before = link(page)
+    page.file_uploader[0].set_value((name, content, "application/octet-stream"))
+    run(page)
+    (error,) = page.error
+    assert what in error.value
+    assert home in error.value
+    assert_one_sentence(error.value)
+    assert link(page) == before
+    assert [block.proto.label for block in page.get("page_link")] == [f"To the page {home}"]
