@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from dataclasses import field as field_of
 from typing import Any
 
 import numpy as np
@@ -13,6 +15,7 @@ from streamlit.runtime.scriptrunner import get_script_run_ctx
 from streamlit.runtime.uploaded_file_manager import DeletedFile, UploadedFile
 
 from app import session
+from app.catalogue import files
 from app.session import store
 from app.session.typed import in_markdown
 from laplace_core import InputError
@@ -94,6 +97,21 @@ def upload(label: str, endings: Sequence[str], key: str, take: Callable[[str, by
     st.file_uploader(label, type=list(endings), key=key, on_change=_uploaded, args=(key, take), **more)
     if key in session.current().refusals:
         st.error(in_markdown(session.current().refusals[key]))
+    home = session.part(_Homes).by_key.get(key)
+    if home is not None:
+        st.page_link(f"screens/{home}.py", label=f"To the page {files.TITLES[home]}")
+
+
+@dataclass
+class _Homes:
+    """Pages that open a file which was refused, by the key of the widget."""
+
+    by_key: dict[str, str] = field_of(default_factory=dict)
+
+
+def shortened(name: str) -> str:
+    """A file's name, as a sentence can hold it."""
+    return name if len(name) <= 60 else f"{name[:40]} ... {name[-15:]}"
 
 
 def left_out(sentences: Sequence[str]) -> None:
@@ -105,19 +123,26 @@ def left_out(sentences: Sequence[str]) -> None:
 def _uploaded(key: str, take: Callable[[str, bytes], None]) -> None:
     """Callback: an uploaded file replaces the view, or says in one sentence why it cannot."""
     file = st.session_state[key]
-    if isinstance(file, DeletedFile):  # it was taken, and Streamlit has let its copy go
+    if isinstance(file, DeletedFile):  # it was taken, and Streamlit's copy of it dropped
         return
     session.current().refusals.pop(key, None)
+    session.part(_Homes).by_key.pop(key, None)
     if file is None:
         return
-    try:
-        take(file.name, file.getvalue())
-    except InputError as error:
-        session.current().refusals[key] = str(error)
-    _let_go(file)
+    home = files.home_of(file.name, file.getvalue())
+    if home is not None and home[0] != store.page_name():
+        session.part(_Homes).by_key[key] = home[0]
+        name = shortened(file.name)
+        session.current().refusals[key] = f"{name} is {home[1]}: the page {files.TITLES[home[0]]} opens it."
+    else:
+        try:
+            take(file.name, file.getvalue())
+        except InputError as error:
+            session.current().refusals[key] = str(error)
+    _drop_copy(file)
 
 
-def _let_go(file: UploadedFile) -> None:
+def _drop_copy(file: UploadedFile) -> None:
     """What was read from a file is kept; Streamlit's own copy of it is not needed any more."""
     context = get_script_run_ctx()
     if context is not None and isinstance(context.uploaded_file_mgr, MemoryUploadedFileManager):

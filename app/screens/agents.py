@@ -54,7 +54,7 @@ def _choose() -> None:
     names = checkpoints.names()
     if names:
         select("Agent", names, store.show("checkpoint", names[0]), checkpoints.title, keep=store.begin_anew)
-    upload("Open a checkpoint (.safetensors)", ["safetensors"], "agent_file", _opened)
+    upload("Open a checkpoint (.safetensors)", ["safetensors", "json", "npz"], "agent_file", _opened)
 
 
 def _opened(name: str, data: bytes) -> None:

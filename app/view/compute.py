@@ -74,6 +74,10 @@ AT_ONCE = 5e6
 """Products that a search may cost to be made before the pictures are drawn: a tenth of a second."""
 
 
+MOST_SEARCHED = 32
+"""Actions that are searched for artefacts beside the one that is shown: each costs in proportion to all of them."""
+
+
 def is_explained(view: View) -> bool:
     """Whether the cause is known, needs no search, or is found at once."""
     graded = _graded(view)
@@ -107,14 +111,18 @@ def artefacts_for(view: View, action: int | None = None) -> tuple[Artefact, ...]
 
 
 def artefacts_elsewhere(view: View) -> str:
-    """One line that names artefacts which only other actions have."""
+    """One line that names artefacts which only other actions have; of very many actions, the first are searched."""
     here = {artefact.name for artefact in artefacts_for(view)}
     lines: dict[str, list[str]] = {}
-    for other, name in enumerate(study_for(view).action_names):
+    names = study_for(view).action_names
+    for other, name in enumerate(names[:MOST_SEARCHED]):
         for artefact in artefacts_for(view, other) if other != view.action else ():
             if artefact.name not in here:
                 lines.setdefault(artefact.name, []).append(name)
-    return " ".join(f"Also {name}, in {', '.join(actions)}." for name, actions in lines.items())
+    found = [f"Also {name}, in {', '.join(actions)}." for name, actions in lines.items()]
+    if len(names) > MOST_SEARCHED:
+        found.append(f"Of the other actions, only the first {MOST_SEARCHED} were searched.")
+    return " ".join(found)
 
 
 @cached(32)

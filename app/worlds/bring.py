@@ -16,6 +16,7 @@ from app.view.subjects import View
 from app.worlds import sources
 from app.worlds.actions import edit_world, go_to, world_name
 from laplace_core import InputError, World
+from laplace_core.parameters import NUMBER, as_text
 from laplace_core.worlds import (
     dump_world,
     parse_world_bytes,
@@ -128,10 +129,10 @@ def _world_table(world: World) -> None:
     key = _version(word, sources.OWN)
     base = sources.own_world(_table(sources.OWN).base)
     rows = st.data_editor(
-        world_rows(base), key=key, num_rows="dynamic", height=260, width="stretch", hide_index=True,
+        _cells(world_rows(base)), key=key, num_rows="dynamic", height=260, width="stretch", hide_index=True,
         column_config={
-            "probability": st.column_config.NumberColumn(min_value=0.0, max_value=1.0, format="%.6g", default=1.0),
-            "reward": st.column_config.NumberColumn(format="%.6g", default=0.0),
+            "probability": st.column_config.TextColumn(default="1"),
+            "reward": st.column_config.TextColumn(default="0"),
             "next": st.column_config.TextColumn("next state", help="END terminates the episode.", default="END"),
         },
     )  # fmt: skip
@@ -145,6 +146,24 @@ def _world_table(world: World) -> None:
         _offer_rescale(right, rows, base)
         return
     _edited(sources.OWN, word, sources.word_of(made))
+
+
+def _cells(rows: list[dict]) -> list[dict]:
+    """Rows as a table holds them, every cell a text.
+
+    Streamlit's own cells of numbers leave out what they cannot read: 2,5 becomes 25 and 1.5 steps become 15. What is
+    typed into a text comes as it is, and the library refuses what is no number.
+    """
+    return [{name: None if value is None else as_text(value) for name, value in row.items()} for row in rows]
+
+
+def _numbers(row: dict) -> dict:
+    """A row of a table with its numbers as numbers; of a blank row nothing is left."""
+    texts = {name: str(value).strip() for name, value in row.items() if value is not None}
+    return {
+        name: (int if name == "tau" else float)(float(text)) if NUMBER.fullmatch(text) and name != "action" else text
+        for name, text in texts.items()
+    }
 
 
 def _made(rows: list[dict], base: World) -> World:
@@ -186,12 +205,12 @@ def _timeline_table(world: World) -> None:
         st.caption("Each action is a line of its own; a row more is typed at the foot of the table.")
     with table:
         rows = st.data_editor(
-            base, key=key, num_rows="dynamic", height=230, width="stretch", hide_index=True,
+            _cells(base), key=key, num_rows="dynamic", height=230, width="stretch", hide_index=True,
             column_config={
                 "action": st.column_config.TextColumn(default="now"),
-                "tau": st.column_config.NumberColumn("tau (steps)", min_value=0, max_value=500, step=1, default=0),
-                "reward": st.column_config.NumberColumn(format="%.6g", default=1.0),
-                "probability": st.column_config.NumberColumn(min_value=0.0, max_value=1.0, format="%.6g", default=1.0),
+                "tau": st.column_config.TextColumn("tau (steps)", default="0"),
+                "reward": st.column_config.TextColumn(default="1"),
+                "probability": st.column_config.TextColumn(default="1"),
             },
         )  # fmt: skip
     try:
@@ -199,4 +218,4 @@ def _timeline_table(world: World) -> None:
     except InputError as error:
         beside.warning(f"Not taken over yet: {in_markdown(error)}")
         return
-    _edited(sources.TIMELINE, word, sources.packed_timeline(rows, chosen_rest))
+    _edited(sources.TIMELINE, word, sources.packed_timeline([_numbers(row) for row in rows], chosen_rest))

@@ -135,7 +135,8 @@ def number_in(row: Mapping[str, Any], column: str, number: int, largest: float =
     if isinstance(value, str) and NUMBER.fullmatch(value.strip()):
         value = float(value)
     if isinstance(value, bool | np.bool_) or not isinstance(value, int | float | np.integer | np.floating):
-        raise InputError(f"row {number}, {column} is {_show(value)}; it must be a number.")
+        point = ", with a point before its decimals" if isinstance(value, str) and "," in value else ""
+        raise InputError(f"row {number}, {column} is {_show(value)}; it must be a number{point}.")
     size: Any = abs(value)
     if not size <= largest:
         raise InputError(f"row {number}, {column} is {_show(value)}; it must be a number within +-{largest:g}.")

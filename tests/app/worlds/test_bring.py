@@ -8,6 +8,7 @@ import json
 import numpy as np
 import pytest
 
+from app.catalogue.checkpoints import SHIPPED
 from app.session import link as links
 from app.worlds.sources import FIRST_TIMELINE, packed_timeline, timeline_rows_of
 from laplace_core import Settings, load_world, study, study_of_gamma_space
@@ -42,12 +43,19 @@ def table_of_two_branch():
     return press(opened("bring", world="two_branch"), "Edit this world as a table")
 
 
+def cells(page):
+    """The rows of a table, with its numbers as numbers."""
+    numbers = ("probability", "reward", "tau")
+    rows = page.data_editor[0].value.to_dict("records")
+    return [{name: float(cell) if name in numbers else cell for name, cell in row.items()} for row in rows]
+
+
 # --- a world as a table ---
 
 
 def test_a_world_opened_as_a_table_shows_the_same_picture():
     plain, page = opened(world="two_branch"), table_of_two_branch()
-    assert page.data_editor[0].value.to_dict("records") == world_rows(load_world("two_branch"))
+    assert cells(page) == world_rows(load_world("two_branch"))
     np.testing.assert_array_equal(tau_space(page), tau_space(plain))
     assert verdict(page) == verdict(plain)
     assert link(page)["world"] == "own"
@@ -100,11 +108,31 @@ def test_a_row_that_makes_no_sense_is_one_sentence_and_the_picture_stays(changes
     assert link(page) == words
 
 
+@pytest.mark.parametrize("typed", ["2,5", "1/3", "1 000", "2.5.1", "0x10", "५", "1e400", "=1+1", "NaN", "2.5 %"])
+@pytest.mark.parametrize("table", ["own", "timeline"])
+def test_what_is_typed_as_a_number_is_that_number_or_refused(typed, table):
+    page = table_of_two_branch() if table == "own" else press(opened("bring"), "Draw a timeline")
+    before = link(page)
+    edit(page, {1: {"reward": typed}})
+    assert_one_sentence(page.warning[0].value.replace("\\", "").replace("\u2060", ""), "row 2")
+    assert link(page) == before
+
+
+@pytest.mark.parametrize(("typed", "number"), [("2.5", 2.5), ("-1.5e1", -15.0), (" +7 ", 7.0), (".25", 0.25)])
+def test_a_number_is_taken_however_it_is_written(typed, number):
+    page = edit(table_of_two_branch(), {1: {"reward": typed}})
+    assert not page.warning
+    assert number in parse_world(links.unpack(link(page)["own"])).reward.tolist()
+    drawn = edit(press(opened("bring"), "Draw a timeline"), {1: {"reward": typed}})
+    assert not drawn.warning
+    assert timeline_rows_of(link(drawn)["timeline"])[0][1]["reward"] == number
+
+
 def test_rescale_repairs_probabilities_even_where_they_come_back_to_what_was_there():
     page = edit(table_of_two_branch(), {1: {"probability": 0.5}})
     press(page, "Rescale probabilities to 1")
     assert not page.warning
-    assert page.data_editor[0].value["probability"].tolist() == [1.0] * 6
+    assert [row["probability"] for row in cells(page)] == [1.0] * 6
     assert "Rescale probabilities to 1" not in labels(page)
 
 
@@ -115,7 +143,7 @@ def test_rescale_divides_by_the_sum():
     press(page, "Rescale probabilities to 1")
     assert not page.warning
     table = page.data_editor[0].value
-    assert table[(table.state == "start") & (table.action == "long")]["probability"].tolist() == [0.5, 0.5]
+    assert table[(table.state == "start") & (table.action == "long")]["probability"].tolist() == ["0.5", "0.5"]
     assert_shows(page, study(parse_world(links.unpack(link(page)["own"])), shown(page).settings))
 
 
@@ -135,7 +163,7 @@ def test_edits_outlive_a_look_at_another_world_and_the_way_back():
         page.query_params[name] = value
     run(page)  # the browser's Back
     run(page)
-    assert page.data_editor[0].value["reward"].tolist()[1] == 7.0
+    assert cells(page)[1]["reward"] == 7.0
     np.testing.assert_array_equal(tau_space(page), before)
     assert link(page) == words
 
@@ -294,7 +322,7 @@ def test_a_timeline_is_drawn_and_its_gamma_space_follows():
     page = press(opened("bring"), "Draw a timeline")
     assert not page.warning
     rows = timeline_rows_of(FIRST_TIMELINE)[0]
-    assert page.data_editor[0].value.to_dict("records") == rows
+    assert cells(page) == rows
     assert_shows(page, study(shown(page).world, shown(page).settings))
     before = tau_space(choose(page, action="later"))
     edit(page, {1: {"tau": 5}})
@@ -384,7 +412,7 @@ def test_a_world_of_ones_own_can_be_begun_beside_a_gamma_space():
     page.selectbox(key="world").select("own")
     run(page)
     assert link(page)["world"] == "own"
-    assert page.data_editor[0].value.to_dict("records") == world_rows(load_world("two_branch"))
+    assert cells(page) == world_rows(load_world("two_branch"))
 
 
 # --- worlds that are too large for a link ---
@@ -395,7 +423,9 @@ def large_world() -> bytes:
     states = [f"state {i}" for i in range(12)]
     outcomes = [{"p": 1 / 1024, "next": states[i % 12] if i % 3 else "END", "reward": i % 4} for i in range(1024)]
     rows = [{"state": s, "action": a, "outcomes": outcomes} for s in states for a in ("stay", "go", "run", "wait")]
-    text = json.dumps({"name": "large", "states": states, "actions": ["stay", "go", "run", "wait"], "transitions": rows})
+    text = json.dumps(
+        {"name": "large", "states": states, "actions": ["stay", "go", "run", "wait"], "transitions": rows}
+    )
     assert len(text) > links.MOST
     return text.encode()
 
@@ -411,3 +441,29 @@ def test_a_world_too_large_for_a_link_opens_and_the_page_says_what_the_link_lack
     assert "too large for a link" in again.warning[0].value
     assert_one_sentence(again.warning[0].value.removeprefix("Left out of the link: "))
     assert handed(again)[0]["state"] == handed(opened())[0]["state"]
+
+
+# --- a file at the wrong page ---
+
+
+@pytest.mark.parametrize(
+    ("screen", "name", "what", "home"),
+    [
+        ("worlds", "dqn_CartPole-v1.safetensors", "a trained agent", "Trained agents"),
+        ("agents", "fig6_chain_td.safetensors", "learned a tabular world", "Worlds"),
+        ("agents", "world.json", "a world", "Worlds"),
+        ("agents", "space.npz", "a gamma-space", "Worlds"),
+    ],
+)
+def test_a_file_at_the_wrong_page_is_sent_to_the_right_one(screen, name, what, home):
+    content = (SHIPPED / name).read_bytes() if name.endswith("safetensors") else TEXT.encode()
+    page = opened("bring", screen=screen)
+    before = link(page)
+    page.file_uploader[0].set_value((name, content, "application/octet-stream"))
+    run(page)
+    (error,) = page.error
+    assert what in error.value
+    assert home in error.value
+    assert_one_sentence(error.value)
+    assert link(page) == before
+    assert [block.proto.label for block in page.get("page_link")] == [f"To the page {home}"]
