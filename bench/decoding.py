@@ -9,7 +9,9 @@ import numpy as np
 from bench.report import Figure, Goal
 from bench.timing import interleaved, spread
 from laplace_core import Settings, load_world, study
-from laplace_core.inverse import decode, decode_matrix, transform_matrix
+from laplace_core.inverse import SELECTORS, Problem, decode, decode_matrix, solve, transform_matrix
+from laplace_core.inverse.components import sweep_of
+from laplace_core.inverse.selectors import curves_of
 
 STEPS = 200
 SUBJECT = "Decoding a gamma-space"
@@ -58,6 +60,30 @@ def figures() -> Iterator[Figure]:
         SUBJECT, "kinder loop / decode", spread(seconds["products"] / seconds["decode"]), "x", sizes,
         note=f"the SVD and the operator are kept; one {operator.shape} matrix-vector product for each action and "
         f"sensitivity: {columns:,} products",
+    )  # fmt: skip
+    yield from selector_figures(differences, gammas)
+
+
+def selector_figures(differences: np.ndarray, gammas: np.ndarray) -> Iterator[Figure]:
+    """Every selector over a whole sweep, against one solution an alpha."""
+    deviations = 1e-3 / (1.0 - gammas)
+    problem = Problem(differences, gammas, STEPS, 1.0, deviations)
+    alphas = sweep_of(problem, "tikhonov").alphas
+    seconds = interleaved(
+        {
+            "selectors": (lambda: curves_of(sweep_of(problem, "tikhonov", noise=deviations)), 3),
+            "solutions": (lambda: [solve(problem, "tikhonov", alpha) for alpha in alphas[::20].tolist()], 1),
+        },
+        rounds=9,
+    )
+    sizes = f"{differences.shape} masses, K = {STEPS}, {len(alphas)} alphas, {len(SELECTORS)} selectors"
+    yield Figure(
+        SUBJECT, "all selectors of alpha over a sweep", spread(1e3 * seconds["selectors"]), "ms", sizes,
+        Goal("<=", 50.0), "the cached decomposition is there already, as for every further space of a grid",
+    )  # fmt: skip
+    yield Figure(
+        SUBJECT, "a solution for each alpha / all selectors", spread(20 * seconds["solutions"] / seconds["selectors"]),
+        "x", sizes, note="every 20th alpha is solved, with its residual; its time counts 20 times",
     )  # fmt: skip
 
 

@@ -37,7 +37,8 @@ def features(sweep: Sweep) -> np.ndarray:
     spectrum = sweep.spectrum
     s = spectrum.s[spectrum.usable]
     largest = float(s[0]) if s.size else spectrum.largest
-    tails = (sweep.energy.sum() + (sweep.outside**2).sum()) / (len(sweep.energy) * sweep.columns)
+    outside = np.trace(sweep.outside, axis1=-2, axis2=-1)
+    tails = float(sweep.energy.sum() + outside.sum()) / (len(sweep.energy) * sweep.columns)
     rows, time_step = len(spectrum.rows), sweep.time_step
     return np.array(
         [

@@ -77,9 +77,9 @@ class Sweep:
         solver: the linear solver.
         alphas: ``(a,)``, increasing.
         columns: m, in each group.
-        energy: ``(n, r)``, sum over the columns of the squared component.
-        outside: ``(n, G, m)``, what no component reaches.
-        components: ``(n, r, m)``, of the weighted data.
+        inner: ``(n, r, r)``, products of the components of the weighted data, summed over the columns.
+        outside: ``(n, G, G)``, the same of what no component reaches, over the discounts.
+        cross: ``(n, G, r)``, the same of the one with the other.
         expected: ``(n,)``, sum of squares that the error alone has, over all discounts and columns; None where its
             size is not known.
         masses: components of the masses themselves, of all bins and actions.
@@ -90,9 +90,9 @@ class Sweep:
     solver: str
     alphas: np.ndarray
     columns: int
-    energy: np.ndarray
+    inner: np.ndarray
     outside: np.ndarray
-    components: np.ndarray
+    cross: np.ndarray
     expected: np.ndarray | None
     masses: Energies
     time_step: float = 1.0
@@ -100,6 +100,11 @@ class Sweep:
     @property
     def discounts(self) -> int:
         return len(self.spectrum.U)
+
+    @property
+    def energy(self) -> np.ndarray:
+        """Square of each component, summed over the columns, ``(n, r)``."""
+        return np.diagonal(self.inner, axis1=-2, axis2=-1)
 
     @cached_property
     def between(self) -> np.ndarray:
@@ -140,7 +145,7 @@ class Sweep:
     @cached_property
     def residual(self) -> np.ndarray:
         """Sum of squares of the weighted residual, ``(n, a)``."""
-        beyond = np.einsum("ngm,ngm->n", self.outside, self.outside)
+        beyond = np.trace(self.outside, axis1=-2, axis2=-1)
         return beyond[:, None] + self.energy @ (self.lost**2).T
 
     @cached_property
@@ -149,24 +154,24 @@ class Sweep:
         free = self.spectrum.free
         return self.energy[:, free:] @ (self.kept[:, free:] ** 2).T
 
-    def power(self, functional: Callable[[np.ndarray], np.ndarray]) -> np.ndarray:
-        """Squares of q linear functionals of the weighted residual, summed over the columns, ``(n, a, q)``.
+    def power(self, functionals: np.ndarray) -> np.ndarray:
+        """Squares of linear functionals of the weighted residual, summed over the columns, ``(n, a, q)``.
 
         The residual is what lies outside plus the lost share of each component; its squares are a quadratic form in
         these shares, and need no residual of any alpha.
 
         Args:
-            functional: from ``(..., G, m)`` to ``(..., q, m)``, linear, perhaps complex.
+            functionals: ``(q, G)``, perhaps complex.
         """
-        reach = functional(self.spectrum.U[:, reached(self.spectrum)])  # (q, r)
-        beyond = functional(self.outside)
-        own = (np.abs(beyond) ** 2).sum(axis=-1)  # (n, q)
-        cross = np.real((beyond.conj() @ self.components.swapaxes(-1, -2)) * reach)  # (n, q, r)
-        inner = self.components @ self.components.swapaxes(-1, -2)  # (n, r, r)
-        total = own[:, None] + 2.0 * np.einsum("nqr,ar->naq", cross, self.lost)
-        shares = self.lost[:, None, :] * reach  # (a, q, r)
-        for group, gram in enumerate(inner):
-            total[group] += np.real(np.einsum("aqr,aqr->aq", shares @ gram, shares.conj()))
+        T = functionals
+        reach = T @ self.spectrum.U[:, reached(self.spectrum)]  # (q, r)
+        own = np.real(((T @ self.outside) * T.conj()).sum(axis=-1))  # (n, q)
+        mixed = np.real((T.conj() @ self.cross) * reach)  # (n, q, r)
+        total = own[:, None] + 2.0 * self.lost @ mixed.swapaxes(-1, -2)
+        pairs = np.real(reach[:, :, None] * reach[:, None, :].conj()).reshape(len(T), -1)  # (q, r r)
+        shares = (self.lost[:, :, None] * self.lost[:, None, :]).reshape(len(self.lost), -1)  # (a, r r)
+        for group, inner in enumerate(self.inner):  # one after the other: all at once they would fill the memory
+            total[group] += shares @ (pairs * inner.ravel()).T
         return np.maximum(total, 0.0)
 
 
@@ -206,6 +211,7 @@ def sweep_of(
     data = spectrum.weighted(data)
     directions = spectrum.U[:, reached(spectrum)]
     components = directions.T @ data
+    outside = data - directions @ components
     expected = None
     if noise is not None:
         if np.shape(noise) != (G,) or not np.all(np.isfinite(noise) & (np.asarray(noise) > 0)):
@@ -218,9 +224,9 @@ def sweep_of(
         solver=solver,
         alphas=sweep_alphas(spectrum, solver) if alphas is None else np.asarray(alphas, dtype=float),
         columns=data.shape[-1],
-        energy=(components**2).sum(axis=-1),
-        outside=data - directions @ components,
-        components=components,
+        inner=components @ components.swapaxes(-1, -2),
+        outside=outside @ outside.swapaxes(-1, -2),
+        cross=outside @ components.swapaxes(-1, -2),
         expected=expected,
         masses=_energies(spectrum.weighted(np.moveaxis(stacked, 1, 0).reshape(G, -1)), directions),
         time_step=problem.time_step,

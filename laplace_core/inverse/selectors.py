@@ -62,7 +62,7 @@ def loo(sweep: Sweep) -> np.ndarray:
     """
     reached = sweep.spectrum.U[:, : sweep.lost.shape[-1]]
     left = sweep.lost @ (reached**2).T + (1.0 - (reached**2).sum(axis=-1))  # 1 - A_gg, (a, G)
-    power = sweep.power(lambda values: values)
+    power = sweep.power(np.eye(sweep.discounts))
     terms = np.divide(power, left**2, out=np.full_like(power, np.inf), where=left > NOTHING_LEFT)
     return terms.sum(axis=-1) / (sweep.discounts * sweep.columns)
 
@@ -148,7 +148,7 @@ def ncp(sweep: Sweep) -> np.ndarray:
     """
     if sweep.discounts < 4:
         raise InputError(f"alpha by ncp needs at least 4 discounts; there are {sweep.discounts}.")
-    power = sweep.power(lambda values: np.fft.rfft(values, axis=-2)[..., 1:, :])
+    power = sweep.power(np.fft.rfft(np.eye(sweep.discounts), axis=0)[1:])
     running = np.cumsum(power, axis=-1)
     total = running[..., -1:]
     running = np.divide(running, total, out=np.zeros_like(running), where=total > 0)
