@@ -13,6 +13,7 @@ from typing import NoReturn
 import numpy as np
 
 from laplace_core.agents.settings import SETTINGS
+from laplace_core.cli.check import add_check
 from laplace_core.cli.evaluate import add_evaluate
 from laplace_core.cli.learn import add_learn, study_of_file
 from laplace_core.cli.options import action_runs, add_parameters, checked_number, named_params, study_notes
@@ -99,6 +100,7 @@ def _parser() -> argparse.ArgumentParser:
     decode.add_argument("--out", metavar="FILE.npz", help="write all arrays and the settings here")
     decode.add_argument("--json", action="store_true", help="print JSON")
     decode.set_defaults(run=_decode)
+    add_check(verbs)
     add_learn(verbs)
     add_train(verbs)
     add_evaluate(verbs)
