@@ -11,7 +11,6 @@ from laplace_core.inverse.axis import Axis, axis_of
 from laplace_core.inverse.interior import solve_feasible
 from laplace_core.inverse.problem import Problem, Solution
 
-
 MOST_TOGETHER = 400_000
 """Numbers of the whitened systems of problems that are solved at once; a large one is solved alone."""
 

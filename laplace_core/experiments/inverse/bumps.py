@@ -70,11 +70,11 @@ def fit(cases: int, seed: int) -> list[float]:
     return [round(float(weight), 2) for weight in minimize(loss, np.zeros(known.shape[1])).x]
 
 
-def _drawn(cases: int, seed: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+def _drawn(cases: int, seed: int, first: int = 0) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Shares, contrast over noise, and whether it is real, of every bump of one action of each world."""
-    rng = np.random.default_rng([seed, 3])
     found = []
-    for number in range(cases):
+    for number in range(first, first + cases):
+        rng = np.random.default_rng([seed, 3, number])
         space = draw_space(rng)
         action = int(rng.integers(space.world.n_actions))
         noise = float(np.exp(rng.uniform(np.log(1e-4), np.log(1e-2))))
