@@ -13,6 +13,7 @@ from typing import NoReturn
 import numpy as np
 
 from laplace_core.agents.settings import SETTINGS
+from laplace_core.cli.check import add_check
 from laplace_core.cli.evaluate import add_evaluate
 from laplace_core.cli.grid import add_grid
 from laplace_core.cli.learn import add_learn
@@ -105,6 +106,7 @@ def _parser() -> argparse.ArgumentParser:
     decode.set_defaults(run=_decode)
     add_study(verbs)
     add_sweep(verbs)
+    add_check(verbs)
     add_learn(verbs)
     add_train(verbs)
     add_evaluate(verbs)

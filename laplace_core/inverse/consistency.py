@@ -241,6 +241,6 @@ def _without(masses: np.ndarray, whiten: np.ndarray, axis: Axis, *, alive: bool)
     """The misfit with each discount left out, ``(G,)``."""
     discounts = masses.shape[-1]
     kept = 1.0 - np.eye(discounts)
-    weights = (kept[:, None, None, :] * whiten).reshape(-1, *masses.shape[1:])
+    weights = (kept[:, None, None, :] * np.broadcast_to(whiten, masses.shape)).reshape(-1, *masses.shape[1:])
     repeated = np.broadcast_to(masses, (discounts, *masses.shape)).reshape(weights.shape)
     return np.asarray(_fit(repeated, weights, axis, alive=alive).misfit.reshape(discounts, -1).sum(axis=1))

@@ -40,9 +40,9 @@ def feasible(problem: Problem, alpha: float, tolerance: float = 1e-7) -> Feasibl
     :class:`laplace_core.inverse.axis.Axis`. With a ``time_step`` below 1 all this holds for the sums over each unit of
     time.
 
-    The method is :mod:`laplace_core.inverse.interior`. On one problem of 15 discounts and 114 bins at K 200, with noise of 1e-3,
-    it took .20 and .25 s of one thread at alpha .1 and .01, to a residual of 1e-7; PIQP 0.7, the fastest general
-    sparse solver at hand, 1.1 and 1.4 s to the same, and at (100, 251), K 60, .9 and 1.0 s against 3.1 and 3.3 s.
+    The method is :mod:`laplace_core.inverse.interior`. On one problem of 15 discounts and 114 bins at K 200, with noise
+    of 1e-3, it took .20 and .25 s of one thread at alpha .1 and .01, to a residual of 1e-7. PIQP 0.7, the fastest
+    general sparse solver at hand, took 1.1 and 1.4 s; at (100, 251), K 60, it was .9 and 1.0 s against 3.1 and 3.3 s.
     Unlike Newton's method on the dual it needs no alpha above 0.
 
     Args:

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 
-from laplace_core.code.gamma_space import GammaSpace, encode
+from laplace_core.code.encoding import discount_grid
+from laplace_core.code.gamma_space import GammaSpace, encode, with_noise
 from laplace_core.planning import reward_indicator_basis, target_policies
 from laplace_core.worlds import END, Outcome, World
+from tests.support.timelines import timelines
 
 
 def random_world(rng: np.random.Generator) -> World:
@@ -52,3 +54,13 @@ def noisy(space: GammaSpace, size: float, rng: np.random.Generator) -> GammaSpac
     values = space.values + size * rng.standard_normal(space.values.shape) / sizes[:, None]
     constant = space.constant + size * rng.standard_normal(space.constant.shape) / sizes
     return GammaSpace(values, constant, space.gammas, space.thetas)
+
+
+def noisy_space(noise: float, seed: int = 0) -> tuple[GammaSpace, GammaSpace, np.ndarray]:
+    """A gamma-space of two feasible timelines, the same with noise, and the deviations of its values ``(G,)``."""
+    rng, gammas = np.random.default_rng(seed), discount_grid(12, "log")
+    masses = gammas[:, None] ** np.arange(15) @ timelines(rng, 2, 15, 7)
+    tails = np.cumsum(masses[..., ::-1], axis=-1)[..., ::-1]
+    exact = GammaSpace(tails[..., 1:], tails[..., 0], gammas, np.linspace(-1.0, 1.0, 6))
+    deviations = noise / (1.0 - gammas)
+    return exact, with_noise(exact, noise, seed + 1), deviations

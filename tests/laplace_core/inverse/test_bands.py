@@ -1,0 +1,110 @@
+"""Bands of decoded expected rewards, and bumps in them."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from laplace_core.code.gamma_space import with_noise
+from laplace_core.inverse import decode, decode_matrix
+from laplace_core.inverse.bands import (
+    CALIBRATION,
+    bands,
+    bands_by_draws,
+    bump_probability,
+    bumps,
+    contrast,
+    find_bumps,
+    is_in,
+    layer_noise,
+    layers_of,
+    tikhonov_of_layers,
+)
+from laplace_core.inverse.nonnegative import nonnegative
+from tests.support.random_gamma_spaces import noisy_space
+
+NOISE, ROWS, ALPHA = 1e-2, 15, 0.3
+
+
+def test_the_noise_band_is_the_spread_of_decoded_noise():
+    # 400 draws: their standard deviation is known within 3.5%, the largest of 30 rows within 12%.
+    exact, noisy, deviations = noisy_space(NOISE)
+    found = bands(noisy, ROWS, ALPHA, deviations)
+    spaces = [with_noise(exact, NOISE, seed) for seed in range(400)]
+    decoded = [decode(each.differences, each.gammas, ROWS, ALPHA) @ each.bin_values for each in spaces]
+    np.testing.assert_allclose(found.noise, np.std(decoded, axis=0), rtol=0.15)
+
+
+def test_noise_that_all_sensitivities_share_is_seen_where_they_end():
+    # The same error at all of them cancels between neighbours: nothing is left of bins without open ends.
+    _, noisy, deviations = noisy_space(NOISE)
+    assert bands(noisy, ROWS, ALPHA, deviations, independent=False).noise.max() < 1e-12
+    opened = bands(replace(noisy, open_ends=True), ROWS, ALPHA, deviations, independent=False)
+    assert opened.noise.max() > 0.1 * NOISE
+
+
+def test_bias_is_what_the_inverse_does_to_the_timeline_that_fits():
+    # Decoding with a matrix that is a perfect inverse leaves none.
+    _, noisy, deviations = noisy_space(NOISE)
+    smooth = bands(noisy, ROWS, 3.0, deviations)
+    sharp = bands(noisy, ROWS, 1e-3, deviations)
+    assert np.abs(smooth.bias).mean() > 2.0 * np.abs(sharp.bias).mean()
+    own = bands(noisy, ROWS, ALPHA, deviations, matrix=decode_matrix(noisy.gammas, ROWS, 3.0))
+    np.testing.assert_allclose(own.bias, smooth.bias)
+
+
+def test_bands_of_draws_agree_with_those_of_a_linear_inverse():
+    _, noisy, deviations = noisy_space(NOISE)
+    layers = layers_of(noisy, ROWS, deviations)
+    found = bands_by_draws(tikhonov_of_layers, layers, ALPHA, draws=300)
+    np.testing.assert_allclose(found.noise[0], layer_noise(layers, ALPHA), rtol=0.2)
+    tighter = bands_by_draws(nonnegative, layers, ALPHA, draws=20)
+    assert tighter.noise.mean() < found.noise.mean()  # what cannot be negative varies less
+
+
+def test_layers_keep_the_expected_reward():
+    # The trapezoid rule counts what lies between the outermost sensitivities; with open ends so do the bins, but for
+    # half a spacing in the outermost two: equal where these are empty.
+    exact, _, deviations = noisy_space(NOISE)
+    layers = layers_of(exact, ROWS, deviations)
+    means = layers.problem.masses @ layers.sizes
+    thetas = exact.thetas
+    trapezoid = ((exact.values[..., 1:] + exact.values[..., :-1]) / 2 * np.diff(thetas)).sum(axis=-1)
+    np.testing.assert_allclose(means, thetas[0] * exact.constant + trapezoid, atol=1e-12)
+
+
+# --- bumps ---
+
+
+def test_bumps_are_found_with_their_sign_and_rows():
+    rewards = np.array([4.0, 0.5, 0.0, 0.0, -1.0, -2.0, -1.0, 0.0, 0.0, 0.1, 0.0])
+    found = find_bumps(rewards)
+    assert [(bump.start, bump.peak, bump.stop, bump.sign) for bump in found] == [(0, 0, 1, 1), (4, 5, 7, -1)]
+    assert found[0].contrast == pytest.approx(3.5)  # the row after it holds .5
+    assert found[1].contrast == pytest.approx(4 / 3)  # three rows of mean 4/3 between three of 0 and .17
+    assert find_bumps(np.zeros(5)) == []
+
+
+def test_a_step_is_no_bump():
+    rewards = np.array([0.0, 0.0, 1.0, 1.0, 1.0, 1.0])
+    assert contrast(rewards, 2, 4, 1) == 0.0
+
+
+def test_a_bump_is_in_a_timeline_that_shows_half_of_it():
+    (bump,) = find_bumps(np.array([0.0, 0.0, 2.0, 0.0, 0.0]))
+    half, less, later = np.array([[0, 0, 1.0, 0, 0], [0, 0, 0.9, 0, 0], [0, 0, 0, 0, 2.0]])
+    assert [bool(is_in(bump, each)) for each in (half, less, later)] == [True, False, False]
+
+
+def test_what_survives_is_more_probable():
+    shares = np.array([[0.0, 0.0, 0.0], [1.0, 1.0, 1.0]])
+    never, always = bump_probability(shares, np.array([1.0, 20.0]))
+    assert 0.0 < never < 0.5 < always < 1.0
+    assert len(CALIBRATION) == 5
+
+
+def test_every_bump_gets_a_probability():
+    _, noisy, deviations = noisy_space(1e-3)
+    found = bumps(noisy, ROWS, 0.1, deviations)
+    assert len(found) == 2
+    assert all(0.0 < bump.probability < 1.0 for action in found for bump in action)
