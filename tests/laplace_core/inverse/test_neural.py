@@ -27,6 +27,7 @@ from laplace_core.inverse.neural import (
     scaled_factors,
     shapes,
     shipped_network,
+    solve,
 )
 from laplace_core.inverse.problem import Problem
 from laplace_core.inverse.timelines import draw_timelines
@@ -222,7 +223,7 @@ def test_two_rewards_are_placed_better_than_with_any_alpha(name):
     truth[0, 2], truth[0, 7] = np.eye(6)[3], np.eye(6)[1]
     masses = gammas[:, None] ** np.arange(200) @ truth
     problem = Problem(masses, gammas, 200, deviations=1e-5 / (1.0 - gammas))
-    found = shipped_network(gammas).solve(problem).masses
+    found = solve(problem).masses
     linear = [decode(masses, gammas, 200, alpha) for alpha in np.geomspace(1e-7, 1.0, 15)]
     assert mean_time_distance(found, truth)[0] < min(mean_time_distance(each, truth)[0] for each in linear)
     for column, time in ((3, 2), (1, 7)):
