@@ -108,8 +108,11 @@ def report(
         progress(done + 1, worlds)
     examples.sort(key=lambda each: each.world)
     coefficients: dict[str, dict[str, list[float]]] = {}
-    lines = [f"{worlds} worlds of seed {SEED}, {PROBLEMS} problems each; within {NEAR} of the least distance on the "
-             f"half that was not fitted", f"{'solver':10} " + " ".join(f"{name:>10}" for name in WEIGHTINGS)]  # fmt: skip
+    lines = [
+        f"{worlds} worlds of seed {SEED}, {PROBLEMS} problems each; within {NEAR} of the least distance on the half that "
+        "was not fitted",
+        f"{'solver':10} " + " ".join(f"{name:>10}" for name in WEIGHTINGS),
+    ]
     shares: dict[str, dict[str, float]] = {}
     for solver in LINEAR:
         coefficients[solver], shares[solver] = {}, {}
