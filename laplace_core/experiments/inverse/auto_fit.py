@@ -109,8 +109,8 @@ def report(
     examples.sort(key=lambda each: each.world)
     coefficients: dict[str, dict[str, list[float]]] = {}
     lines = [
-        f"{worlds} worlds of seed {SEED}, {PROBLEMS} problems each; within {NEAR} of the least distance on the half that "
-        "was not fitted",
+        f"{worlds} worlds of seed {SEED}, {PROBLEMS} problems each; within {NEAR} of the least distance on the half "
+        "that was not fitted",
         f"{'solver':10} " + " ".join(f"{name:>10}" for name in WEIGHTINGS),
     ]
     shares: dict[str, dict[str, float]] = {}
