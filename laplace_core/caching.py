@@ -288,6 +288,9 @@ class Cache(Generic[Value]):
     def __len__(self) -> int:
         return len(self._entries)
 
+    def __contains__(self, key: Hashable) -> bool:
+        return key in self._entries
+
     def get(self, key: Hashable) -> Value | None:
         """The value of a key, which is then the last to leave; None where there is none."""
         entry = self._used(key)
@@ -470,6 +473,10 @@ class Cached(Generic[Arguments, Value]):
             with self._lock:
                 del self._making[key]
             making.done.set()
+
+    def known(self, *args: Arguments.args, **kwargs: Arguments.kwargs) -> bool:
+        """Whether the value of a call is kept now; to ask is no use of it."""
+        return _key(args, kwargs) in self._cache
 
     def recount(self, *args: Arguments.args, **kwargs: Arguments.kwargs) -> None:
         """Weigh the value of a call anew, if it is kept: it has grown since."""

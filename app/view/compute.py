@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from threading import Lock
 from typing import Any
 
 import numpy as np
@@ -52,12 +51,7 @@ def _explained_verdict(view: View) -> Verdict:
 
 def verdict_for(view: View) -> Verdict:
     """The verdict with its cause, which may take seconds to find."""
-    judged = _explained_verdict(view)
-    with _lock:
-        _explained[view] = None  # only now: nobody else is to wait for it before anything is drawn
-        while len(_explained) > 128:
-            _explained.pop(next(iter(_explained)))
-    return judged
+    return _explained_verdict(view)
 
 
 @cached(8)
@@ -67,9 +61,6 @@ def _trials(view: View) -> Trials | None:
     return Trials(study, study.row, view.action) if isinstance(study, WorldStudy) else None
 
 
-_explained: dict[View, None] = {}
-"""Views whose cause was searched for, the oldest first."""
-_lock = Lock()
 AT_ONCE = 5e6
 """Products that a search may cost to be made before the pictures are drawn: a tenth of a second."""
 
@@ -81,7 +72,9 @@ MOST_SEARCHED = 32
 def is_explained(view: View) -> bool:
     """Whether the cause is known, needs no search, or is found at once."""
     graded = _graded(view)
-    if graded.searched or view in _explained:
+    if graded.searched or _explained_verdict.known(
+        view
+    ):  # once it is found: nobody is to wait before anything is drawn
         return True
     trials = _trials(view)
     return trials is None or trials.work <= AT_ONCE
@@ -241,5 +234,3 @@ def forget() -> None:
     for each in list(globals().values()):
         if isinstance(each, Cached) and each.__module__ == __name__:
             each.cache_clear()
-    with _lock:
-        _explained.clear()

@@ -267,7 +267,7 @@ def test_more_files_than_half_of_the_memory_are_refused_and_nothing_is_kept(budg
 def test_streamlit_keeps_no_copy_of_a_file_that_was_taken_or_refused():
     def kept() -> int:
         gc.collect()
-        managers = [each for each in gc.get_objects() if isinstance(each, MemoryUploadedFileManager)]
+        managers = [each for each in gc.get_objects() if type(each) is MemoryUploadedFileManager]
         return sum(
             len(file.data) for each in managers for files in each.file_storage.values() for file in files.values()
         )

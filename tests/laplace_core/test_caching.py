@@ -99,6 +99,8 @@ def test_arguments_by_name_and_none_as_a_value_are_remembered():
         assert nothing(1) is None
     assert calls == [(1, 2), (1, 0)]
     assert nothing.__doc__ == "What it says."
+    assert nothing.known(1, b=2)
+    assert not nothing.known(1, b=3)
     nothing.cache_clear()
     nothing(1)
     assert len(calls) == 3
