@@ -14,6 +14,8 @@ COPY laplace_core laplace_core
 COPY app app
 COPY checkpoints checkpoints
 RUN python -m app.components.assets
+# A volume takes over the mode of the folder that it lies on.
+RUN mkdir runs && chmod 1777 runs
 
 USER 10001:10001
 EXPOSE 8501
