@@ -106,3 +106,87 @@ def test_a_run_is_removed_after_a_second_click(page, address):
     page.get_by_role("button", name="Remove ...").click()
     page.get_by_role("button", name=f"Yes, remove {name} for good").click()
     expect(mine).to_have_count(0)
+
+
+def started(page, address: str, seed: int) -> str:
+    """Begin a long run; returns its name."""
+    page.goto(f"{address}/train?environment=two_branch&t.seed={seed}&t.steps=1000000&t.hidden=16&t.batch=16")
+    page.get_by_role("button", name="Start training").click()
+    name = f"laplace_two_branch_{seed}"
+    expect(card(page, name).locator(f".st-key-more_{name}")).to_be_visible()
+    return name
+
+
+def removed(page, name: str) -> None:
+    card(page, name).get_by_role("button", name="More").click()
+    page.get_by_role("button", name="Remove ...").click()
+    page.get_by_role("button", name=f"Yes, remove {name} for good").click()
+    expect(card(page, name)).to_have_count(0)
+
+
+def test_another_browser_sees_a_run_and_cannot_change_it(page, chromium, address):
+    name = started(page, address, 21)
+    stranger = chromium.new_context()
+    other = stranger.new_page()
+    other.goto(f"{address}/train")
+    expect(card(other, name)).to_contain_text("Started in another browser.")
+    expect(card(other, name).get_by_role("button", name="Show")).to_be_visible()
+    for words in ("Cancel", "More"):
+        expect(card(other, name).get_by_role("button", name=words)).to_have_count(0)
+    stranger.close()
+    page.reload()
+    expect(card(page, name).get_by_role("button", name="More")).to_be_visible()
+    removed(page, name)
+
+
+def test_two_tabs_of_one_browser_that_open_at_once_are_one_owner(chromium, address):
+    context = chromium.new_context()
+    first, second = context.new_page(), context.new_page()
+    for tab in (first, second):
+        tab.goto(f"{address}/train?environment=two_branch")
+    for tab in (first, second):
+        expect(tab.get_by_role("button", name="Start training")).to_be_visible()
+        tab.wait_for_function("() => document.cookie.includes('laplace_owner=')")
+        settled_tab(tab)
+    name = started(second, address, 22)
+    first.goto(f"{address}/train")
+    removed(first, name)
+    context.close()
+
+
+def settled_tab(tab) -> None:
+    """Until Streamlit has nothing to do."""
+    expect(tab.locator("[data-testid='stStatusWidget']")).to_have_count(0)
+
+
+WATCH_CARDS = """
+() => {
+  window.strange = [];
+  const look = () => {
+    for (const card of document.querySelectorAll("[class*='st-key-run_laplace']")) {
+      const name = [...card.classList].find((each) => each.startsWith('st-key-run_')).slice('st-key-run_'.length);
+      for (const part of card.querySelectorAll("[class*='st-key-']")) {
+        const key = [...part.classList].find((each) => /^st-key-(cancel|open|show|more)/.test(each));
+        if (key && !key.endsWith(name)) window.strange.push(`${name}: ${key}`);
+      }
+    }
+  };
+  new MutationObserver(look).observe(document.body, { childList: true, subtree: true, attributes: true });
+}
+"""
+
+
+def test_a_card_never_holds_the_buttons_of_another_run(page, address):
+    """When a new run moves the cards, each of which gets another place."""
+    names = [started(page, address, 31)]
+    page.evaluate(WATCH_CARDS)
+    for seed in (32, 33):
+        page.get_by_role("spinbutton", name="Seed").fill(str(seed))
+        page.get_by_role("spinbutton", name="Seed").press("Enter")
+        expect(page).to_have_url(re.compile(rf"t\.seed={seed}"))
+        page.get_by_role("button", name="Start training").click()
+        names.append(f"laplace_two_branch_{seed}")
+        expect(card(page, names[-1]).locator(f".st-key-more_{names[-1]}")).to_be_visible()
+    for name in names:
+        removed(page, name)
+    assert page.evaluate("() => window.strange") == []
