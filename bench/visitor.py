@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
+import json
 import re
 from collections.abc import AsyncIterator, Mapping
 from dataclasses import dataclass, field
@@ -85,7 +86,7 @@ class Visitor:
         """Release a control of the lens with these values of its state."""
         place = self.component("laplace_lens")
         base = place.element.bidi_component.id
-        event = _json([{"event": "released", "value": {"state": state}}])
+        event = json.dumps([{"event": "released", "value": {"state": state}}])
         await self._ask(
             {f"{STREAMLIT_INTERNAL_KEY_PREFIX}_{base}{EVENT_DELIM}events": {"json_trigger_value": event}},
             place.fragment,
@@ -214,10 +215,12 @@ class Visitor:
         kind = message.WhichOneof("type")
         if kind == "new_session":
             self._session = message.new_session.initialize.session_id or self._session
-            self._hash, self._fresh = message.new_session.page_script_hash, set()
+            self._fresh = set()
             self._due = self._due and "runs"
         elif kind == "delta":
             self._show(message)
+        elif kind == "navigation":
+            self._hash = message.navigation.page_script_hash
         elif kind == "page_info_changed":
             self.query = message.page_info_changed.query_string
         elif kind == "auto_rerun":
@@ -258,12 +261,6 @@ class Visitor:
         task = self._again.pop(fragment, None)
         if task is not None:
             task.cancel()
-
-
-def _json(value: object) -> str:
-    import json
-
-    return json.dumps(value)
 
 
 @contextlib.asynccontextmanager
