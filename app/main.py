@@ -1,15 +1,19 @@
 """The workbench: navigation and theme. ``streamlit run app/main.py``."""
 
+import os
 import sys
 from pathlib import Path
 
 import streamlit as st
 
+# The products of a page are small: threads for them would wait for each other longer than they work, and other sessions
+# for them. numpy, which streamlit has not imported yet, looks here once.
+os.environ.update(dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"), "1") | os.environ)
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))  # streamlit puts only this folder on the path
 
 from app.catalogue import training_runs
 from app.components import chart
-from app.session import limits
+from app.session import collector, limits
 from laplace_core import InputError
 
 st.set_page_config(page_title="Laplace code workbench", page_icon="∑", layout="wide")
@@ -28,4 +32,6 @@ PAGES = [
     st.Page("screens/race.py", title="Deadline race", url_path="race"),
     st.Page("screens/train.py", title="Train", url_path="train"),
 ]
-st.navigation(PAGES, position="top").run()
+shown = st.navigation(PAGES, position="top")
+shown.run()
+collector.settle(shown.title)

@@ -570,20 +570,31 @@ def _truth(
 ) -> Truth:
     """The truth on the rows and columns of a study, from a timeline ``(A, N, V)`` and an optimum ``(N, A)``."""
     s, length = settings, timeline.shape[1]
-    means, survival = timeline @ world.reward_values, timeline.sum(axis=-1)
-    on_rows, rewards = timeline, means
-    if s.time_step != 1.0:  # else each step is a row
-        shares = row_shares(s.steps, length, s.time_step)
-        on_rows, rewards, survival = shares @ timeline, means @ shares.T, survival @ shares.T
+    rows = on_rows(timeline, s.steps, s.time_step)
+    rewards = on_rows((timeline @ world.reward_values)[..., None], s.steps, s.time_step)[..., 0]
     nearest = np.clip(np.rint(row_horizons(s.steps, s.time_step)).astype(int), 1, length)
     return Truth(
-        tau_space=smeared(on_rows, world.reward_values, thetas, s.slope),
-        survival=survival,
+        tau_space=smeared(rows, world.reward_values, thetas, s.slope),
+        survival=on_rows(timeline.sum(axis=-1, keepdims=True), s.steps, s.time_step)[..., 0],
         expected_reward=rewards,
         horizon_values=horizon_values(rewards, s.value_gamma, s.softness, s.time_step),
         scale=scale_of_values(rewards, world.reward_values),
         optimum=optimum.T[:, nearest - 1],
     )
+
+
+def on_rows(values: np.ndarray, steps: int, time_step: float) -> np.ndarray:
+    """Values of every step, ``(A, N, V)``, on the rows of a study, ``(A, steps, V)``: a product with the row shares.
+
+    At ``time_step`` 1 row k is step k, and no matrix is made: on thousands of rows the identity would cost more than
+    all else in a study.
+    """
+    length = values.shape[1]
+    if time_step != 1.0:
+        return row_shares(steps, length, time_step) @ values
+    rows = np.zeros((len(values), steps, values.shape[2]))
+    rows[:, :length] = values[:, :steps]
+    return rows
 
 
 def row_shares(steps: int, length: int, time_step: float) -> np.ndarray:

@@ -11,7 +11,7 @@ from laplace_core import InputError, Settings, load_world, study, study_of_gamma
 from laplace_core.code.encoding import activation, bin_masses
 from laplace_core.inverse import transform_matrix
 from laplace_core.planning import finite_horizon_optimum, greedy_policy, reward_indicator_basis, reward_timeline
-from laplace_core.study.pipeline import row_shares
+from laplace_core.study.pipeline import on_rows, row_shares
 from laplace_core.study.settings import resolve
 from laplace_core.study.trials import Trials
 from laplace_core.worlds import END, Outcome, World
@@ -151,6 +151,14 @@ def test_rewards_are_drawn_where_the_transform_puts_them(time_step):
     found = study(load_world("double_chain"), Settings(steps=round(9 / time_step), time_step=time_step, alpha=1e-4))
     for rewards in (found.truth.expected_reward[0], found.decoded.expected_reward[0]):
         assert rewards @ found.taus / rewards.sum() == pytest.approx(4.5, abs=0.03)
+
+
+@pytest.mark.parametrize("time_step", [1.0, 0.5, 1 / 3])
+@pytest.mark.parametrize(("length", "steps"), [(5, 5), (5, 3), (3, 7)])
+def test_values_of_steps_lie_on_rows_as_the_shares_put_them(length, steps, time_step):
+    values = np.random.default_rng(0).uniform(size=(2, length, 3))
+    expected = np.einsum("kn,anv->akv", row_shares(steps, length, time_step), values)
+    np.testing.assert_allclose(on_rows(values, steps, time_step), expected, rtol=0, atol=1e-15)
 
 
 def test_row_shares_by_hand():
