@@ -83,13 +83,13 @@ class Settings:
     deadline: str | None = _choice("time_to_go", DEADLINES, "The T that an episode is acted with at each step.")
     solver: str | None = _choice("tikhonov", tuple(SOLVERS), "How the transform is inverted.")
     selector: str | None = _choice(
-        "typed", ALPHA_CHOICES, "Rule that chooses alpha, also --alpha NAME; typed is a number."
+        "typed", ALPHA_CHOICES, "Rule that chooses alpha, as --alpha NAME does; typed: none."
     )
     noise_level: float | None = _setting(
         None,
         1e-12,
         1,
-        "Random error that gamma-space is taken to have: standard deviation of (1 - gamma) Q; discrepancy needs it.",
+        "Random error that gamma-space is taken to have: standard deviation of (1 - gamma) Q. Discrepancy needs it.",
     )
     weighting: str | None = _choice(
         None, WEIGHTINGS,
