@@ -9,7 +9,7 @@ import numpy as np
 from laplace_core.code.gamma_space import GammaSpace
 from laplace_core.errors import InputError
 
-FILTERS = ("none", "savgol")
+DISCOUNT_FILTERS = ("none", "savgol")
 
 
 def savgol_matrix(discounts: int, window: int = 5, order: int = 2) -> np.ndarray:
