@@ -27,6 +27,7 @@ def add_subject(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--param", action="append", default=[], metavar="name=value", help="a parameter of the world")
     add_parameters(parser, SCHEMA)
     parser.add_argument("--seed-index", metavar="N", help="which learner of a learned agent, from 0")
+    parser.epilog = f"--alpha takes a number, or the selector that chooses it: {', '.join(_BY_NAME)}."
 
 
 def study_of_options(options: argparse.Namespace) -> Study:

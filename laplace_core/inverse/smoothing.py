@@ -5,12 +5,11 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
-from scipy.signal import savgol_filter
 
 from laplace_core.code.gamma_space import GammaSpace
 from laplace_core.errors import InputError
 
-FILTERS = ("none", "savgol")
+DISCOUNT_FILTERS = ("none", "savgol")
 
 
 def savgol_matrix(discounts: int, window: int = 5, order: int = 2) -> np.ndarray:
@@ -32,6 +31,8 @@ def savgol_matrix(discounts: int, window: int = 5, order: int = 2) -> np.ndarray
         raise InputError(f"--filter-window is {window}; it must be an odd number of at most {discounts} discounts.")
     if not 0 <= order < window:
         raise InputError(f"--filter-order is {order}; it must be from 0 to {window - 1}, below --filter-window.")
+    from scipy.signal import savgol_filter  # takes longer to load than the library itself
+
     matrix: np.ndarray = savgol_filter(np.eye(discounts), window, order, axis=0, mode="interp")
     return matrix
 

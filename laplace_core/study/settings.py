@@ -19,7 +19,7 @@ import numpy as np
 from laplace_core.code.encoding import GAMMA_SPACINGS, PAPER_GAMMAS, THETA_SCALE_HELP, THETA_SPACINGS, sensitivity_grid
 from laplace_core.errors import InputError
 from laplace_core.inverse import ALPHA_CHOICES, MAX_STEPS, NORMALISATIONS, SOLVERS
-from laplace_core.inverse.smoothing import FILTERS
+from laplace_core.inverse.smoothing import DISCOUNT_FILTERS
 from laplace_core.parameters import Parameter, as_text, choice, schema_of, setting, switch, text
 from laplace_core.planning import TARGET_POLICIES
 from laplace_core.study.horizon import row_horizons
@@ -83,20 +83,20 @@ class Settings:
     deadline: str | None = _choice("time_to_go", DEADLINES, "The T that an episode is acted with at each step.")
     solver: str | None = _choice("tikhonov", tuple(SOLVERS), "How the transform is inverted.")
     selector: str | None = _choice(
-        "typed", ALPHA_CHOICES, "Rule that chooses alpha, also --alpha NAME; typed is a number."
+        "typed", ALPHA_CHOICES, "Rule that chooses alpha, as --alpha NAME does; typed: none."
     )
     noise_level: float | None = _setting(
         None,
         1e-12,
         1,
-        "Random error that gamma-space is taken to have: standard deviation of (1 - gamma) Q; discrepancy needs it.",
+        "Random error that gamma-space is taken to have: standard deviation of (1 - gamma) Q. Discrepancy needs it.",
     )
     weighting: str | None = _choice(
         None, WEIGHTINGS,
         "How discounts count: alike, or divided by the deviation of their error, 1/(1-gamma), which is the default "
         "where a rule chooses alpha or --noise-level is given.",
     )  # fmt: skip
-    filter: str | None = _choice("none", FILTERS, "Filter over the discounts before the inverse.")
+    filter: str | None = _choice("none", DISCOUNT_FILTERS, "Filter over the discounts before the inverse.")
     filter_window: int | None = _setting(5, 1, 499, "Discounts in a window of --filter savgol, an odd number.")
     filter_order: int | None = _setting(2, 0, 20, "Order of the polynomial of --filter savgol.")
     noise: float | None = _setting(

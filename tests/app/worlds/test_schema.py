@@ -103,6 +103,20 @@ def test_any_json_in_a_packed_world_is_read_or_left_out(told):
     assert_holds({"world": "own", "own": pack(json.dumps(told))})
 
 
+def test_a_link_to_an_inverse_that_the_lens_cannot_draw_says_so(subtests):
+    for name, word in (("solver", "tsvd"), ("selector", "gcv"), ("weighting", "deviation"), ("filter", "savgol"),
+                       ("noise_level", "0.01"), ("filter_window", "5"), ("filter_order", "2")):  # fmt: skip
+        with subtests.test(name):
+            found, notes = LINK.read({"world": "two_branch", "alpha": "0.3", name: word})
+            assert found == {"world": "two_branch", "alpha": 0.3}
+            assert len(notes) == 1
+            assert name in notes[0]
+            settings = view_of(found).settings
+            assert (settings.solver, settings.selector, settings.weighting) == ("tikhonov", "typed", "equal")
+    for name, word in (("solver", "tikhonov"), ("selector", "typed"), ("weighting", "equal"), ("filter", "none")):
+        assert LINK.read({"world": "two_branch", name: word}) == ({"world": "two_branch", name: word}, [])
+
+
 def test_a_pin_within_a_pin_is_dropped():
     inner = pack(json.dumps({"world": "two_branch", "alpha": "0.5"}))
     assert "pin" not in unpinned(pack(json.dumps({"world": "fig6_chain", "pin": inner})))

@@ -8,7 +8,18 @@ import pytest
 
 from laplace_core import InputError, Settings, load_world, study
 from laplace_core.code.gamma_space import shifted
-from laplace_core.inverse import LINEAR, SELECTORS, choose_alpha, decode_matrix, problem_of
+from laplace_core.inverse import (
+    LINEAR,
+    SELECTORS,
+    SOLVERS,
+    Solution,
+    Solver,
+    choose_alpha,
+    decode_matrix,
+    problem_of,
+    solve,
+    solvers,
+)  # fmt: skip
 from laplace_core.inverse.smoothing import filtered
 from laplace_core.study.artefacts import find_artefacts
 from laplace_core.study.npz import study_arrays
@@ -148,6 +159,27 @@ def test_selectors_that_cannot_choose_are_refused(subtests):
     ]:
         with subtests.test(changes=changes), pytest.raises(InputError, match=named):
             noisy(**changes)
+
+
+def test_a_solver_that_is_not_linear_goes_the_same_way(monkeypatch):
+    def clipped(problem, alpha):
+        found = solve(problem, "tikhonov", alpha)
+        return Solution(np.maximum(found.masses, 0.0), found.residual, found.degrees_of_freedom)
+
+    monkeypatch.setattr(solvers, "SOLVERS", {**SOLVERS, "clipped": Solver(clipped)})
+    linear = noisy(alpha=0.2, horizon=4.0)
+    settings = replace(linear.settings)
+    object.__setattr__(settings, "solver", "clipped")  # the choices of a setting are fixed when it is declared
+    found = linear.under(settings)
+    np.testing.assert_allclose(found.decoded.tau_space, np.maximum(linear.decoded.tau_space, 0.0), atol=1e-12)
+    midpoints = found.gamma_space.bin_values
+    np.testing.assert_allclose(found.decoded.expected_reward, found.decoded.tau_space @ midpoints)
+    np.testing.assert_allclose(rewards_of(found.gamma_space, settings), found.decoded.expected_reward)
+    (only,) = find_artefacts(found, 0)
+    assert "Only the picture of a linear solver is a sum of parts" in only.sentence
+    assert "discount_kernel" not in study_arrays(found)
+    with pytest.raises(InputError, match="a sweep needs a linear solver, which clipped is not"):
+        sweep_alpha(found)
 
 
 # --- the sweep ---
