@@ -39,6 +39,10 @@ coverage: .venv/.dev
 verify: .venv/.dev
 	$(BIN)/python -m laplace_core report verdicts --jobs 2 --check
 	$(BIN)/python -m laplace_core report detectors --check
+	$(BIN)/python -m laplace_core report inverse-certificates --check
+	$(BIN)/python -m laplace_core report inverse-consistency --check
+	$(BIN)/python -m laplace_core report inverse-bumps --check
+	$(BIN)/python -m laplace_core report inverse-feasible --check
 	$(BIN)/python -m pytest -m long
 	LENS_VIEWS=1000 $(BIN)/python -m pytest tests/test_js.py
 
