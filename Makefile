@@ -47,6 +47,10 @@ verify: .venv/.verify
 	$(BIN)/python -m laplace_core report neural --check
 	$(BIN)/python -m laplace_core report grids --horizon 50 --check
 	$(BIN)/python -m laplace_core report grids --horizon 200 --noise 0.01 --check
+	$(BIN)/python -m laplace_core report inverse-certificates --check
+	$(BIN)/python -m laplace_core report inverse-consistency --check
+	$(BIN)/python -m laplace_core report inverse-bumps --check
+	$(BIN)/python -m laplace_core report inverse-feasible --check
 	$(BIN)/python -m pytest -m long
 	LENS_VIEWS=1000 $(BIN)/python -m pytest tests/test_js.py
 

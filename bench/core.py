@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from bench import decoding, growth, importing, learning, solving
+from bench import decoding, growth, importing, inverting, learning, solving
 from bench.report import Figure
 
 
 def main() -> Iterator[Figure]:
-    for subject in (decoding, solving, learning, growth, importing):
+    for subject in (decoding, inverting, solving, learning, growth, importing):
         yield from subject.figures()

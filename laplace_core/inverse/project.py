@@ -18,7 +18,8 @@ def projected(gamma_space: GammaSpace, deviations: np.ndarray | None = None, row
     """The gamma-space of the feasible timeline of least weighted misfit, with every other field as it was.
 
     It has tails that never rise with the sensitivity, and discounted steps that some episode can have. Values of a
-    feasible timeline stay what they are, up to the width of the windows.
+    feasible timeline stay what they are, up to the width of the windows. What is fitted are masses, the differences of
+    neighbouring values: these come nearer to the truth, while their small positive errors add up in the tails.
 
     Args:
         deviations: ``(G,)``, standard deviation of the error of one value at each discount; default: in proportion to

@@ -1,9 +1,9 @@
 """The paper's promise: acting for another horizon through tau-space, by every solver of the inverse.
 
-LunarLander agents act for T steps by the tau-space that a solver decodes for every observation, with the alpha that the
-selector ``auto`` chooses for it; beside them greedy, matched and fading, and ``certified``, greedy unless another action
-is certainly better. The noise level of ``certified`` is chosen on starts of its own (``TUNED``). Slow solvers act in
-fewer episodes and with fewer agents, from the first of the same starts, so that all differences are paired.
+LunarLander agents act for T steps by the tau-space that a solver decodes for every observation. The selector ``auto``
+chooses its alpha for each. Beside them stand greedy, matched, fading and ``certified``, which is greedy unless another
+action is certainly better; its noise level is chosen on starts of its own (``TUNED``). Slow solvers act in fewer
+episodes and with fewer agents, from the first of the same starts, so that all differences are paired.
 """
 
 from __future__ import annotations

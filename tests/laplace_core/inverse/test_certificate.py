@@ -66,8 +66,8 @@ def test_more_noise_widens_the_bounds():
 
 
 def test_bounds_are_reached_by_a_timeline_that_fits():
-    # At a noise of .3 next to nothing is known but that the first step happens: the best timeline pays 10 in both
-    # steps, and the worst nothing. V_2 lies between 0 and 10 + 9.9, but for the quantisation.
+    # At a noise of 10 nothing is known but that the first step happens: the best timeline pays theta_H = 12 in both
+    # steps, the worst theta_1 = -2, discounted by 1 + .99, and the quantisation is added to either.
     found = certified(space_of({1: 5.0}), 2, 10.0)
     assert found.high[0] == pytest.approx(12.0 * 1.99 + found.quantisation * 1.99, abs=1e-6)
     assert found.low[0] == pytest.approx(-2.0 * 1.99 - found.quantisation * 1.99, abs=1e-6)
@@ -83,10 +83,10 @@ def test_values_that_no_timeline_has_give_no_bounds():
 
 def test_quantisation_is_what_a_reward_is_off_by(subtests):
     # Far from the ends, neighbouring sigmoids of slope * spacing 2.35 overlap: off by less than .001 of the spacing.
-    # At an end half of a sigmoid is missing: log(2) / slope, less what the trapezoid rule adds.
+    # At the lowest theta the trapezoid rule counts 1/2 * 1/2 + sigmoid(-2.35) + sigmoid(-4.7) + ... = .347 spacings.
     spacing = THETAS[1] - THETAS[0]
     assert quantisation(THETAS, SLOPE * THETAS, REWARDS) < 1e-3 * spacing
-    assert quantisation(THETAS, SLOPE * THETAS) == pytest.approx(np.log(2) / SLOPE, rel=0.15)
+    assert quantisation(THETAS, SLOPE * THETAS) == pytest.approx(0.347 * spacing, rel=0.01)
     assert quantisation(THETAS, None) == pytest.approx(spacing / 2)
     # A step for an activation counts a reward as the next midpoint: half a spacing.
     assert quantisation(THETAS, 1e6 * THETAS, REWARDS) == pytest.approx(spacing / 2, rel=0.05)
