@@ -10,6 +10,7 @@ import os
 import subprocess
 import sys
 import textwrap
+import weakref
 from dataclasses import replace
 from pathlib import Path
 
@@ -29,7 +30,7 @@ from laplace_core.figures.comparison import MOST_COLUMNS, MOST_ROWS, farthest
 from laplace_core.study.compare import Difference
 from laplace_core.study.settings import resolve
 from laplace_core.study.size import largest_study
-from tests.support.pages import choose, link, opened, pin, run, upload, verdict
+from tests.support.pages import choose, link, opened, pin, run, shown, upload, verdict
 from tests.support.unpacking import unpacked
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -76,6 +77,16 @@ def test_many_views_stay_within_the_budget(budget):
         most = max(most, BUDGET.bytes)
         assert BUDGET.bytes <= BUDGET.limit
     assert most > 4_000_000
+
+
+def test_a_session_holds_no_study_beside_the_caches():
+    """With the download popover open, and a comparison."""
+    page = pin(opened("downloading", world="two_branch", alpha="0.02"))
+    held = [weakref.ref(compute.study_for(seen)) for seen in (shown(page), shown(page))]
+    compute.forget()
+    gc.collect()
+    assert [each() for each in held] == [None, None]
+    assert verdict(run(page))
 
 
 def test_the_process_grows_by_no_more_than_its_budget():
