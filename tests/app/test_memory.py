@@ -188,7 +188,10 @@ def test_a_large_comparison_is_thinned_to_the_screen_and_says_so():
     rng = np.random.default_rng(2)
     a, b = rng.normal(size=(2, 1_200, 1_300))
     apart = Difference("tau_space", np.arange(1_200) / 2, np.linspace(-3, 9, 1_300), a, b)
-    assert figures.thinning(apart) == "A cell shows the value farthest from 0 of 5 x 4, at its place."
+    assert (
+        figures.thinning(apart)
+        == "Each cell shows one of 5 x 4 values, the one farthest from 0; point at it for its place."
+    )
     for name, values in (("A", a), ("B", b), ("B - A", b - a)):
         text = figures.to_json(figures.comparison(apart)[name])
         heat = json.loads(text)["data"][0]
@@ -211,12 +214,12 @@ def test_a_comparison_of_as_many_values_as_cells_is_drawn_whole():
     heat = json.loads(figures.to_json(figures.comparison(apart)["A"]))["data"][0]
     np.testing.assert_allclose(unpacked(heat["z"]), values, rtol=1e-6)
     more = replace(apart, rows=np.linspace(0.1, 0.9, MOST_ROWS + 1), a=np.ones((MOST_ROWS + 1, MOST_COLUMNS)))
-    assert "of 2 x 1" in figures.thinning(more)
+    assert "one of 2 x 1 values" in figures.thinning(more)
 
 
 def test_the_page_says_what_a_cell_of_a_thinned_comparison_is():
     page = pin(opened(world="two_branch", thetas="900", steps="20"))
-    assert any("A cell shows the value farthest from 0 of 1 x 3" in each.value for each in page.caption)
+    assert any("Each cell shows one of 1 x 3 values" in each.value for each in page.caption)
 
 
 def test_a_table_that_no_spreadsheet_opens_is_not_offered():
