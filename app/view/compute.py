@@ -72,9 +72,7 @@ MOST_SEARCHED = 32
 def is_explained(view: View) -> bool:
     """Whether the cause is known, needs no search, or is found at once."""
     graded = _graded(view)
-    if graded.searched or _explained_verdict.known(
-        view
-    ):  # once it is found: nobody is to wait before anything is drawn
+    if graded.searched or _explained_verdict.known(view):  # found, not only begun: nobody is to wait for pictures
         return True
     trials = _trials(view)
     return trials is None or trials.work <= AT_ONCE

@@ -47,7 +47,7 @@ def pictures(
         lead, followed: the episode that the lens follows, and what was observed; see :func:`app.components.lens.lens`.
         simulated: what continuations from there came to.
     """
-    study, look = compute.study_for(view), str(store.chosen().get("look", "heatmap"))
+    look = str(store.chosen().get("look", "heatmap"))
     horizon, added = compute.horizon_of(view), view.subject.added
     shown = state_of(view.settings, horizon, action=view.action, look=look, added=added)
     judged, explained = compute.verdict_at_once(view)
@@ -58,6 +58,7 @@ def pictures(
             store.replace_all({**next(each.values for each in presets if each.name == released.preset), **look})
             store.refresh_sidebar()
             return
+        study = compute.study_for(view)  # looked up, for the session holds this function: no arrays may hang on it
         changes = values_of(checked(released.state, study), shown, study.action_names)
         for name, value in changes.items():
             store.choose(name, value)

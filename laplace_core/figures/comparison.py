@@ -34,7 +34,9 @@ def comparison(difference: Difference) -> dict[str, Figure]:
 def thinning(difference: Difference) -> str:
     """What a cell of the maps shows, for people to read; empty where it is a single value."""
     high, wide = _block(difference.a.shape)
-    return "" if (high, wide) == (1, 1) else f"A cell shows the value farthest from 0 of {high} x {wide}, at its place."
+    if (high, wide) == (1, 1):
+        return ""
+    return f"Each cell shows one of {high} x {wide} values, the one farthest from 0; point at it for its place."
 
 
 def _block(shape: tuple[int, ...]) -> tuple[int, int]:

@@ -10,6 +10,7 @@ import os
 import subprocess
 import sys
 import textwrap
+import weakref
 from dataclasses import replace
 from pathlib import Path
 
@@ -29,7 +30,7 @@ from laplace_core.figures.comparison import MOST_COLUMNS, MOST_ROWS, farthest
 from laplace_core.study.compare import Difference
 from laplace_core.study.settings import resolve
 from laplace_core.study.size import largest_study
-from tests.support.pages import choose, link, opened, pin, run, upload, verdict
+from tests.support.pages import choose, link, opened, pin, run, shown, upload, verdict
 from tests.support.unpacking import unpacked
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -76,6 +77,16 @@ def test_many_views_stay_within_the_budget(budget):
         most = max(most, BUDGET.bytes)
         assert BUDGET.bytes <= BUDGET.limit
     assert most > 4_000_000
+
+
+def test_a_session_holds_no_study_beside_the_caches():
+    """With the download popover open, and a comparison."""
+    page = pin(opened("downloading", world="two_branch", alpha="0.02"))
+    held = [weakref.ref(compute.study_for(seen)) for seen in (shown(page), shown(page))]
+    compute.forget()
+    gc.collect()
+    assert [each() for each in held] == [None, None]
+    assert verdict(run(page))
 
 
 def test_the_process_grows_by_no_more_than_its_budget():
@@ -177,7 +188,10 @@ def test_a_large_comparison_is_thinned_to_the_screen_and_says_so():
     rng = np.random.default_rng(2)
     a, b = rng.normal(size=(2, 1_200, 1_300))
     apart = Difference("tau_space", np.arange(1_200) / 2, np.linspace(-3, 9, 1_300), a, b)
-    assert figures.thinning(apart) == "A cell shows the value farthest from 0 of 5 x 4, at its place."
+    assert (
+        figures.thinning(apart)
+        == "Each cell shows one of 5 x 4 values, the one farthest from 0; point at it for its place."
+    )
     for name, values in (("A", a), ("B", b), ("B - A", b - a)):
         text = figures.to_json(figures.comparison(apart)[name])
         heat = json.loads(text)["data"][0]
@@ -200,12 +214,12 @@ def test_a_comparison_of_as_many_values_as_cells_is_drawn_whole():
     heat = json.loads(figures.to_json(figures.comparison(apart)["A"]))["data"][0]
     np.testing.assert_allclose(unpacked(heat["z"]), values, rtol=1e-6)
     more = replace(apart, rows=np.linspace(0.1, 0.9, MOST_ROWS + 1), a=np.ones((MOST_ROWS + 1, MOST_COLUMNS)))
-    assert "of 2 x 1" in figures.thinning(more)
+    assert "one of 2 x 1 values" in figures.thinning(more)
 
 
 def test_the_page_says_what_a_cell_of_a_thinned_comparison_is():
     page = pin(opened(world="two_branch", thetas="900", steps="20"))
-    assert any("A cell shows the value farthest from 0 of 1 x 3" in each.value for each in page.caption)
+    assert any("Each cell shows one of 1 x 3 values" in each.value for each in page.caption)
 
 
 def test_a_table_that_no_spreadsheet_opens_is_not_offered():

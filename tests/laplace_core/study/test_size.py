@@ -11,6 +11,7 @@ import pytest
 
 from app.components.lens.payload import payload
 from laplace_core import GammaSpace, InputError, Settings, figures, load_world, study, study_of_gamma_space
+from laplace_core.code import encoding
 from laplace_core.code import gamma_space as gamma_space_module
 from laplace_core.code.encoding import softening
 from laplace_core.code.gamma_space import softened
@@ -95,6 +96,23 @@ def test_the_indicators_that_are_not_stored_learn_what_stored_ones_learn(policy)
     list(learn(world, [made, stored], Schedule(episodes=200, seed=4)))
     np.testing.assert_array_equal(made.table, stored.table)
     np.testing.assert_array_equal(made.values, stored.values)
+
+
+def test_products_with_rewards_by_sensitivities_in_blocks_are_whole_products(monkeypatch, subtests):
+    """The whole matrices are the slow twin; blocks of one column, of some, and one block of all."""
+    rng = np.random.default_rng(8)
+    rewards, thetas, weights = np.sort(rng.normal(size=7)), np.sort(rng.normal(size=11)), rng.normal(size=(2, 3, 7))
+    masses = encoding.bin_masses(rewards, thetas, 3.0)
+    for numbers in (1, 30, 10_000):
+        with subtests.test(numbers=numbers):
+            monkeypatch.setattr(encoding, "_BLOCK", numbers)
+            found = encoding.encoded(weights, rewards, thetas, 3.0)
+            np.testing.assert_allclose(found, weights @ encoding.activation(rewards, thetas, 3.0), atol=1e-14)
+            found = encoding.smeared(weights, rewards, thetas, 3.0)
+            np.testing.assert_allclose(found, weights @ masses, atol=1e-14)
+            held, proxy = encoding.read_at_midpoints(rewards, thetas, 3.0)
+            np.testing.assert_allclose(held, masses.sum(axis=1), atol=1e-14)
+            np.testing.assert_allclose(proxy, masses @ encoding.theta_midpoints(thetas), atol=1e-14)
 
 
 def test_a_softer_slope_in_blocks_is_the_whole_map(monkeypatch, subtests):
