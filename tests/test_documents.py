@@ -16,7 +16,14 @@ from tests.test_architecture import exists, is_name
 ROOT = Path(__file__).resolve().parent.parent
 README = (ROOT / "README.md").read_text(encoding="utf-8")
 BLOCKS = re.findall(r"^```(\w*)\n(.*?)^```", README, re.M | re.S)
-DOCUMENTS = ["README.md", "CONTRIBUTING.md", "docs/architecture.md", "docs/paper/README.md", "app/static/README.md"]
+DOCUMENTS = [
+    "README.md",
+    "CONTRIBUTING.md",
+    "docs/architecture.md",
+    "docs/server.md",
+    "docs/paper/README.md",
+    "app/static/README.md",
+]
 """All but CHANGELOG.md, which names what was."""
 FOLDERS = r"(app|laplace_core|docs|tests|bench|checkpoints)"
 

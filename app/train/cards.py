@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import shlex
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from html import escape
 from pathlib import Path
@@ -44,13 +45,13 @@ class _Cards:
         everything: whether all runs have a card.
         to_open: name of the run that is to be opened on the other page.
         to_remove: names of the runs that are removed at the next, second, word.
-        placed: names of the runs by the place of their cards, as the browser was told last.
+        placed: the run whose card was drawn last in each column and row, and whether in the second of its places.
     """
 
     everything: bool = False
     to_open: str | None = None
     to_remove: set[str] = field(default_factory=set)
-    placed: dict[int, str] = field(default_factory=dict)
+    placed: dict[int, tuple[str, bool]] = field(default_factory=dict)
 
 
 def cards(runs: Sequence[Run], looked: Run | None) -> None:
@@ -59,20 +60,29 @@ def cards(runs: Sequence[Run], looked: Run | None) -> None:
     for first in range(0, len(shown), 2):
         pairs = zip(st.columns(2, gap="small"), shown[first : first + 2], strict=False)
         for at, (column, run) in enumerate(pairs, first):
-            with _place(column, at, run.name).container(border=True, key=f"run_{run.name}"):
+            with _place(column, at, run.name):
                 _card(runs, run, looked=run == looked)
     if len(runs) > len(shown):
         st.button(f"Show all {len(runs)} runs", on_click=_show_all)
 
 
-def _place(column: DeltaGenerator, at: int, name: str) -> DeltaGenerator:
-    """Where a card is drawn. If another run had the place before, the browser is told to take that card away first:
-    else it would keep its buttons in the new card until their turn comes, and a click on one run would reach another.
+@contextmanager
+def _place(column: DeltaGenerator, at: int, name: str) -> Iterator[None]:
+    """The place of a run's card, which is one of two: where another run had the last one, its card is not drawn over.
+
+    The browser would keep that one's buttons in the new card until their turn comes, and a click on one run would reach
+    another.
     """
     placed = session.part(_Cards).placed
-    moved = placed.get(at, name) != name
-    placed[at] = name
-    return column.empty() if moved else column
+    last, second = placed.get(at, (name, False))
+    second ^= last != name
+    placed[at] = name, second
+    if second:
+        column.empty()
+    with column.container(border=True, key=f"run_{name}"):
+        yield
+    if not second:
+        column.empty()
 
 
 def _show_all() -> None:
