@@ -21,7 +21,7 @@ from laplace_core.environments import vector
 FEW = 3
 """Observations in the larger of two batches: what one more costs is a third of what they cost above the smaller."""
 REPEATS, ENOUGH = 10, 0.05
-"""A measurement is done so often, and the shortest counts; but never for longer than so many seconds."""
+"""A measurement is done so often at the most, and not again after so many seconds; the shortest counts."""
 
 Clock = Callable[[], float]
 
@@ -82,7 +82,8 @@ def step_cost(
 
 
 def _least(work: Callable[[], object], clock: Clock) -> float:
-    """Seconds of the quickest of a few repetitions: the first one often prepares what the others find."""
+    """Seconds of the quickest of a few repetitions, after one that does not count: it prepares what the others find."""
+    work()
     took: list[float] = []
     while len(took) < REPEATS and sum(took) < ENOUGH:
         began = clock()

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import re
-import subprocess
+from contextlib import suppress
 
 import numpy as np
+import psutil
 import pytest
 from playwright.sync_api import expect
 
@@ -18,9 +19,13 @@ ENDLESS = "world=two_branch&p.slip=0.2&source=learned&l.episodes=1000000&l.rate_
 
 
 def learners() -> set[int]:
-    """Processes that learn for a page at this moment."""
-    found = subprocess.run(["pgrep", "-f", "laplace_core learn .*--parent"], capture_output=True, text=True)
-    return {int(line) for line in found.stdout.split()}
+    """Processes that learn for a page of these tests at this moment."""
+    found = set()
+    for one in psutil.Process().children(recursive=True):
+        with suppress(psutil.Error):  # it is over by now
+            if {"learn", "--parent"} <= set(one.cmdline()):
+                found.add(one.pid)
+    return found
 
 
 def episodes(page) -> int:

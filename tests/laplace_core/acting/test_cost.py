@@ -23,9 +23,12 @@ class Slow:
         return np.zeros((len(observations), 2))
 
 
-@pytest.mark.parametrize(("unit", "first"), [(1e-3, 0.0), (1e-3, 0.02), (10.0, 0.0)])
+@pytest.mark.parametrize(("unit", "first"), [(1e-3, 0.0), (1e-3, 20.0), (10.0, 0.0)])
 def test_a_step_costs_what_the_rule_takes_for_a_call_and_for_each_observation(unit, first):
-    """One observation takes 5, three take 11: 3 each and 2 for the call. A slow first call does not count."""
+    """One observation takes 5, three take 11: 3 each and 2 for the call. A slow first call does not count.
+
+    On a busy machine the first call alone took longer than a measurement may, and was all that was measured.
+    """
     agent = Slow(unit, first)
     found = step_cost(agent, "CartPole-v1", clock=lambda: agent.now)
     assert (found.choice, found.each) == (pytest.approx(2 * unit), pytest.approx(3 * unit))
@@ -42,10 +45,10 @@ def test_measuring_takes_few_calls_and_random_actions_none():
     agent, calls = Slow(), []
     agent.action_values = lambda observations, head=None: calls.append(1) or np.zeros((len(observations), 2))
     step_cost(agent, "CartPole-v1", clock=lambda: 0.0)
-    assert len(calls) == 2 * REPEATS + 1
+    assert len(calls) == 2 * (REPEATS + 1) + 1
     found = step_cost(agent, "two_branch", "random", clock=iter(range(100)).__next__)
     assert (found.choice, found.each, found.step) == (0.0, 0.0, 1.0)  # two readings of this clock are 1 apart
-    assert len(calls) == 2 * REPEATS + 1
+    assert len(calls) == 2 * (REPEATS + 1) + 1
 
 
 def test_a_rule_that_does_not_suit_is_refused():
