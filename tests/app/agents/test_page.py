@@ -303,3 +303,9 @@ def test_the_artefacts_of_every_step_reach_the_player(shipped):
 
 def test_where_no_rollout_is_shown_nothing_is_simulated(shipped):
     assert "Simulate" not in [button.label for button in opened().button]
+
+
+def test_an_action_that_the_agent_has_not_is_named_and_left_out(shipped):
+    page = opened(checkpoint="laplace_CartPole-v1", action="nowhere")
+    (note,) = page.warning
+    assert "action 'nowhere' is none of left, right" in note.value.replace("push ", "")
