@@ -11,7 +11,7 @@ import numpy as np
 from app.agents import episode
 from app.catalogue import checkpoints
 from app.components.lens.state import ADDED
-from app.session.url import Entries, Old, Schema, Values
+from app.session.url import Check, Entries, Old, Schema, Values
 from app.view.schema import ACTION, DRAWN, LOOK, OLD_SWITCHES
 from app.view.subjects import Observed, View
 from laplace_core import InputError, Settings, load_world
@@ -57,11 +57,23 @@ def _components(values: Values) -> dict[str, Parameter]:
     }
 
 
+def _action_is_known(values: Values) -> None:
+    if "checkpoint" in values and "action" in values:
+        actions = environment_of(checkpoints.checkpoint(str(values["checkpoint"])).environment).actions
+        if values["action"] not in actions:
+            raise InputError(f"action {str(values['action'])[:40]!r} is none of {', '.join(actions)}.")
+
+
 LINK = Schema(
     opening=opening,
     # The lens of version 0.2 wrote these two here as well, where they never did anything.
     old=(*(each for each in OLD_SWITCHES if each.name not in _IDLE), *(Old(name, None) for name in _IDLE)),
-    steps=(*checkpoints.NAMED, Entries(_of_agent), Entries(_components, prefix=OBSERVED)),
+    steps=(
+        *checkpoints.NAMED,
+        Entries(_of_agent),
+        Entries(_components, prefix=OBSERVED),
+        Check(_action_is_known, drops=("action",)),
+    ),
 )
 
 

@@ -15,6 +15,7 @@ from app.worlds import sources
 from app.worlds.sources import LEARN
 from laplace_core import InputError, Settings, World
 from laplace_core.parameters import Parameter
+from laplace_core.study.horizon import row_horizons
 from laplace_core.study.pipeline import grids
 from laplace_core.study.settings import BY_NAME, resolve
 from laplace_core.tabular import LEARN_SCHEMA
@@ -75,6 +76,22 @@ def _grids_fit(values: Values) -> None:
         grids(resolve(Settings(world=values["world"], **given), world))
 
 
+def _is_reached(name: str) -> Check:
+    """A horizon, or steps used of one, that the timeline of the view is long enough for."""
+
+    def test(values: Values) -> None:
+        world = sources.world_of(values)
+        if world is None or name not in values:
+            return
+        given = {name: value for name, value in values.items() if name in BY_NAME}
+        settings = resolve(Settings(world=values["world"], **given), world)
+        last = float(row_horizons(settings.steps, settings.time_step)[-1])
+        if float(values[name]) > last:
+            raise InputError(f"{name} {values[name]:g} lies beyond the end of the timeline, {last:g}: raise steps.")
+
+    return Check(test, drops=(name,))
+
+
 def _file_is_open(digest: str) -> None:
     if digest not in sources.gamma_space_files():
         raise InputError(sources.DATA_IS_GONE)
@@ -94,6 +111,8 @@ _CHECKS = (
     _is_one_of("state", lambda world: world.states),
     _is_one_of("action", lambda world: world.actions),
     Check(_grids_fit, drops=("gamma*", "theta*")),
+    _is_reached("horizon"),
+    _is_reached("used"),
 )
 PINNED = Schema(
     opening=lambda: OPENING,

@@ -160,3 +160,23 @@ def test_a_switch_of_the_lens_is_blamed_by_the_library(page, address):
     page.get_by_role("button", name="Undo the shift of the index").first.click()
     expect(verdict).to_have_class(re.compile("ok"))
     expect(page).not_to_have_url(re.compile("shift"))
+
+
+# The sentence of the verdict that lies outside of its box, in pixels, and whether its box can be scrolled.
+_CLIPPED = """() => {
+  const box = document.querySelector('.laplace-lens .verdict'), words = box.querySelector('p');
+  const [outer, inner] = [box, words].map((each) => each.getBoundingClientRect());
+  return [words.scrollHeight - words.clientHeight, box.scrollHeight - box.clientHeight, inner.bottom - outer.bottom,
+    inner.right - innerWidth].map((much) => Math.max(0, Math.round(much)));
+}"""
+
+
+def test_the_verdict_is_whole_at_every_width(page, address, subtests):
+    """Windows of 390 to 1920 pixels; a zoom of 200% is a window of half the width."""
+    open_at(page, address, "world=fig6_chain&alpha=10")
+    settled(page)
+    for width in (390, 640, 641, 720, 800, 900, 960, 1024, 1100, 1101, 1280, 1920):
+        with subtests.test(width=width):
+            page.set_viewport_size({"width": width, "height": 900})
+            settled(page)
+            assert page.evaluate(_CLIPPED) == [0, 0, 0, 0]

@@ -337,3 +337,9 @@ def test_a_rollout_that_takes_longer_than_the_server_allows_cannot_be_begun(ship
     said = "This takes about 8 hours, and this server allows 10 minutes: lower T or choose a quicker rule."
     assert said in [warning.value for warning in page.warning]
     assert page.button(key="begin rollout").disabled
+
+
+def test_an_action_that_the_agent_has_not_is_named_and_left_out(shipped):
+    page = opened(checkpoint="laplace_CartPole-v1", action="nowhere")
+    (note,) = page.warning
+    assert "action 'nowhere' is none of left, right" in note.value.replace("push ", "")

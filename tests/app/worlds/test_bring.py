@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import json
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -467,3 +468,17 @@ def test_a_file_at_the_wrong_page_is_sent_to_the_right_one(screen, name, what, h
     assert_one_sentence(error.value)
     assert link(page) == before
     assert [block.proto.label for block in page.get("page_link")] == [f"To the page {home}"]
+
+
+# --- one rule of encodings for the page and the command ---
+
+
+def test_a_byte_order_mark_is_read_and_another_encoding_refused():
+    data = Path(__file__).parents[2] / "data"
+    page = upload(opened("bring"), "bom.json", (data / "bom.json").read_bytes())
+    assert not page.error
+    assert shown(page).world.states == load_world(data / "bom.json").states
+    before = link(page)
+    upload(page, "latin1.json", (data / "latin1.json").read_bytes())
+    assert "UTF-8" in page.error[0].value
+    assert link(page) == before

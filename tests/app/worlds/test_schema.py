@@ -143,3 +143,24 @@ def test_a_learned_view_travels_whole():
     found, notes = LINK.read(query)
     assert notes == []
     assert query_of(found) == query
+
+
+@pytest.mark.parametrize(
+    ("query", "said"),
+    [
+        ({"horizon": "60", "steps": "20"}, "horizon 60 lies beyond the end of the timeline, 20"),
+        ({"horizon": "11", "steps": "20", "time_step": "0.5"}, "horizon 11 lies beyond the end of the timeline, 10"),
+        ({"used": "300", "steps": "20"}, "used 300 lies beyond the end of the timeline, 20"),
+    ],
+)
+def test_a_value_that_could_only_be_clamped_is_named_and_left_out(query, said):
+    values, notes = LINK.read({"world": "two_branch", **query})
+    (note,) = notes
+    assert said in note
+    assert next(iter(query)) not in values
+
+
+def test_the_last_horizon_is_taken():
+    values, notes = LINK.read({"world": "two_branch", "horizon": "20", "steps": "20"})
+    assert notes == []
+    assert values["horizon"] == 20
