@@ -125,6 +125,8 @@ def add_inverse_reports(kinds: argparse._SubParsersAction[argparse.ArgumentParse
         parser.add_argument("--seed", default="0", metavar="N", help="seed of the cases (default: 0)")
         parser.add_argument("--json", action="store_true", help="print JSON")
         parser.add_argument("--check", action="store_true", help="end with status 1 where it is not as demanded")
+        if module == "bumps":
+            parser.add_argument("--fit", action="store_true", help="fit the calibration on other worlds, and print it")
         parser.set_defaults(run=_inverse, module=module)
 
 
@@ -132,6 +134,9 @@ def _inverse(options: argparse.Namespace) -> None:
     cases = checked_number("cases", options.cases, int, 1, high=10**6)
     seed = checked_number("seed", options.seed, int, 0, high=2**31 - 1)
     module = import_module(f"laplace_core.experiments.inverse.{options.module}")  # only this verb needs it
+    if getattr(options, "fit", False):
+        print(json.dumps(module.fit(cases, seed)))
+        return
     numbers, text = module.report(cases, seed)
     print(json.dumps(numbers, indent=1) if options.json else text)
     if options.check:

@@ -33,6 +33,8 @@ TOLERANCE = 1e-4
 PENALTY = 1e-7
 """On |x|^2 beside a misfit of a few tens: it only picks one of the timelines that fit alike."""
 BATCH = 40
+LEAST_DEVIATION = 1e-4
+"""Of the largest deviation that seeds show: what a few of them happen to agree on is not known without any error."""
 HEARD = 0.3
 """What a direction of the whitened data must be able to change, in units of its noise, to count in the misfit. The rest
 is noise whatever the timeline."""
@@ -130,7 +132,7 @@ def check_seeds(
         gamma_space: any of that grid; its discounts and sensitivities are taken.
 
     Raises:
-        InputError: fewer than three seeds.
+        InputError: fewer than three seeds, or seeds that do not differ.
     """
     n = len(values)
     if n < 3:
@@ -138,15 +140,18 @@ def check_seeds(
     weights = channel_weights(gamma_space.thetas, LAYERS)[0]
     masses = _masses(channels_of(values, constant, weights))  # (n, A, B, G)
     _, actions, bins, discounts = masses.shape
+    if not (np.ptp(masses, axis=0).max(axis=(1, 2)) > 0.0).all():
+        raise InputError("the seeds do not differ, so that they show no noise: give a noise level.")
     flat = masses.reshape(n, actions, bins * discounts)
     roots = np.array([np.linalg.cholesky(shrunk_covariance(flat[:, a])) for a in range(actions)])
     deviations = constant.std(axis=0, ddof=1) / np.sqrt(n)
-    axis = _axis(gamma_space.gammas, np.exp(np.log(np.maximum(deviations, 1e-300)).mean(axis=0)))
+    axis = _axis(gamma_space.gammas, np.maximum(deviations.max(axis=0), np.finfo(float).tiny))
 
     def whitening(samples: np.ndarray) -> np.ndarray:
         """1 / standard error of the mean, ``(..., n, A, B * G)`` to ``(..., A, B, G)``."""
-        errors = _moderate(samples.std(axis=-3, ddof=1).reshape(*samples.shape[:-3], actions, bins, discounts))
-        return np.sqrt(n) / np.maximum(errors, np.finfo(float).tiny)
+        errors = samples.std(axis=-3, ddof=1)
+        errors = np.maximum(errors, LEAST_DEVIATION * errors.max(axis=-1, keepdims=True))
+        return np.sqrt(n) / _moderate(errors.reshape(*errors.shape[:-1], bins, discounts))
 
     def draw(rng: np.random.Generator, fitted: np.ndarray, many: int) -> tuple[np.ndarray, np.ndarray]:
         errors = rng.normal(size=(many, n, actions, bins * discounts))
@@ -165,7 +170,8 @@ def shrunk_covariance(samples: np.ndarray) -> np.ndarray:
     Stat. Appl. Genet. Mol. Biol. 4, 2005); variances are kept.
     """
     n, size = samples.shape
-    deviations = np.maximum(samples.std(axis=0, ddof=1), np.finfo(float).tiny)
+    deviations = samples.std(axis=0, ddof=1)
+    deviations = np.maximum(deviations, LEAST_DEVIATION * deviations.max())
     scores = (samples - samples.mean(axis=0)) / deviations
     correlation = scores.T @ scores / (n - 1)
     products = scores[:, :, None] * scores[:, None, :]
@@ -182,7 +188,7 @@ def _moderate(errors: np.ndarray) -> np.ndarray:
     From few seeds a single variance is off by half; those of one bin, divided by their course over the discounts, are
     one number. The geometric mean of the two keeps a discount that is noisier than the others.
     """
-    logs = np.log(np.maximum(errors, np.finfo(float).tiny))
+    logs = np.log(errors)
     place = np.linspace(-1.0, 1.0, errors.shape[-1])
     basis = np.linalg.qr(np.stack([np.ones_like(place), place, place**2], axis=1))[0]
     return np.asarray(np.exp((logs + (logs @ basis) @ basis.T) / 2.0))

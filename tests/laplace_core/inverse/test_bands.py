@@ -20,6 +20,7 @@ from laplace_core.inverse.bands import (
     layers_of,
     tikhonov_of_layers,
 )
+from laplace_core.inverse.feasible import feasible
 from laplace_core.inverse.nonnegative import nonnegative
 from tests.support.random_gamma_spaces import noisy_space
 
@@ -44,13 +45,17 @@ def test_noise_that_all_sensitivities_share_is_seen_where_they_end():
 
 
 def test_bias_is_what_the_inverse_does_to_the_timeline_that_fits():
-    # Decoding with a matrix that is a perfect inverse leaves none.
+    # Values of the fitted timeline, without noise, decoded and compared with it.
     _, noisy, deviations = noisy_space(NOISE)
-    smooth = bands(noisy, ROWS, 3.0, deviations)
-    sharp = bands(noisy, ROWS, 1e-3, deviations)
-    assert np.abs(smooth.bias).mean() > 2.0 * np.abs(sharp.bias).mean()
+    found = bands(noisy, ROWS, 3.0, deviations)
+    layers = layers_of(noisy, ROWS, deviations)
+    fitted = feasible(layers.problem, 0.0)
+    clean = (layers.problem.masses - fitted.residual) @ layers.sizes
+    decoded = decode(clean[..., None], noisy.gammas, ROWS, 3.0)[..., 0]
+    np.testing.assert_allclose(found.bias, decoded - fitted.masses @ layers.sizes, atol=1e-9)
+    assert np.abs(found.bias).max() > 0.05  # an alpha of 3 smears all of it
     own = bands(noisy, ROWS, ALPHA, deviations, matrix=decode_matrix(noisy.gammas, ROWS, 3.0))
-    np.testing.assert_allclose(own.bias, smooth.bias)
+    np.testing.assert_allclose(own.bias, found.bias)
 
 
 def test_bands_of_draws_agree_with_those_of_a_linear_inverse():
@@ -81,7 +86,7 @@ def test_bumps_are_found_with_their_sign_and_rows():
     found = find_bumps(rewards)
     assert [(bump.start, bump.peak, bump.stop, bump.sign) for bump in found] == [(0, 0, 1, 1), (4, 5, 7, -1)]
     assert found[0].contrast == pytest.approx(3.5)  # the row after it holds .5
-    assert found[1].contrast == pytest.approx(4 / 3)  # three rows of mean 4/3 between three of 0 and .17
+    assert found[1].contrast == pytest.approx(4 / 3 + 0.1 / 3)  # the side after it pays .1 / 3, that before it more
     assert find_bumps(np.zeros(5)) == []
 
 

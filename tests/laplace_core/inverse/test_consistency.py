@@ -87,6 +87,14 @@ def test_too_little_to_test_with_is_refused():
             check_noise(exact, deviations)
 
 
+def test_seeds_may_agree_on_some_values_but_not_on_all():
+    values, constant, exact = seeds(4)
+    values[:, :, :2], constant[:, :, :2] = exact.values[:, :2], exact.constant[:, :2]
+    assert check_seeds(values, constant, exact, draws=19).p_value > 0
+    with pytest.raises(InputError, match="do not differ"):
+        check_seeds(np.repeat(values[:1], 4, axis=0), np.repeat(constant[:1], 4, axis=0), exact)
+
+
 # --- channels ---
 
 

