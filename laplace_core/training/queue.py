@@ -245,7 +245,7 @@ class Queue:
             elif run.going:
                 write_job(run.folder, Job("stop", 0))
         self.wake()
-        if run.at_work and self._wait(run.folder, patience):
+        if run.at_work and self._wait(run.folder, workers, patience):
             with self._locked():
                 self._settle(run.folder)
 
@@ -263,7 +263,7 @@ class Queue:
                 write_job(run.folder, Job("stop", 0))
         for worker in workers:
             worker.stop()
-        if not self._wait(run.folder, _LEAVES_WITHIN):
+        if not self._wait(run.folder, workers, _LEAVES_WITHIN):
             raise InputError(f"{name} is trained by another server: end it there, or wait until it has ended.")
         self.wake()
 
@@ -271,10 +271,11 @@ class Queue:
         """Ours, and the one that another server has started since."""
         return [worker for worker in (self._workers.get(run.name), Worker.noted(run.folder)) if worker is not None]
 
-    def _wait(self, path: Path, patience: float | None) -> bool:
+    def _wait(self, path: Path, workers: list[Worker], patience: float | None) -> bool:
         """Wait until nobody trains a run any more, for so many seconds at the most; returns whether that is so."""
         limit = None if patience is None else time.monotonic() + patience
-        while _trains(path, read_process(path), read_job(path)):
+        # A process gives back lock and note a moment before it is gone.
+        while any(worker.process.alive for worker in workers) or _trains(path, read_process(path), read_job(path)):
             ask_to_stop(path)  # also where a signal does not reach it, in another container
             if limit is not None and time.monotonic() >= limit:
                 return False
