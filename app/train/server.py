@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import streamlit as st
 
 from app.catalogue import training_runs
+from app.session import jobs
 from app.session.limits import ENVIRONMENTS, limits, may_train
 from laplace_core.agents import ENVIRONMENTS as KNOWN
+from laplace_core.caching import BUDGET
 from laplace_core.training.disk import held
 from laplace_core.training.queue import Run
 
@@ -24,10 +26,6 @@ class Use(NamedTuple):
     variable: str
 
 
-SOURCES: list[Callable[[], Use]] = []
-"""Where the rows beside those of the runs come from, such as the caches: a function for each."""
-
-
 def server(runs: Sequence[Run]) -> None:
     """The section of the page, closed until somebody asks."""
     box = st.expander("Server", key="server", on_change="rerun")
@@ -35,7 +33,7 @@ def server(runs: Sequence[Run]) -> None:
         return
     with box:
         rows = ["| | used | limit | set by |", "|---|---:|---:|---|"]
-        for use in (*_of_runs(runs), *(source() for source in SOURCES)):
+        for use in (*_of_runs(runs), *_of_sessions()):
             rows.append(f"| {use.what} | {use.used:,.0f} {use.unit} | {use.limit:,.0f} {use.unit} | `{use.variable}` |")
         st.markdown("\n".join(rows))
         allowed = [each for each in KNOWN if may_train(each)]
@@ -49,6 +47,15 @@ def _of_runs(runs: Sequence[Run]) -> list[Use]:
     return [
         Use("Training runs at once", sum(run.at_work for run in runs), granted.trainings, "", "LAPLACE_TRAININGS"),
         Use("Disk of all runs", held(training_runs.queue().folder) / 1e6, granted.disk, "MB", "LAPLACE_DISK"),
+    ]
+
+
+def _of_sessions() -> list[Use]:
+    granted, (background, learners) = limits(), jobs.usage()
+    return [
+        Use("Caches and opened files together", BUDGET.bytes / 1e6, granted.memory, "MB", "LAPLACE_MEMORY"),
+        Use("Background jobs that wait", background.waiting, granted.jobs_in_line, "", "LAPLACE_JOBS_IN_LINE"),
+        Use("Tabular learners at once", learners.running, granted.learners, "", "LAPLACE_LEARNERS"),
     ]
 
 
