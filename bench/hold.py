@@ -14,7 +14,6 @@ import itertools
 import json
 import os
 import random
-import signal
 import subprocess
 import sys
 import tempfile
@@ -35,9 +34,12 @@ from bench.report import Figure, Goal, tally
 from bench.serving import ROOT, Server, serving, tree_of
 from bench.timing import Spread
 from bench.visitor import Broken, Visitor, visit
-from laplace_core.training.curves import Reader
+from laplace_core import InputError
+from laplace_core.files.tensor_file import read_tensors
 from laplace_core.training.defaults import settings_of
+from laplace_core.training.progress import read_progress
 from laplace_core.training.queue import Queue
+from laplace_core.training.run_folder import MAX_RESUME_BYTES
 
 BUDGET = 2500
 """Megabytes that the server and all that it starts may take."""
@@ -127,7 +129,8 @@ def _wide_npz() -> bytes:
 
 def heavy_visits(count: int) -> Iterator[tuple[str, Callable[[Visitor], Awaitable[None]]]]:
     """Names and deeds of visitors at the largest settings, every kind in turn."""
-    own = pack(_own_world(12))
+    own, wide, rewards = pack(_own_world(12)), _wide_npz(), _own_world(2, 20_000).encode()
+    large = (_own_world(1) + " " * 28_000_000).encode()
 
     def link(page: str, **query: object) -> Callable[[Visitor], Awaitable[None]]:
         return lambda visitor: visitor.open(page, urlencode(query))
@@ -147,9 +150,9 @@ def heavy_visits(count: int) -> Iterator[tuple[str, Callable[[Visitor], Awaitabl
         kinds = [
             ("own world, 12 actions, 2000 x 2000", link("worlds", **largest, alpha=alpha)),
             ("the same, pinned", link("worlds", **largest, alpha=alpha, pin=pinned)),
-            ("NPZ of 45,000 sensitivities", file("wide.npz", _wide_npz())),
-            ("world of 40,000 rewards", file("rewards.json", _own_world(2, 20_000).encode())),
-            ("world of 28 MB", file("large.json", (_own_world(1) + " " * 28_000_000).encode())),
+            ("NPZ of 45,000 sensitivities", file("wide.npz", wide)),
+            ("world of 40,000 rewards", file("rewards.json", rewards)),
+            ("world of 28 MB", file("large.json", large)),
             ("race of 500 starts", link("race", **race)),
             ("8 learners", link("worlds", world="cliff_grid", source="learned", **{"l.seeds": 8, "l.episodes": 10**6})),
             ("a long rollout", link("agents", checkpoint=_LANDER, **{"r.shown": "yes", "r.rule": "decoded"})),
@@ -158,13 +161,13 @@ def heavy_visits(count: int) -> Iterator[tuple[str, Callable[[Visitor], Awaitabl
 
 
 def visits(*, short: bool) -> Iterator[Figure]:
-    count, quiet_changes = (8, 8) if short else (40, 40)
+    count, quiet_changes, patience = (8, 8, 15.0) if short else (40, 40, 120.0)
     with serving(ROOT, BUDGET) as server:
         quiet, beside, answered = Told(), Told(), Told()
         refused: list[str] = []
 
         async def run() -> None:
-            async with visit(server.address, patience=120) as other:
+            async with visit(server.address, patience=patience) as other:
                 chance = random.Random(0)
                 await other.open("worlds", "world=two_branch")
                 for _ in range(quiet_changes):
@@ -183,7 +186,7 @@ def visits(*, short: bool) -> Iterator[Figure]:
                 async def one(name: str, deed: Callable[[Visitor], Awaitable[None]]) -> None:
                     async with room:
                         try:
-                            async with visit(server.address, patience=120) as visitor:
+                            async with visit(server.address, patience=patience) as visitor:
                                 began = time.perf_counter()
                                 await deed(visitor)
                                 answered.seconds.append(time.perf_counter() - began)
@@ -194,7 +197,7 @@ def visits(*, short: bool) -> Iterator[Figure]:
 
                 await asyncio.gather(*(one(*visit_) for visit_ in heavy_visits(count)))
                 over.set()
-                with contextlib.suppress(Broken):
+                with contextlib.suppress(*FAULTS):
                     await working
 
         asyncio.run(run())
@@ -261,7 +264,12 @@ def sessions(*, short: bool, minutes: float = 10.0) -> Iterator[Figure]:
         per = {server: 1e3 * spent[server] / max(len(told[server].seconds), 1) for server in told}
         note = f"{per[new]:.0f} ms against {per[old]:.0f} ms"
         yield counted(
-            "Sessions", "server time an answer / that of 0.2.0", per[new] / per[old], Goal("<=", 0.5), sizes=sizes, note
+            "Sessions",
+            "server time an answer / that of 0.2.0",
+            per[new] / per[old],
+            Goal("<=", 0.5),
+            sizes=sizes,
+            note=note,
         )
         ends = {server: p95(told[server].seconds) for server in told}
         answers = " and ".join(str(len(told[server].seconds)) for server in (new, old))
@@ -271,7 +279,12 @@ def sessions(*, short: bool, minutes: float = 10.0) -> Iterator[Figure]:
             rise = memory[-1] / memory[-2]
             note = ", ".join(f"{m:.0f}" for m in memory)
             yield counted(
-                "Sessions", "memory, last round / the one before", rise, Goal("<=", 1.05), sizes=sizes, f"{note} MB"
+                "Sessions",
+                "memory, last round / the one before",
+                rise,
+                Goal("<=", 1.05),
+                sizes=sizes,
+                note=f"{note} MB",
             )
 
 
@@ -290,7 +303,7 @@ async def _until_done(visitor: Visitor, patience: float) -> bool:
 
 
 def asked(*, short: bool) -> Iterator[Figure]:
-    rollouts, races, patience = (3, 2, 20.0) if short else (30, 20, 900.0)
+    rollouts, races, patience = (3, 2, 60.0) if short else (30, 20, 900.0)
     with serving(ROOT, BUDGET) as server:
         done, told = [], Told()
 
@@ -305,7 +318,7 @@ def asked(*, short: bool) -> Iterator[Figure]:
                         if visitor.button("Race") is not None:  # a race that takes long waits for its button
                             await visitor.press("Race")
                     if await _until_done(visitor, patience):
-                        visitor.component("laplace_player" if i < rollouts else "laplace_cursor")
+                        visitor.component("laplace_player" if i < rollouts else "laplace_track")
                         done.append(i)
                     told.look(visitor, f"work {i}")
             except FAULTS as error:
@@ -327,45 +340,47 @@ def asked(*, short: bool) -> Iterator[Figure]:
 def kills(*, short: bool) -> Iterator[Figure]:
     """A training is killed at random moments and resumed: what it had saved is there, and every file is whole."""
     count, chance = (3 if short else 200), random.Random(0)
-    lost = broken = orphans = 0
+    lost = broken = orphans = step = points = 0
     with tempfile.TemporaryDirectory() as folder:
         queue = Queue(Path(folder) / "runs")
-        name = queue.add(settings_of("dqn", "CartPole-v1", {}))
-        run, before, steps = queue.folder / name, 0, 0
+        name = queue.add(settings_of("dqn", "CartPole-v1", {"steps": 1_000_000, "checkpoint_every": 500}))
+        run = queue.folder / name
         command = [sys.executable, "-m", "laplace_core", "train", "--resume", str(run)]
         for _ in range(count):
+            seen = read_progress(run)
             process = subprocess.Popen(command, cwd=ROOT, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            while process.poll() is None and read_progress(run) == seen:
+                time.sleep(0.05)
             with contextlib.suppress(subprocess.TimeoutExpired):
-                process.wait(chance.uniform(1.0, 4.0))
+                process.wait(chance.uniform(0.0, 3.0))
             children = psutil.Process(process.pid).children(recursive=True) if process.poll() is None else []
-            process.send_signal(signal.SIGKILL)
+            process.kill()
             process.wait()
-            orphans += sum(child.is_running() for child in psutil.wait_procs(children, 30)[1])
-            for path in run.glob("*.json"):
+            orphans += len(psutil.wait_procs(children, 30)[1])
+            broken += sum(not _is_json(path) for path in run.glob("*.json"))
+            point = run / "resume.safetensors"
+            if point.exists():
                 try:
-                    json.loads(path.read_text())
-                except ValueError:
+                    about = read_tensors(point, MAX_RESUME_BYTES)[1]
+                except InputError:
                     broken += 1
-            if (run / "metrics.jsonl").exists():
-                reader = Reader(run / "metrics.jsonl")
-                reader.look()
-                lines = (run / "metrics.jsonl").read_text().splitlines()
-                steps = max((json.loads(line).get("step", 0) for line in lines[:-1]), default=0)
-            saved = _saved(run)
-            lost += saved < before
-            before = saved
-        sizes = f"{count} kills of a training, one to four seconds after its start"
-        yield counted(
-            "Kills", "resume points that went back", lost, Goal("<=", 0), sizes=sizes, note=f"{steps} steps in the end"
-        )
+                    continue
+                points += about["step"] > step
+                lost += about["step"] < step or (run / "metrics.jsonl").stat().st_size < about["metrics_bytes"]
+                step = about["step"]
+        sizes = f"{count} kills of a training, at once to three seconds after it has gone on"
+        note = f"{points} resume points, the last at step {step:,}"
+        yield counted("Kills", "went back behind a resume point", lost, Goal("<=", 0), sizes=sizes, note=note)
         yield counted("Kills", "files half-written", broken, Goal("<=", 0), sizes=sizes)
         yield counted("Kills", "processes left after 30 s", orphans, Goal("<=", 0), sizes=sizes)
 
 
-def _saved(run: Path) -> float:
-    """When the last resume point was written; 0 before the first."""
-    points = [path.stat().st_mtime for path in run.iterdir() if path.suffix == ".safetensors"]
-    return max(points, default=0.0)
+def _is_json(path: Path) -> bool:
+    try:
+        json.loads(path.read_text())
+    except ValueError:
+        return False
+    return True
 
 
 # ---- what nobody means well by

@@ -119,7 +119,7 @@ class Visitor:
 
     def _put(self, url: str, name: str, data: bytes) -> None:
         with requests.Session() as browser:
-            browser.get(f"{self.address}/_stcore/host-config", timeout=self.patience)
+            browser.get(f"{self.address}/_stcore/health", timeout=self.patience)
             token = {"X-Xsrftoken": browser.cookies.get(_ORIGIN_COOKIE, "")}
             answer = browser.put(
                 f"{self.address}{url}", files={name: (name, data)}, headers=token, timeout=self.patience
@@ -194,7 +194,7 @@ class Visitor:
         """
         try:
             async with asyncio.timeout(self.patience), self._idle:
-                await self._idle.wait_for(lambda: not self._due)
+                await self._idle.wait_for(lambda: self._due in ("", "gone"))
         except TimeoutError:
             raise Broken(f"no answer within {self.patience:g} s") from None
         if self._due == "gone":
@@ -208,6 +208,9 @@ class Visitor:
                     await self._take(data)
         for task in self._again.values():
             task.cancel()
+        async with self._idle:
+            self._due = "gone"
+            self._idle.notify_all()
 
     async def _take(self, data: bytes) -> None:
         self.received += len(data)

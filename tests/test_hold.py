@@ -1,0 +1,83 @@
+"""The visitor of ``python -m bench.hold`` sees what a server answers, and the server is held to its memory."""
+
+from __future__ import annotations
+
+import asyncio
+import subprocess
+import sys
+from urllib.parse import parse_qs
+
+import pytest
+
+from bench.hold import FAULTS, heavy_visits
+from bench.serving import ROOT, serving
+from bench.visitor import Broken, visit
+
+
+@pytest.fixture(scope="module")
+def server():
+    with serving(ROOT, 4000) as running:
+        yield running
+
+
+def test_a_visitor_opens_links_and_moves_the_lens(server):
+    async def visiting() -> None:
+        async with visit(server.address) as visitor:
+            await visitor.open("worlds", "world=two_branch&normalise=paper")
+            assert parse_qs(visitor.query)["normalise"] == ["paper"]
+            assert visitor.button("Reset world and settings") is not None
+            await visitor.move_lens(alpha=0.25)
+            assert parse_qs(visitor.query)["alpha"] == ["0.25"]
+            await visitor.go("world=two_branch&nonsense=1")
+            assert "'nonsense'" in " ".join(visitor.texts("alert"))
+            assert not visitor.texts("exception")
+            with pytest.raises(Broken, match="no button 'Fly'"):
+                await visitor.press("Fly")
+
+    asyncio.run(visiting())
+
+
+def test_a_visitor_finds_another_page_and_gives_it_a_file(server):
+    async def visiting() -> None:
+        async with visit(server.address) as visitor:
+            await visitor.open("agents", "checkpoint=laplace_CartPole-v1")
+            assert visitor.button("Roll out") is not None
+            await visitor.upload("Open a checkpoint", "broken.safetensors", b"not a checkpoint")
+            assert "broken.safetensors" in " ".join(visitor.texts("alert"))
+
+    asyncio.run(visiting())
+
+
+def test_a_visitor_notices_that_the_server_is_gone():
+    with serving(ROOT, None) as server:
+
+        async def visiting() -> None:
+            async with visit(server.address) as visitor:
+                await visitor.open("worlds")
+                server.process.kill()
+                with pytest.raises(FAULTS):
+                    await visitor.go("world=two_branch")
+
+        asyncio.run(visiting())
+        assert server.process.wait() != 0
+        assert not server.alive
+
+
+def test_memory_is_that_of_the_whole_family(server):
+    assert server.alive
+    assert 50 < server.memory < 4000
+    assert server.spent > 0
+    assert server.limited.startswith("4000 MB by a ")
+
+
+def test_heavy_visits_take_turns():
+    names = [name for name, _ in heavy_visits(16)]
+    assert names[:8] == names[8:]
+    assert len(set(names)) == 8
+
+
+def test_help_of_hold_names_its_parts():
+    shown = subprocess.run([sys.executable, "-m", "bench.hold", "--help"], cwd=ROOT, capture_output=True, text=True)
+    assert shown.returncode == 0
+    for part in ("visits", "sessions", "asked", "kills", "hostile"):
+        assert part in shown.stdout
