@@ -214,7 +214,8 @@ def survivals(
 
 CALIBRATION = (-2.0, 1.0, 1.0, 1.0, 1.0)
 """Log odds that a bump is real: a constant, and weights of the three shares of :func:`survivals` and of the bump's
-contrast over its noise (log). Fitted by ``report bumps --fit`` on worlds of other seeds than those it is judged by."""
+contrast over its noise (log). Provisional numbers of the right sign: ``report inverse-bumps --fit`` prints those of
+maximum likelihood on worlds of other seeds than the ones that ``report inverse-bumps`` judges."""
 
 
 def bump_probability(shares: np.ndarray, contrast_over_noise: np.ndarray) -> np.ndarray:

@@ -140,7 +140,8 @@ def check_seeds(
     weights = channel_weights(gamma_space.thetas, LAYERS)[0]
     masses = _masses(channels_of(values, constant, weights))  # (n, A, B, G)
     _, actions, bins, discounts = masses.shape
-    if not (np.ptp(masses, axis=0).max(axis=(1, 2)) > 0.0).all():
+    least = LEAST_DEVIATION * float(masses.std(axis=0, ddof=1).max())
+    if not least > 0.0:
         raise InputError("the seeds do not differ, so that they show no noise: give a noise level.")
     flat = masses.reshape(n, actions, bins * discounts)
     roots = np.array([np.linalg.cholesky(shrunk_covariance(flat[:, a])) for a in range(actions)])
@@ -149,8 +150,7 @@ def check_seeds(
 
     def whitening(samples: np.ndarray) -> np.ndarray:
         """1 / standard error of the mean, ``(..., n, A, B * G)`` to ``(..., A, B, G)``."""
-        errors = samples.std(axis=-3, ddof=1)
-        errors = np.maximum(errors, LEAST_DEVIATION * errors.max(axis=-1, keepdims=True))
+        errors = np.maximum(samples.std(axis=-3, ddof=1), least)
         return np.sqrt(n) / _moderate(errors.reshape(*errors.shape[:-1], bins, discounts))
 
     def draw(rng: np.random.Generator, fitted: np.ndarray, many: int) -> tuple[np.ndarray, np.ndarray]:
@@ -163,15 +163,15 @@ def check_seeds(
                  seed=seed, deviations=deviations)  # fmt: skip
 
 
-def shrunk_covariance(samples: np.ndarray) -> np.ndarray:
+def shrunk_covariance(samples: np.ndarray, least: float = 0.0) -> np.ndarray:
     """Covariance of n samples ``(n, P)``, its correlations shrunk towards 0 so that it has full rank.
 
     The shrinkage is the one of least mean squared error, estimated from the samples themselves (Schäfer and Strimmer,
-    Stat. Appl. Genet. Mol. Biol. 4, 2005); variances are kept.
+    Stat. Appl. Genet. Mol. Biol. 4, 2005); variances are kept, but for deviations below ``least``, which become it.
     """
     n, size = samples.shape
     deviations = samples.std(axis=0, ddof=1)
-    deviations = np.maximum(deviations, LEAST_DEVIATION * deviations.max())
+    deviations = np.maximum(deviations, max(least, np.finfo(float).tiny))
     scores = (samples - samples.mean(axis=0)) / deviations
     correlation = scores.T @ scores / (n - 1)
     products = scores[:, :, None] * scores[:, None, :]
