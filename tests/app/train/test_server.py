@@ -11,7 +11,6 @@ import pytest
 from app.catalogue import training_runs
 from app.session import owner
 from app.session.limits import ENVIRONMENTS, Limits, limits
-from app.train import server
 from laplace_core import InputError
 from laplace_core.parameters import schema_of
 from laplace_core.training.job import owner_of
@@ -148,10 +147,11 @@ def test_the_queue_of_the_page_keeps_the_limits(runs, monkeypatch, granted):
     assert sorted(states(runs).values()) == ["training", "waiting"]
 
 
-def test_rows_of_others_stand_in_the_section(runs, monkeypatch):
-    monkeypatch.setattr(server, "SOURCES", [lambda: server.Use("Caches", 3, 1_000, "MB", "LAPLACE_MEMORY")])
+def test_caches_and_background_work_stand_in_the_section(runs):
     table = opened("server").markdown[-1].value
-    assert "| Caches | 3 MB | 1,000 MB | `LAPLACE_MEMORY` |" in table
+    assert re.search(r"\| Caches and opened files together \| [\d,]+ MB \| 1,000 MB \| `LAPLACE_MEMORY` \|", table)
+    assert re.search(r"\| Background jobs that wait \| 0  ?\| 50  ?\| `LAPLACE_JOBS_IN_LINE` \|", table)
+    assert re.search(r"\| Tabular learners at once \| 0  ?\| 2  ?\| `LAPLACE_LEARNERS` \|", table)
 
 
 def test_a_queue_that_stands_still_says_why(runs):
