@@ -58,7 +58,7 @@ def type_into_table(page, row: int, column: int, text: str) -> None:
         page.keyboard.press("ArrowRight")
         selected(table, row, i + 1)
     page.keyboard.press("Enter")  # opens the cell
-    cell = page.locator("#portal input")
+    cell = page.locator("#portal :is(input, textarea):not([disabled])")
     expect(cell).to_be_focused()
     cell.fill(text)
     page.keyboard.press("Enter")
