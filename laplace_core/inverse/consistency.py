@@ -146,7 +146,7 @@ def check_seeds(
     if least <= ROUNDING * np.abs(masses).max():
         raise InputError("the seeds do not differ, so that they show no noise: give a noise level.")
     flat = masses.reshape(n, actions, bins * discounts)
-    roots = np.array([np.linalg.cholesky(shrunk_covariance(flat[:, a])) for a in range(actions)])
+    roots = np.array([_root(shrunk_covariance(flat[:, a], least)) for a in range(actions)])
     deviations = constant.std(axis=0, ddof=1) / np.sqrt(n)
     axis = _axis(gamma_space.gammas, np.maximum(deviations.max(axis=0), np.finfo(float).tiny))
 
