@@ -120,7 +120,7 @@ def _alphas(problem: Problem, solver: str, selectors: Sequence[str]) -> list[tup
     noise = problem.deviations
     chosen: list[tuple[str, float | None]] = []
     for name in selectors:
-        alpha = choose_alpha(problem, selecting(solver), name, noise=noise).value
+        alpha = choose_alpha(problem, solver, name, noise=noise).value
         assert isinstance(alpha, float)  # one for all bins
         chosen.append((name, alpha))
     return [(NO_SELECTOR, None), *chosen]
