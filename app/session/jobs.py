@@ -118,7 +118,7 @@ class Job(Generic[Result]):
             raise self._error
         if self.gone:
             return self.result()
-        return cast(Result, self._result)
+        return cast(Result, self._result)  # it has one, for it neither failed nor was ended
 
     @property
     def refusal(self) -> str | None:
@@ -405,7 +405,7 @@ class Kind(Generic[Result]):
 
     def _bytes(self, key: Hashable) -> int:
         job = self._jobs[key]
-        return self._size(cast(Result, job._result)) if job.worked else 0
+        return self._size(cast(Result, job._result)) if job.worked else 0  # what worked has a result
 
 
 @dataclass
