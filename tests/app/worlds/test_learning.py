@@ -267,10 +267,10 @@ def agent() -> Learned:
 def shipped(agent, tmp_path, monkeypatch):
     (tmp_path / "toy_world_td.safetensors").write_bytes(learned_bytes(agent))
     monkeypatch.setattr(tabular, "SHIPPED", tmp_path)
-    for cached in (tabular.shipped_agents, tabular.shipped_agent):
+    for cached in (tabular.shipped_agents, tabular._read):
         cached.cache_clear()
     yield "toy_world_td"
-    for cached in (tabular.shipped_agents, tabular.shipped_agent):
+    for cached in (tabular.shipped_agents, tabular._read):
         cached.cache_clear()
 
 
