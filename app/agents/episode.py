@@ -10,11 +10,13 @@ import numpy as np
 from app.agents.jobs import Control
 from app.catalogue.rules import for_deadline, rules_of
 from app.session.url import by_name
-from laplace_core.acting.rollout import MOST_SEED, MOST_STEPS, RANDOM, Rollout
+from laplace_core.acting.rollout import MOST_SEED, MOST_STEPS, RANDOM, Rollout, longest
 from laplace_core.acting.rules import RULES
 from laplace_core.agents.agent import Agent
 from laplace_core.agents.capabilities import HasDiscounts
+from laplace_core.environments import vector
 from laplace_core.parameters import Parameter
+from laplace_core.training.checkpoint import Loaded
 
 SHOWN, SEED, RULE, HORIZON, GAMMA, AT = "r.shown", "r.seed", "r.rule", "r.horizon", "r.gamma", "r.at"
 ACTION, TAKEN = "r.action", "taken"  # the action taken is an option of its own, which follows the cursor
@@ -52,7 +54,14 @@ def control_of(values: Mapping[str, Any], limit: int, usual: str = "greedy") -> 
     return Control(seed, rule, None, values.get(GAMMA) if rule == "greedy" else None)
 
 
+def limit_of(loaded: Loaded) -> int:
+    """Steps after which an episode ends at the latest."""
+    most = longest(loaded.agent)
+    return min(most, vector.spec(loaded.environment).time_limit or most)
+
+
 def step_of(values: Mapping[str, Any], rollout: Rollout) -> int:
+    """The step under the cursor, within the episode."""
     return min(int(values.get(AT, 0)), len(rollout) - 1)
 
 

@@ -6,7 +6,7 @@ What is begun and done is shared by all sessions of this server.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import asdict, dataclass, field, replace
+from dataclasses import asdict, dataclass, replace
 
 import numpy as np
 
@@ -22,8 +22,8 @@ from laplace_core.acting.rollout import Rollout, acting_gamma, length_of, roll_o
 from laplace_core.environments import GYMNASIUM_ENVIRONMENTS, vector
 from laplace_core.training.checkpoint import Loaded
 
-MOST_KEPT, MOST_BYTES = 16, 200_000_000
-"""Rollouts that are kept once they were seen, and their memory; the one that is asked for has 90 MB at the most."""
+MOST_KEPT = 16
+"""Rollouts that are kept once they were seen, of 90 MB each at the most."""
 _FLAGS = 1e-3  # seconds that the search for artefacts takes at a step
 COUNT, EPISODES, EACH, STEPS = 100, 20, 10, 200
 """Of truths: continuations of a state; or episodes, and states of each; and how many steps follow."""
@@ -46,25 +46,19 @@ class RolledOut:
     Attributes:
         packed: the same for the player.
         along: outputs of a peer along it, from :func:`laplace_core.acting.return_laws.outputs_along`.
-        artefacts: searches in it, of some kilobytes each, which go when it goes.
     """
 
     rollout: Rollout
     packed: bytes
     along: dict[str, np.ndarray]
-    artefacts: Kind[Flags] = field(default_factory=lambda: Kind(8))
-
-    @property
-    def bytes(self) -> int:
-        """Memory that it holds."""
-        return self.rollout.bytes + len(self.packed) + sum(array.nbytes for array in self.along.values())
 
 
 Rolling = Job[RolledOut]
 
-_rollouts: Kind[RolledOut] = Kind(MOST_KEPT, most_bytes=MOST_BYTES, size=lambda rolled: rolled.bytes)
-_truths: Kind[Continuations | Outcomes] = Kind(8)  # of less than a megabyte each
-_returns: Kind[tuple[SimulatedReturns, ...]] = Kind(16)  # of a few kilobytes each
+_rollouts: Kind[RolledOut] = Kind("rollouts", MOST_KEPT)
+_artefacts: Kind[Flags] = Kind("artefacts along rollouts", MOST_KEPT)
+_truths: Kind[Continuations | Outcomes] = Kind("simulated continuations", 8)
+_returns: Kind[tuple[SimulatedReturns, ...]] = Kind("simulated returns", MOST_KEPT)
 
 
 def rolling(loaded: Loaded, control: Control) -> Wish[RolledOut]:
@@ -88,12 +82,12 @@ def rolling(loaded: Loaded, control: Control) -> Wish[RolledOut]:
 def artefacts(rolled: RolledOut, view: View) -> Wish[Flags]:
     """The search for artefacts at every step under the settings of a view."""
     # Without a truth no artefact depends on how values are read.
-    key, rollout = (replace(view.settings, softness=0.0, deadline="time_to_go"), view.subject.added), rolled.rollout
+    how, rollout = (replace(view.settings, softness=0.0, deadline="time_to_go"), view.subject.added), rolled.rollout
 
     def make(progress: Progress) -> Flags:
-        return flag_steps(rollout, *key, progress)
+        return flag_steps(rollout, *how, progress)
 
-    return Wish(rolled.artefacts, key, make, lambda: _FLAGS * len(rollout), slot="artefacts")
+    return Wish(_artefacts, (rollout, how), make, lambda: _FLAGS * len(rollout), slot="artefacts")
 
 
 def truth(loaded: Loaded, rollout: Rollout, step: int, action: int, *, own: bool) -> Wish[Continuations | Outcomes]:

@@ -21,19 +21,13 @@ from app.session.message import name_of
 from app.view.subjects import View
 from laplace_core.acting.flags import Flags
 from laplace_core.acting.frames import animation
-from laplace_core.acting.rollout import Rollout, longest
+from laplace_core.acting.rollout import Rollout
 from laplace_core.acting.rollout_file import rollout_npz
 from laplace_core.agents.capabilities import HasDiscounts
-from laplace_core.environments import Environment, environment_of, vector
+from laplace_core.environments import Environment, environment_of
 from laplace_core.training.checkpoint import Loaded
 
 _SLOWEST = 0.05  # seconds for a step on the screen, where life is faster
-
-
-def limit_of(loaded: Loaded) -> int:
-    """Steps after which an episode ends at the latest."""
-    most = longest(loaded.agent)
-    return min(most, vector.spec(loaded.environment).time_limit or most)
 
 
 def form(loaded: Loaded) -> None:
@@ -44,7 +38,7 @@ def form(loaded: Loaded) -> None:
     field(PARAMETERS[SEED], control.seed, "Start seed", keep=_keep, place=left, help=None)
     if control.horizon is not None:
         key = store.put(HORIZON, control.horizon)
-        right.number_input("T (steps)", 1, limit_of(loaded), step=1, key=key, on_change=_keep, args=(key,))
+        right.number_input("T (steps)", 1, episode.limit_of(loaded), step=1, key=key, on_change=_keep, args=(key,))
     elif control.rule == "greedy" and isinstance(loaded.agent, HasDiscounts):
         gammas = loaded.agent.gammas
         with right:
@@ -78,7 +72,7 @@ def asked(loaded: Loaded) -> Wish[RolledOut] | None:
 
 
 def _control(loaded: Loaded) -> Control:
-    return episode.control_of(store.chosen(), limit_of(loaded), next(iter(rules.rules_of(loaded.agent))))
+    return episode.control_of(store.chosen(), episode.limit_of(loaded), next(iter(rules.rules_of(loaded.agent))))
 
 
 def beside(rolling: Rolling | None, scene: Environment) -> None:

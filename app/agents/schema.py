@@ -12,7 +12,7 @@ from app.agents import episode
 from app.catalogue import checkpoints
 from app.components.lens.state import ADDED
 from app.session.url import Check, Entries, Old, Schema, Values
-from app.view.schema import ACTION, DRAWN, LOOK, OLD_SWITCHES
+from app.view.schema import ACTION, DRAWN, LOOK, OLD_SWITCHES, check_reached
 from app.view.subjects import Observed, View
 from laplace_core import InputError, Settings, load_world
 from laplace_core.agents.capabilities import HasGammaSpace
@@ -20,7 +20,7 @@ from laplace_core.caching import cached
 from laplace_core.code.interpolation import with_added
 from laplace_core.environments import GYMNASIUM_ENVIRONMENTS, Environment, environment_of
 from laplace_core.parameters import Parameter
-from laplace_core.study.settings import ENCODING_NAMES, resolve, resolve_for_gamma_space
+from laplace_core.study.settings import ENCODING_NAMES, Resolved, resolve, resolve_for_gamma_space
 from laplace_core.training.checkpoint import Loaded
 
 OBSERVED = "o."  # prefix of the components of an observation
@@ -64,6 +64,22 @@ def _action_is_known(values: Values) -> None:
             raise InputError(f"action {str(values['action'])[:40]!r} is none of {', '.join(actions)}.")
 
 
+def _is_reached(name: str) -> Check:
+    def test(values: Values) -> None:
+        if "checkpoint" in values and name in values:
+            loaded = checkpoints.checkpoint(str(values["checkpoint"]))
+            check_reached(name, values, _settings_of(loaded, values))
+
+    return Check(test, drops=(name,))
+
+
+def _deadline_is_reached(values: Values) -> None:
+    if "checkpoint" in values and values.get(episode.HORIZON) is not None:
+        limit = episode.limit_of(checkpoints.checkpoint(str(values["checkpoint"])))
+        if values[episode.HORIZON] > limit:
+            raise InputError(f"{episode.HORIZON} {values[episode.HORIZON]:,} is longer than any episode, {limit:,}.")
+
+
 LINK = Schema(
     opening=opening,
     # The lens of version 0.2 wrote these two here as well, where they never did anything.
@@ -73,6 +89,9 @@ LINK = Schema(
         Entries(_of_agent),
         Entries(_components, prefix=OBSERVED),
         Check(_action_is_known, drops=("action",)),
+        _is_reached("horizon"),
+        _is_reached("used"),
+        Check(_deadline_is_reached, drops=(episode.HORIZON,)),
     ),
 )
 
@@ -122,12 +141,13 @@ def view_of(
     """
     seen, added = observation or observation_of(scene, values), int(values.get("added", 0))
     observed = observe(loaded, seen, scene.actions, added)
+    return View(observed, _settings_of(loaded, values), action_of(scene, values))
+
+
+def _settings_of(loaded: Loaded, values: Mapping[str, Any]) -> Resolved:
     given = {name: value for name, value in values.items() if name in _READING}
     usual = DEFAULTS | _steps(loaded.environment)
-    settings = resolve_for_gamma_space(
-        Settings(world=loaded.environment, **(usual | given)), loaded.settings.discounts()
-    )
-    return View(observed, settings, action_of(scene, values))
+    return resolve_for_gamma_space(Settings(world=loaded.environment, **(usual | given)), loaded.settings.discounts())
 
 
 @cache

@@ -102,6 +102,7 @@ def show(control: Control, race: Race, packed: bytes) -> None:
     if remark:
         st.caption(remark)
     last = max(len(race.left), len(race.right))
+    store.clamp(AT, last)
     at = min(int(store.chosen().get(AT, last)), last)
     track(
         packed, at, store.page_name(), words.sides(control), action_names=environment_of(control.environment).actions,

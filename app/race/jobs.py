@@ -38,8 +38,8 @@ class Control:
         return left, Entrant(self.right.agent, self.right_rule)
 
 
-_racing: Kind[tuple[Race, bytes]] = Kind(MOST_KEPT)
-_fields: Kind[tuple[Races, dict[str, Any]]] = Kind(MOST_KEPT)
+_racing: Kind[tuple[Race, bytes]] = Kind("races", MOST_KEPT)
+_fields: Kind[tuple[Races, dict[str, Any]]] = Kind("races from many starts", MOST_KEPT)
 
 
 def racing(control: Control, start: int) -> Wish[tuple[Race, bytes]]:

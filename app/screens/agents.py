@@ -79,6 +79,8 @@ def _view(loaded: Loaded, scene: Environment, rolling: Rolling | None) -> None:
     rolled = None if rolling is None else attempt(rolling.result)
     if rolling is not None and rolled is None:
         return
+    if rolled is not None:
+        store.clamp(episode.AT, len(rolled.rollout) - 1)
     if not isinstance(loaded.agent, HasGammaSpace):
         peer.view(loaded, scene, rolled)
         return

@@ -7,6 +7,7 @@ all else starts by :meth:`Wish.begin`, which is a button's, so that no link alon
 
 from __future__ import annotations
 
+import sys
 import threading
 import time
 import weakref
@@ -21,6 +22,7 @@ from streamlit.runtime.scriptrunner import get_script_run_ctx
 from app import session
 from app.session.limits import limits
 from laplace_core import InputError
+from laplace_core.caching import BUDGET, Budget, Cache, weigh
 
 Result = TypeVar("Result")
 Progress = Callable[[int, int], None]
@@ -44,6 +46,14 @@ def duration(seconds: float) -> str:
             return f"{seconds / size:,.0f} {unit}"
     count = max(1, round(seconds))
     return f"{count} second" + ("" if count == 1 else "s")
+
+
+def too_large(result: object, budget: Budget, lower: str) -> str:
+    """The sentence that refuses to keep a result."""
+    return (
+        f"the result takes {weigh(result).bytes / 1e6:,.0f} MB, and results, caches and opened files may take "
+        f"{budget.limit / 1e6:,.0f} MB together on this server: {lower}."
+    )
 
 
 def session_id() -> str:
@@ -326,21 +336,19 @@ class Kind(Generic[Result]):
     """Jobs of one kind by their keys, for all sessions of this server.
 
     What waits or runs stays, and so does what is done until somebody has seen it. Of the rest, the oldest makes room:
-    first what no session wants any more.
+    first what no session wants any more. Results count in the memory of the server for its caches, and leave with what
+    was used least recently there: they then have to be made anew.
 
     Args:
+        name: what the results are called in the account of that memory.
         most: jobs at their end that are kept.
-        most_bytes, size: memory that their results may take together, and what one takes. The one that was looked at
-            last stays all the same.
         line: where they wait.
     """
 
-    def __init__(
-        self, most: int, *, most_bytes: float = float("inf"), size: Callable[[Result], int] = lambda _: 0,
-        line: Callable[[], Line] = background,
-    ):  # fmt: skip
-        self._most, self._most_bytes, self._size, self._line = most, most_bytes, size, line
+    def __init__(self, name: str, most: int, *, line: Callable[[], Line] = background, budget: Budget = BUDGET):
+        self._most, self._line, self._budget = most, line, budget
         self._jobs: dict[Hashable, Job[Result]] = {}  # the one that was looked at last is the last
+        self._counted: Cache[tuple[Hashable, Result]] = Cache(name, sys.maxsize, budget=budget, left=self._leave)
         self._lock = threading.RLock()
 
     def get(self, key: Hashable) -> Job[Result] | None:
@@ -353,11 +361,15 @@ class Kind(Generic[Result]):
         job = self._jobs.get(key)
         return "" if job is None else job.why
 
-    def take(self, key: Hashable, make: Callable[[Progress], Result], seconds: float, name: str = "") -> Job[Result]:
+    def take(
+        self, key: Hashable, make: Callable[[Progress], Result], seconds: float, name: str = "",
+        lower: str = "ask for less",
+    ) -> Job[Result]:  # fmt: skip
         """The job of a key: the one there is, or a new one.
 
         Args:
             name: the session that wants it.
+            lower: what would make its result smaller.
 
         Raises:
             InputError: the line is full.
@@ -365,12 +377,13 @@ class Kind(Generic[Result]):
         with self._lock:
             job = self.get(key)
             if job is None:
-                job = Job(self._line(), make, seconds)
+                job = Job(self._line(), lambda progress: self._count(key, make(progress), lower), seconds)
                 job.want(name)
                 self._line().add(job)
             job.want(name)
             self._jobs.pop(key, None)
             self._jobs[key] = job
+            self._counted.get(key)  # it was used
             self._trim()
             return job
 
@@ -379,13 +392,14 @@ class Kind(Generic[Result]):
         with self._lock:
             job = self._jobs.get(key)
             if job is not None and not job.going:
-                del self._jobs[key]
+                self._remove(key)
 
     def clear(self) -> None:
         """End everything and keep nothing."""
         with self._lock:
             while self._jobs:
                 self._jobs.popitem()[1].end()
+            self._counted.clear()
 
     def items(self) -> list[tuple[Any, Job[Result]]]:
         """Keys and their jobs, the one that was looked at last as the last."""
@@ -393,19 +407,38 @@ class Kind(Generic[Result]):
 
     def _trim(self) -> None:
         ended = [key for key, job in self._jobs.items() if not job.going]
-        kept, held = len(ended), sum(map(self._bytes, ended))
-        last = next(reversed(self._jobs))
+        kept, last = len(ended), next(reversed(self._jobs))
         loose = [(wanted, key) for key in ended if key != last for wanted in (self._jobs[key].wanted(),)]
         for wanted, key in sorted(loose, key=lambda each: each[0]):
-            if kept <= self._most and held <= self._most_bytes:
+            if kept <= self._most:
                 return
             if self._jobs[key].seen or self._jobs[key].gone or not wanted:
-                kept, held = kept - 1, held - self._bytes(key)
-                del self._jobs[key]
+                kept -= 1
+                self._remove(key)
 
-    def _bytes(self, key: Hashable) -> int:
-        job = self._jobs[key]
-        return self._size(cast(Result, job._result)) if job.worked else 0  # what worked has a result
+    def _remove(self, key: Hashable) -> None:
+        del self._jobs[key]
+        self._counted.pop(key)
+
+    def _count(self, key: Hashable, result: Result, lower: str) -> Result:
+        """The result, once there is room for it.
+
+        Raises:
+            InputError: it takes more than all caches of the server may hold.
+        """
+        self._counted.pop(key)  # of a job that was cleared, and has come to its end all the same
+        kept = key, result
+        if not self._counted.put(key, kept):
+            raise InputError(too_large(kept, self._budget, lower))
+        with self._lock:
+            if key not in self._jobs:
+                self._counted.pop(key)
+        return result
+
+    def _leave(self, kept: tuple[Hashable, Result]) -> None:
+        """Forget a job whose result had to make room."""
+        with self._lock:
+            self._jobs.pop(kept[0], None)
 
 
 @dataclass
@@ -413,12 +446,12 @@ class _Asked:
     """What this session has asked for.
 
     Attributes:
-        jobs: the last one in each slot.
+        jobs: the last one in each slot, while it is kept.
         left: jobs that it waits for no more, though others may.
         refused: by slot, the key of what it has cancelled or could not begin, and a sentence if it could not.
     """
 
-    jobs: dict[str, Job[Any]] = field(default_factory=dict)
+    jobs: weakref.WeakValueDictionary[str, Job[Any]] = field(default_factory=weakref.WeakValueDictionary)
     left: weakref.WeakSet[Job[Any]] = field(default_factory=weakref.WeakSet)
     refused: dict[str, tuple[Hashable, str]] = field(default_factory=dict)
 
@@ -468,7 +501,8 @@ class Wish(Generic[Result]):
         try:
             if self.kind.get(self.key) is None and self.too_long:
                 raise InputError(self.too_long)
-            job = self.kind.take(self.key, self.make, self.estimate() if self.kind.get(self.key) is None else 0.0, name)
+            seconds = self.estimate() if self.kind.get(self.key) is None else 0.0
+            job = self.kind.take(self.key, self.make, seconds, name, self.lower)
         except InputError as error:
             asked.refused[self.slot] = self.key, str(error)
             return

@@ -133,6 +133,17 @@ def open_page(page: str, schema: Schema) -> None:
         st.warning(in_markdown(note))
 
 
+def clamp(name: str, last: int) -> None:
+    """Put a value that lies beyond the end of what is shown to the end, and say so: only a link can have brought it."""
+    asked = chosen().get(name)
+    if asked is not None and int(asked) > last:
+        note = f"{name} {asked:,} of the link lies beyond the end: {last:,} is shown."
+        session.current().shown_page.notes.append(note)
+        choose(name, last)
+        write_url()
+        st.warning(in_markdown(note))
+
+
 def write_url() -> None:
     """Make the address bar a link to what is seen, or leave it empty where that would be too long for a link."""
     query, record = query_of(chosen()), session.current()

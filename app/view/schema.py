@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
+from typing import Any
 
 from app.session.url import Known, Old
+from laplace_core import InputError
 from laplace_core.parameters import Parameter
-from laplace_core.study.settings import BY_NAME
+from laplace_core.study.horizon import row_horizons
+from laplace_core.study.settings import BY_NAME, Resolved
 
 ACTION = Parameter("action", None, help="Action whose spaces are shown.", kind=str)
 LOOK = Parameter("look", "heatmap", help="How the spaces are drawn.", choices=("heatmap", "surface"))
@@ -26,3 +30,14 @@ YES_NO = {"yes": "true", "no": "false"}
 
 OLD_SWITCHES = tuple(Old(name, name, YES_NO) for name in ("fold", "shift", "clip", "paper_grid"))
 """Switches of the lens, of which version 0.2 said yes and no."""
+
+
+def check_reached(name: str, values: Mapping[str, Any], settings: Resolved) -> None:
+    """Refuse a horizon, or steps used of one, that the timeline of a view is too short for.
+
+    Raises:
+        InputError: it is.
+    """
+    last = float(row_horizons(settings.steps, settings.time_step)[-1])
+    if float(values[name]) > last:
+        raise InputError(f"{name} {values[name]:g} lies beyond the end of the timeline, {last:g}: raise steps.")

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import atexit
 import shutil
+import sys
 import tempfile
 import time
 from dataclasses import dataclass, field
@@ -16,9 +17,10 @@ from typing import Any
 from weakref import WeakValueDictionary
 
 from app import session
-from app.session.jobs import WAITING, Job, Kind, Progress, Wish
+from app.session.jobs import WAITING, Job, Kind, Progress, Wish, too_large
 from app.session.jobs import learners as line
 from laplace_core import InputError
+from laplace_core.caching import BUDGET, Cache
 from laplace_core.tabular import Learned, LearnSettings, seconds_to_learn
 from laplace_core.tabular.process import Run, start
 from laplace_core.worlds import World
@@ -45,18 +47,24 @@ def _room() -> Path:
 
 
 class Work:
-    """What one job does: it starts a process, looks at it until it ends, and keeps what it has learned."""
+    """What one job does: it starts a process, looks at it until it ends, and keeps what it has learned.
+
+    That counts in the memory of the server for its caches, and leaves with what was used least recently there.
+    """
 
     def __init__(self, key: str, world: World, settings: LearnSettings):
         self._key, self._world, self._settings = key, world, settings
         self._run: Run | None = None
-        self._learned: Learned | None = None
+        self._last: dict[str, Any] | None = None
+        self._has_learned, self._too_large = False, ""
+        self._place = object()  # the key of its own in the cache
 
     def learn(self, progress: Progress) -> Work:
         """The work.
 
         Raises:
-            InputError: the process cannot start, or ended by itself without finishing.
+            InputError: the process cannot start, or ended by itself without finishing; or what was learned takes more
+                memory than the server has for its caches.
         """
         _at_work[self._key] = self
         try:
@@ -76,30 +84,42 @@ class Work:
         finally:
             self.stop()
             shutil.rmtree(folder, ignore_errors=True)
+        if self._too_large:
+            raise InputError(self._too_large)
         return self
 
     def stop(self) -> None:
         """End the process, within a second, and keep what it has written last."""
-        if self._run is not None:
-            self._run.cancel()
-            self._run.history()
-            self._learned = self._run.snapshot() or self._learned
+        run = self._run
+        if run is None:
+            return
+        run.cancel()
+        self._last, learned = run.progress(), run.snapshot()
+        if learned is not None and _learned.put(self._place, learned):
+            BUDGET.drop_with_owner(self, _learned, self._place)
+            self._has_learned = True
+        elif learned is not None:
+            self._too_large = too_large(learned, BUDGET, "lower the number of learners, discounts or thetas")
+        self._run = None  # it holds the snapshot too
 
     def progress(self) -> dict[str, Any] | None:
         """The last line of progress, None before the first."""
-        return self._run.progress() if self._run else None
+        run = self._run
+        return run.progress() if run else self._last
 
     def learned(self) -> Learned | None:
-        """The last snapshot; the same object until there is a new one."""
-        return self._learned or (self._run.snapshot() if self._run else None)
+        """The last snapshot; the same object until there is a new one. None before the first, and once it has left."""
+        run = self._run
+        return run.snapshot() if run else _learned.get(self._place)
 
     @property
-    def bytes(self) -> int:
-        """Memory of the tables, once they are kept."""
-        return 0 if self._learned is None else self._learned.basis.nbytes
+    def lost(self) -> bool:
+        """Whether what was learned had to make room."""
+        return self._run is None and self._has_learned and self._place not in _learned
 
 
-_jobs: Kind[Work] = Kind(MOST_KEPT, size=lambda work: work.bytes, line=line)
+_learned: Cache[Learned] = Cache("learned gamma-spaces", sys.maxsize)
+_jobs: Kind[Work] = Kind("learners", MOST_KEPT, line=line)
 _at_work: WeakValueDictionary[str, Work] = WeakValueDictionary()
 
 
@@ -161,6 +181,11 @@ class Watched:
             return f"{self._job.why}; what was learned until then stays."
         return self._job.refusal
 
+    @property
+    def lost(self) -> bool:
+        """Whether what was learned had to make room, so that it has to be learned anew."""
+        return self._work is not None and not self.running and self._work.lost
+
     def progress(self) -> dict[str, Any] | None:
         return self._work.progress() if self._work else None
 
@@ -195,6 +220,8 @@ def watch(wish: Wish[Work]) -> Watched | None:
             mine.pop(next(iter(mine)))
     if key in mine:
         mine[key].look(job)
+        if mine[key].lost:
+            forget(key)
     return mine.get(key)
 
 

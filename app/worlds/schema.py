@@ -9,13 +9,12 @@ from dataclasses import replace
 from app.catalogue import tabular
 from app.session.link import unpack
 from app.session.url import Check, Entries, Schema, Values, by_name, check_of
-from app.view.schema import ACTION, DRAWN, LOOK, OLD_SWITCHES
+from app.view.schema import ACTION, DRAWN, LOOK, OLD_SWITCHES, check_reached
 from app.view.subjects import PARAM
 from app.worlds import sources
 from app.worlds.sources import LEARN
 from laplace_core import InputError, Settings, World
 from laplace_core.parameters import Parameter
-from laplace_core.study.horizon import row_horizons
 from laplace_core.study.pipeline import grids
 from laplace_core.study.settings import BY_NAME, resolve
 from laplace_core.tabular import LEARN_SCHEMA
@@ -84,12 +83,20 @@ def _is_reached(name: str) -> Check:
         if world is None or name not in values:
             return
         given = {name: value for name, value in values.items() if name in BY_NAME}
-        settings = resolve(Settings(world=values["world"], **given), world)
-        last = float(row_horizons(settings.steps, settings.time_step)[-1])
-        if float(values[name]) > last:
-            raise InputError(f"{name} {values[name]:g} lies beyond the end of the timeline, {last:g}: raise steps.")
+        check_reached(name, values, resolve(Settings(world=values["world"], **given), world))
 
     return Check(test, drops=(name,))
+
+
+def _learner_is_there(values: Values) -> None:
+    """Of a run that a link names, its settings tell how many learners there are."""
+    shown = str(values.get("learner", "mean"))
+    if values.get("source") != "learned" or not shown.isdecimal():
+        return
+    usual = by_name(*LEARN_SCHEMA)["seeds"].default
+    count = len(tabular.agent(values["agent"]).basis) if "agent" in values else int(values.get(f"{LEARN}seeds", usual))
+    if int(shown) >= count:
+        raise InputError(f"learner {shown} is not there: {count} learned, of which the first is 0.")
 
 
 def _file_is_open(digest: str) -> None:
@@ -113,6 +120,7 @@ _CHECKS = (
     Check(_grids_fit, drops=("gamma*", "theta*")),
     _is_reached("horizon"),
     _is_reached("used"),
+    Check(_learner_is_there, drops=("learner",)),
 )
 PINNED = Schema(
     opening=lambda: OPENING,

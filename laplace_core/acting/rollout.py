@@ -97,12 +97,6 @@ class Rollout:
         values, constant = self.spaces[step].astype(float), self.constants[step].astype(float)
         return GammaSpace(values, constant, self.gammas, self.thetas, open_ends=True, places=self.places)
 
-    @property
-    def bytes(self) -> int:
-        """Memory of the arrays and pictures."""
-        arrays = sum(value.nbytes for value in vars(self).values() if isinstance(value, np.ndarray))
-        return arrays + sum(map(len, self.frames))
-
 
 def longest(agent: Agent) -> int:
     """Steps of a rollout of this agent whose gamma-spaces fit into ``MOST_BYTES``, at most ``MOST_STEPS``."""

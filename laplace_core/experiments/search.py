@@ -23,7 +23,7 @@ from laplace_core.agents.settings import LoopSettings
 from laplace_core.errors import InputError
 from laplace_core.experiments.training import evaluated, seconds_behind
 from laplace_core.files.atomic import write_whole
-from laplace_core.supervise import in_processes
+from laplace_core.supervise.parallel import in_order
 from laplace_core.training.checkpoint import load_checkpoint
 from laplace_core.training.defaults import settings_of
 from laplace_core.training.loop import train
@@ -92,7 +92,7 @@ def search(
     ]
     # A value that is the file's own makes the unchanged settings once more: one run must have one process.
     each = list(dict.fromkeys(planned))
-    with contextlib.closing(in_processes(partial(_score, folder=folder), each, jobs)) as results:
+    with contextlib.closing(in_order(partial(_score, folder=folder), each, jobs)) as results:
         known: dict[LoopSettings, tuple[float, float | None, float]] = {}
         for i, trial in enumerate(tried):
             wanted = planned[i * seeds : (i + 1) * seeds]

@@ -21,7 +21,7 @@ from laplace_core.experiments.views import View, draw_view
 from laplace_core.study import verdict as verdicts
 from laplace_core.study.artefacts import find_artefacts
 from laplace_core.study.pipeline import study
-from laplace_core.supervise import in_processes
+from laplace_core.supervise.parallel import in_order
 from laplace_core.worlds import dump_world, load_world
 
 MOST_VIEWS = 100_000
@@ -273,7 +273,7 @@ def report(cases: int = 2_000, seed: int = HELD_OUT_SEED, jobs: int = 1) -> tupl
         if not low <= value <= high:
             raise InputError(f"{name} is {value}; it must be from {low:,} to {high:,}.")
     one = partial(examine, seed=seed)
-    examined = list(in_processes(one, range(cases), jobs))
+    examined = list(in_order(one, range(cases), jobs))
     numbers = {
         "cases": cases,
         "seed": seed,

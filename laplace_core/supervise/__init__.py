@@ -2,7 +2,6 @@
 
 from laplace_core.supervise.lock import is_taken, take
 from laplace_core.supervise.note import FILE, PLAIN, last_line, read_process, read_small, refusal_in, write_process
-from laplace_core.supervise.pool import in_processes
 from laplace_core.supervise.process import ONE_THREAD, Process, start
 from laplace_core.supervise.worker import ERRORS, End, Worker, command, end_in
 
@@ -16,7 +15,6 @@ __all__ = [
     "Worker",
     "command",
     "end_in",
-    "in_processes",
     "is_taken",
     "last_line",
     "read_process",

@@ -1,16 +1,21 @@
 """Independent jobs side by side: in processes of this machine through joblib, or on a Ray cluster.
 
-A job whose process dies is done again, and costs no other job its result. Workers end with the process that started
-them, however that ends.
+A job whose process dies is done again, and so are those that were under way beside it; finished ones keep their
+results. Workers end with the process that started them, however that ends. Ctrl-C is for that process alone, so that no
+worker prints a traceback.
 """
 
 from __future__ import annotations
 
 import os
+import re
+import signal
 import socket
 import threading
 import time
-from collections.abc import Callable, Iterator, Sequence
+import warnings
+from collections.abc import Callable, Generator, Iterator, Sequence
+from contextlib import closing, contextmanager
 from typing import Any, TypeVar
 
 from laplace_core.errors import InputError
@@ -29,7 +34,7 @@ def in_parallel(
     arguments: Sequence[Argument],
     processes: int = 1,
     cluster: str | None = None,
-) -> Iterator[tuple[int, Result]]:
+) -> Generator[tuple[int, Result], None, None]:
     """Call a function once for each argument, and give results in the order in which they are ready.
 
     Args:
@@ -43,7 +48,7 @@ def in_parallel(
 
     Raises:
         InputError: a process died ``TRIES`` times at the same job, or there is no such cluster.
-        Exception: what the function raised; jobs that are under way are given up.
+        Exception: what the function raised, as soon as it did; jobs that are under way are given up.
     """
     if cluster is not None:
         yield from _on_cluster(function, arguments, cluster)
@@ -52,6 +57,20 @@ def in_parallel(
             yield i, function(argument)
     else:
         yield from _in_processes(function, arguments, processes)
+
+
+def in_order(
+    function: Callable[[Argument], Result], arguments: Sequence[Argument], processes: int = 1
+) -> Generator[Result, None, None]:
+    """As :func:`in_parallel`, with results in the order of the arguments: each once all before it are known."""
+    early: dict[int, Result] = {}
+    following = 0
+    with closing(in_parallel(function, arguments, processes)) as results:
+        for i, result in results:
+            early[i] = result
+            while following in early:
+                yield early.pop(following)
+                following += 1
 
 
 def _in_processes(
@@ -65,17 +84,38 @@ def _in_processes(
         call = delayed(_Job(function, os.getpid()))
         pool = Parallel(n_jobs=min(processes, len(left)), return_as="generator_unordered", batch_size=1)
         try:
-            for i, result in pool([call(i, argument) for i, argument in left.items()]):
+            with _without_interrupt():
+                results = pool([call(i, argument) for i, argument in left.items()])
+            for i, result in results:
                 del left[i]
                 tries = 0
                 yield i, result
-        except TerminatedWorkerError:  # all that were under way are lost with it, and begin anew
+        except GeneratorExit:
+            with warnings.catch_warnings(action="ignore", category=UserWarning):  # that jobs are given up is wanted
+                results.close()
+            raise
+        except TerminatedWorkerError as error:  # all that were under way are lost with it, and begin anew
             tries += 1
             if tries == TRIES:
+                by = re.search(r"SIG[A-Z0-9]+", str(error))  # joblib lists exit statuses, such as SIGKILL(-9)
                 raise InputError(
-                    f"a process died {TRIES} times without finishing a job, the last time with {len(left)} to go: "
-                    "give each job more memory by fewer processes."
+                    f"a process died {TRIES} times without finishing a job, the last time "
+                    f"{f'by {by[0]} ' if by else ''}with {len(left)} to go: give each job more memory by fewer "
+                    "processes."
                 ) from None
+
+
+@contextmanager
+def _without_interrupt() -> Iterator[None]:
+    """Hold Ctrl-C back for a moment: processes and threads that start within it do not get it at all."""
+    if not hasattr(signal, "pthread_sigmask"):
+        yield
+        return
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
 class _Job:
@@ -97,6 +137,8 @@ def _end_with(parent: int) -> None:
     if parent in _watched or os.getpid() == parent:
         return
     _watched.add(parent)
+    if threading.current_thread() is threading.main_thread():
+        signal.signal(signal.SIGINT, signal.SIG_IGN)  # where no mask could be given to it
 
     def watch() -> None:
         while os.getppid() == parent:

@@ -8,6 +8,7 @@ from __future__ import annotations
 import json
 from collections.abc import Iterator
 from dataclasses import replace
+from itertools import product
 from pathlib import Path
 from typing import Any
 
@@ -108,22 +109,29 @@ def parse_world(text: str) -> World:
 
 
 def dump_world(world: World) -> str:
-    """The text of a world file that :func:`parse_world` turns into the same world."""
-    transitions = []
-    for s, state in enumerate(world.states):
-        for a, action in enumerate(world.actions):
-            outcomes = [
-                {"p": row.probability, "next": "END" if row.next_state == END else world.states[row.next_state],
-                 "reward": row.reward}
-                for row in world.outcomes(s, a)
-            ]  # fmt: skip
-            transitions.append({"state": state, "action": action, "outcomes": outcomes})
+    """The text of a world file that :func:`parse_world` turns into the same world: one transition a line."""
     start = {world.states[s]: float(world.start[s]) for s in np.flatnonzero(world.start)}
-    head = {"name": world.name, "states": world.states, "actions": world.actions, "start": start}
+    head: dict[str, object] = {"name": world.name, "states": world.states, "actions": world.actions, "start": start}
     if world.positions is not None:
         places = np.asarray(world.positions, dtype=float).tolist()
         head["positions"] = dict(zip(world.states, places, strict=True))
-    return json.dumps({**head, "transitions": transitions}, indent=1, allow_nan=False)
+    write = json.JSONEncoder(allow_nan=False).encode  # without an indent, which Python would write itself, slowly
+    entries = ",\n".join(f" {write(name)}: {write(entry)}" for name, entry in head.items())
+    transitions = ",\n".join(f"  {write(transition)}" for transition in _transitions(world))
+    return f'{{\n{entries},\n "transitions": [\n{transitions}\n ]\n}}'
+
+
+def _transitions(world: World) -> Iterator[dict[str, object]]:
+    """The entry of each state and action."""
+    names = (*world.states, "END")  # END is -1 and picks the last
+    columns = (world.probability.tolist(), world.next_state.tolist(), world.reward.tolist())
+    rows = [{"p": p, "next": names[following], "reward": reward} for p, following, reward in zip(*columns, strict=True)]
+    pairs = world.state * world.n_actions + world.action
+    ends = np.cumsum(np.bincount(pairs, minlength=world.n_states * world.n_actions)).tolist()
+    first = 0
+    for (state, action), end in zip(product(world.states, world.actions), ends, strict=True):
+        yield {"state": state, "action": action, "outcomes": rows[first:end]}
+        first = end
 
 
 def _show(value: object) -> str:

@@ -35,11 +35,24 @@ def die(number: int) -> int:
     return number
 
 
+def interrupt_itself(number: int) -> int:
+    """Sends its own process what Ctrl-C sends."""
+    os.kill(os.getpid(), signal.SIGINT)
+    return number
+
+
 def note_and_wait(argument: tuple[str, int]) -> None:
     """Leaves a file named after the process in the folder, and then works for ever."""
     (Path(argument[0]) / str(os.getpid())).touch()
     while True:
         time.sleep(0.05)
+
+
+def note_and_wait_after(argument: tuple[str, int]) -> int:
+    """The numbers 0 and 1 are given back; others work for ever."""
+    if argument[1] > 1:
+        note_and_wait(argument)
+    return argument[1]
 
 
 def slow_square(argument: tuple[str, int]) -> int:

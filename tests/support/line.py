@@ -21,7 +21,7 @@ class Server:
         self.done: list[str] = []
 
     def kind(self, most: int = MOST, **more) -> Kind:
-        return Kind(most, line=lambda: self.line, **more)
+        return Kind("of a test", most, line=lambda: self.line, **more)
 
 
 class Gate:

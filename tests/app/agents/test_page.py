@@ -26,7 +26,7 @@ from laplace_core.environments import environment_of, vector
 from laplace_core.study.settings import resolve_for_gamma_space
 from laplace_core.training.checkpoint import load_checkpoint, new_agent, save_checkpoint
 from tests.support.lens_reference import unpacked
-from tests.support.pages import charts, wait
+from tests.support.pages import charts, link, run, wait
 
 MAIN = str(Path(__file__).resolve().parents[3] / "app" / "main.py")
 
@@ -190,10 +190,31 @@ def test_a_bad_link_to_a_rollout_opens_with_a_note(subtests, shipped):
             assert not page.error
 
 
-def test_a_step_beyond_the_end_is_the_last_one(shipped):
+def test_a_step_beyond_the_end_is_the_last_one_and_named(shipped):
     page = rolled_out(checkpoint="laplace_two_branch", **{"r.shown": "yes", "r.at": "900", "r.rule": "random"})
-    assert told(page, "player")["at"] < 10
+    last = told(page, "player")["at"]
+    assert 0 < last < 10
+    assert link(page)["r.at"] == str(last)
+    (note,) = (warning.value for warning in page.warning)
+    assert "900 of the link lies beyond the end" in note
     assert not page.exception
+    (again,) = (warning.value for warning in run(page).warning)
+    assert again == note
+
+
+@pytest.mark.parametrize(
+    ("query", "said"),
+    [
+        ({"horizon": "60", "steps": "20"}, "horizon 60 lies beyond the end of the timeline, 20"),
+        ({"used": "70", "steps": "20"}, "used 70 lies beyond the end of the timeline, 20"),
+        ({"r.horizon": "900", "r.rule": "readout"}, "r.horizon 900 is longer than any episode, 500"),
+    ],
+)
+def test_a_value_that_could_only_be_clamped_is_named_and_left_out(shipped, query, said):
+    values, notes = schema.LINK.read({"checkpoint": "laplace_CartPole-v1", **query})
+    (note,) = notes
+    assert said in note
+    assert next(iter(query)) not in values
 
 
 @pytest.fixture

@@ -10,6 +10,7 @@ from app.agents import jobs
 from app.agents.jobs import MOST_KEPT, Control, Rolling, rolling
 from laplace_core import InputError
 from laplace_core.agents import LaplaceSettings
+from laplace_core.caching import BUDGET
 from laplace_core.training.checkpoint import Loaded, load_checkpoint, new_agent, save_checkpoint
 
 
@@ -58,15 +59,20 @@ def test_fifty_rollouts_that_were_seen_leave_a_few(loaded):
     assert [control.seed for (_, control), _ in jobs._rollouts.items()] == list(range(50 - MOST_KEPT, 50))
 
 
-def test_large_ones_make_room_sooner(loaded, monkeypatch):
-    size = finished(loaded, Control(seed=0)).result().bytes
-    assert size > 100
-    monkeypatch.setattr(jobs._rollouts, "_most_bytes", int(2.5 * size))
-    for seed in range(1, 9):
-        finished(loaded, Control(seed=seed, rule="random")).result()
-    taken(loaded, Control(seed=8, rule="random"))
+def test_rollouts_stay_within_the_memory_of_the_server(loaded, monkeypatch):
+    """Two and a half of them fit: of nine, the last two stay."""
+    BUDGET.clear()
+    finished(loaded, Control(seed=0, rule="random"))
+    before = BUDGET.bytes
+    finished(loaded, Control(seed=1, rule="random"))
+    one = BUDGET.bytes - before
+    assert one > 1_000
+    monkeypatch.setattr(BUDGET, "limit", before + int(1.5 * one))
+    for seed in range(2, 9):
+        finished(loaded, Control(seed=seed, rule="random"))
+        assert BUDGET.bytes <= BUDGET.limit
     assert 1 <= len(jobs._rollouts.items()) <= 3
-    assert sum(one.result().bytes for _, one in jobs._rollouts.items()) <= 2.5 * size
+    assert "rollouts" in {usage.name for usage in BUDGET.usage()}
 
 
 def test_one_that_is_refused_says_why(loaded):

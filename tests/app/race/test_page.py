@@ -97,6 +97,13 @@ def test_a_change_of_the_deadline_is_another_race_shown_at_its_end(shipped):
     assert "Within 5 steps" in verdicts(page)[0]
 
 
+def test_a_step_beyond_the_end_of_both_is_the_last_one_and_named(shipped):
+    page = opened(checkpoint="laplace_CartPole-v1", d_T="30", d_at="900")
+    (note,) = (warning.value for warning in page.warning)
+    assert "900 of the link lies beyond the end" in note
+    assert 0 < int(link(page)["d.at"]) <= 30
+
+
 def test_many_starts_are_raced_over_on_a_click_and_lead_to_one(shipped):
     page = opened(checkpoint="laplace_CartPole-v1", d_T="60", d_starts="12")
     press(page, "Race over 12 starts")

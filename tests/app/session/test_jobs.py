@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import gc
 import threading
+import weakref
 from collections.abc import Callable
 
 import pytest
@@ -24,6 +26,7 @@ from app.session.jobs import (
     usage,
 )
 from laplace_core import InputError
+from laplace_core.caching import Budget, Cache
 from tests.support.line import LIMIT, MOST, Gate, Server
 
 LONG = SHORT + 1.0
@@ -249,12 +252,67 @@ def test_results_go_when_they_were_seen_or_nobody_wants_them_and_the_oldest_firs
     assert [key for key, _ in kind.items()] == ["a", "d", "e"]
 
 
-def test_results_that_take_too_much_memory_go_sooner_but_never_the_one_that_is_asked_for():
-    kind = Server().kind(9, most_bytes=10, size=lambda result: 6)
+def kilobytes(progress: Progress) -> bytes:
+    return bytes(10_000)
+
+
+def test_results_count_in_the_budget_of_all_caches_and_leave_with_what_was_used_least_recently():
+    """Three of 10 kB fit into 36 kB, beside the little that keys and tuples take."""
+    budget = Budget(36_000)
+    server, elsewhere = Server(), Cache("of something else", 9, budget=budget)
+    kind = server.kind(budget=budget)
     for name in "abc":
-        over(kind.take(name, at_once, 1.0, name)).result()
-        kind.take(name, at_once, 1.0, name)
-    assert [key for key, _ in kind.items()] == ["c"]
+        over(kind.take(name, kilobytes, 1.0, name))
+    assert 30_000 < budget.bytes < 36_000
+    kind.take("a", kilobytes, 1.0, "a")  # it is looked at again
+    elsewhere.put("x", bytes(11_000))
+    assert [key for key, _ in kind.items()] == ["c", "a"]
+    assert budget.bytes < 36_000
+    assert kind.get("b") is None
+    assert kind.why("b") == ""  # so that a page begins it again
+    assert over(kind.take("b", kilobytes, 1.0, "b")).worked
+    kind.drop("b")
+    kind.clear()
+    assert 11_000 < budget.bytes < 12_000
+
+
+def test_a_result_that_is_larger_than_the_budget_is_refused_and_what_was_there_stays():
+    budget = Budget(5_000)
+    kind = Server().kind(budget=budget)
+    small = over(kind.take("small", at_once, 1.0))
+    large = over(kind.take("large", kilobytes, 1.0, "", "lower T"))
+    assert large.refusal == (
+        "the result takes 0 MB, and results, caches and opened files may take 0 MB together on this server: lower T."
+    )
+    assert small.result() == "done"
+    assert kind.get("small") is small
+    assert budget.bytes < 5_000
+
+
+def test_a_session_holds_no_result_that_has_left(asks):
+    budget = Budget(15_000)
+    kind = Server().kind(budget=budget)
+    first = wish(kind, "first", 1.0, kilobytes)
+    held = weakref.ref(over(first.look()))
+    assert over(wish(kind, "second", 1.0, kilobytes, slot="field").look()).worked
+    gc.collect()
+    assert held() is None
+    assert over(first.look()).worked  # made anew
+
+
+def test_work_that_was_cleared_counts_nothing_when_it_comes_to_its_end():
+    budget, gate = Budget(50_000), threading.Event()
+    kind = Server().kind(budget=budget)
+
+    def slow(progress: Progress) -> bytes:
+        assert gate.wait(60)
+        return kilobytes(progress)
+
+    job = kind.take("a", slow, 1.0)
+    kind.clear()
+    gate.set()
+    over(job)
+    assert budget.bytes == 0
 
 
 def test_an_error_of_the_work_is_raised_where_its_result_is_asked_for():

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
 
 from app.session import jobs, record
@@ -9,8 +10,10 @@ from app.session.jobs import GRACE, SHORT
 from app.worlds import learners
 from app.worlds.learners import BY_ITSELF, MOST_KEPT, Watched, learning, watch
 from laplace_core import InputError, load_world
+from laplace_core.caching import BUDGET
 from laplace_core.tabular import LearnSettings, resolve_learning, seconds_to_learn
 from laplace_core.tabular.process import Run
+from tests.support.hostile import assert_one_sentence
 from tests.support.line import LIMIT, Server
 from tests.support.quick_runs import until
 
@@ -40,7 +43,7 @@ class Stub:
 def server(monkeypatch):
     """Places for learners of this test alone; all end with it."""
     made = Server(threads=PLACES)
-    monkeypatch.setattr(learners, "_jobs", made.kind(MOST_KEPT, size=lambda work: work.bytes))
+    monkeypatch.setattr(learners, "_jobs", made.kind(MOST_KEPT))
     monkeypatch.setattr(learners, "_seconds", lambda world, settings: SHORT + 1.0)
     yield made
     learners._jobs.clear()
@@ -240,6 +243,36 @@ def test_a_real_process_and_its_files_are_gone_after_cancel_and_what_it_learned_
     learned, progress = watched.learned(), watched.progress()
     assert 0 < learned.episodes[0] < ENDLESS.episodes
     assert progress["episodes"] == learned.episodes[0]
+
+
+def test_what_was_learned_counts_in_the_memory_of_the_server_and_is_learned_anew_once_it_has_left(server):
+    settings = LearnSettings(episodes=5)
+    run = learning("a", WORLD, settings, slot="learner", linked=True)
+    before = BUDGET.bytes
+    run.begin()
+    watched = watch(run)
+    until(lambda: not watched.running)
+    assert watch(run) is watched
+    learned = watched.learned()
+    assert learned is not None
+    assert BUDGET.bytes - before > learned.basis.nbytes
+    assert watch(run).learned() is learned
+    BUDGET.clear()  # as when other results need the room
+    assert watch(run) is None
+    run.begin()
+    anew = watch(run)
+    until(lambda: not anew.running)
+    np.testing.assert_array_equal(anew.learned().basis, learned.basis)
+
+
+def test_what_was_learned_and_fits_nowhere_is_one_sentence(server, monkeypatch):
+    monkeypatch.setattr(BUDGET, "limit", 1_000)
+    run = learning("a", WORLD, LearnSettings(episodes=5), slot="learner", linked=True)
+    run.begin()
+    watched = watch(run)
+    until(lambda: not watched.running)
+    assert_one_sentence(watched.error, "together on this server", "lower the number of learners")
+    assert watched.learned() is None
 
 
 def test_the_estimate_is_that_of_the_first_episodes():

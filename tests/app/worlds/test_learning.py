@@ -154,9 +154,10 @@ def test_cancel_ends_the_process_and_keeps_what_was_learned():
     wait(page, lambda page: "curve" in pictures(page))
     watched = runs_of(page)[link(page)["run"]]
     assert watched.running
+    process = watched._work._run
     press(page, "Cancel")
     assert not watched.running
-    assert watched._work._run.finished
+    assert process.finished
     assert "cancelled at" in strip(page)
     assert "Cancel" not in labels(page)
     assert "curve" in pictures(page)

@@ -151,6 +151,8 @@ def test_a_learned_view_travels_whole():
         ({"horizon": "60", "steps": "20"}, "horizon 60 lies beyond the end of the timeline, 20"),
         ({"horizon": "11", "steps": "20", "time_step": "0.5"}, "horizon 11 lies beyond the end of the timeline, 10"),
         ({"used": "300", "steps": "20"}, "used 300 lies beyond the end of the timeline, 20"),
+        ({"learner": "3", "source": "learned", "l.seeds": "3"}, "learner 3 is not there: 3 learned"),
+        ({"learner": "1", "source": "learned"}, "learner 1 is not there: 1 learned"),
     ],
 )
 def test_a_value_that_could_only_be_clamped_is_named_and_left_out(query, said):

@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
+import os
 import signal
 import subprocess
 import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
 import psutil
 import pytest
 
 from laplace_core import InputError
-from laplace_core.supervise.parallel import in_parallel
-from tests.support.jobs import die, die_once, refuse, slow_square, square
+from laplace_core.supervise.parallel import in_order, in_parallel
+from tests.support.jobs import die, die_once, interrupt_itself, note_and_wait_after, refuse, slow_square, square
 from tests.support.quick_runs import until
 from tests.support.ray_cluster import two_nodes
 
@@ -38,25 +41,72 @@ def test_a_job_whose_process_dies_is_done_again(tmp_path):
 
 
 def test_a_job_that_always_kills_its_process_is_given_up():
-    with pytest.raises(InputError, match="a process died 3 times without finishing a job, the last time with 2 to go"):
+    with pytest.raises(InputError, match="a process died 3 times without finishing a job, the last time by SIGKILL with 2 to go"):
         list(in_parallel(die, [1, 2], 2))
 
 
-def test_workers_end_with_a_parent_that_is_killed(tmp_path):
+def test_results_come_in_order(tmp_path):
+    arguments = [(str(tmp_path), number) for number in range(6)]
+    assert list(in_order(die_once, arguments, 2)) == [0, 1, 4, 9, 16, 25]  # 3 is done again, after 4 and 5
+    assert list(in_order(square, range(4))) == [0, 1, 4, 9]
+    assert list(in_order(square, [], 2)) == []
+
+
+def test_nothing_goes_on_once_results_are_given_up(tmp_path, recwarn):
+    """The first two jobs are done, and the two that wait for ever are ended with the generator."""
+    results = in_order(note_and_wait_after, [(str(tmp_path), number) for number in range(4)], 2)
+    assert [next(results), next(results)] == [0, 1]
+    results.close()
+    assert not [warning for warning in recwarn if warning.category is UserWarning]
+    workers = [psutil.Process(int(file.name)) for file in tmp_path.iterdir() if psutil.pid_exists(int(file.name))]
+    until(lambda: all(map(over, workers)))
+
+
+def over(process: psutil.Process) -> bool:
+    return not process.is_running() or process.status() == psutil.STATUS_ZOMBIE
+
+
+@contextmanager
+def at_work(folder: Path) -> Iterator[tuple[subprocess.Popen, list[psutil.Process]]]:
+    """A process, the first of a group of its own, whose two workers have begun; killed at the end."""
     code = (
         "from laplace_core.supervise.parallel import in_parallel\n"
         "from tests.support.jobs import note_and_wait\n"
-        f"list(in_parallel(note_and_wait, [({str(tmp_path)!r}, 0), ({str(tmp_path)!r}, 1)], 2))\n"
+        f"list(in_parallel(note_and_wait, [({str(folder)!r}, 0), ({str(folder)!r}, 1)], 2))\n"
     )
-    parent = subprocess.Popen([sys.executable, "-c", code], cwd=ROOT)
+    parent = subprocess.Popen(
+        [sys.executable, "-c", code], cwd=ROOT, stderr=subprocess.PIPE, text=True, start_new_session=True
+    )
     try:
-        until(lambda: len(list(tmp_path.iterdir())) == 2)
-        workers = [int(file.name) for file in tmp_path.iterdir()]
-        assert all(psutil.pid_exists(pid) for pid in workers)
+        until(lambda: len(list(folder.iterdir())) == 2)
+        yield parent, [psutil.Process(int(file.name)) for file in folder.iterdir()]
     finally:
-        parent.send_signal(signal.SIGKILL)
+        parent.kill()
         parent.wait()
-    until(lambda: not any(psutil.pid_exists(pid) for pid in workers))
+        parent.stderr.close()
+
+
+@pytest.mark.parametrize("number", [signal.SIGKILL, signal.SIGTERM])
+def test_workers_end_with_a_parent_that_is_killed(tmp_path, number):
+    with at_work(tmp_path) as (parent, workers):
+        assert not any(map(over, workers))
+        parent.send_signal(number)
+        assert parent.wait(60) == -number
+        until(lambda: all(map(over, workers)))
+
+
+def test_ctrl_c_is_for_the_parent_alone():
+    assert dict(in_parallel(interrupt_itself, [1, 2], 2)) == {0: 1, 1: 2}
+
+
+def test_ctrl_c_ends_all_and_no_worker_prints_a_traceback(tmp_path):
+    """A terminal sends it to the whole group."""
+    with at_work(tmp_path) as (parent, workers):
+        os.killpg(parent.pid, signal.SIGINT)
+        errors = parent.communicate(timeout=60)[1]
+        assert errors.count("Traceback") == 1  # of this script, which is not the command line
+        assert "KeyboardInterrupt" in errors
+        until(lambda: all(map(over, workers)))
 
 
 def test_a_cluster_that_is_not_there_is_one_sentence():
