@@ -20,6 +20,7 @@ import tempfile
 import time
 from collections.abc import Awaitable, Callable, Iterator
 from dataclasses import dataclass, field
+from functools import partial
 from importlib.util import find_spec
 from pathlib import Path
 from urllib.parse import urlencode
@@ -48,6 +49,8 @@ OLD = "674dbb3"
 _LEAST = 3  # changes of a session, however slow the machine
 _WORLDS = ("two_branch", "two_decisions", "rise_and_fade", "double_chain", "gym:FrozenLake-v1", "cliff_grid")
 _CART, _LANDER = "laplace_CartPole-v1", "laplace_LunarLander-v3"
+UPLOADERS = {"worlds": "World (.json)", "agents": "Open a checkpoint"}
+"""How the label of each page's uploader begins."""
 FAULTS = (Broken, OSError, WebSocketException)
 """What may end a visit; each is counted and told at the end."""
 _GENERIC = "encountered an error"  # what Streamlit shows where a page has died
@@ -136,11 +139,7 @@ def heavy_visits(count: int) -> Iterator[tuple[str, Callable[[Visitor], Awaitabl
         return lambda visitor: visitor.open(page, urlencode(query))
 
     def file(name: str, data: bytes) -> Callable[[Visitor], Awaitable[None]]:
-        async def give(visitor: Visitor) -> None:
-            await visitor.open("worlds")
-            await visitor.upload("", name, data)
-
-        return give
+        return lambda visitor: give(visitor, "worlds", name, data)
 
     largest = {"world": "own", "own": own, "thetas": 2000, "steps": 2000}
     for i in range(count):
@@ -158,6 +157,14 @@ def heavy_visits(count: int) -> Iterator[tuple[str, Callable[[Visitor], Awaitabl
             ("a long rollout", link("agents", checkpoint=_LANDER, **{"r.shown": "yes", "r.rule": "decoded"})),
         ]  # fmt: skip
         yield kinds[i % len(kinds)]
+
+
+async def give(visitor: Visitor, page: str, name: str, data: bytes) -> None:
+    """Open a page and give a file to its uploader."""
+    await visitor.open(page)
+    if page == "worlds":
+        await visitor.unfold("Bring your own")
+    await visitor.upload(UPLOADERS[page], name, data)
 
 
 def visits(*, short: bool) -> Iterator[Figure]:
@@ -412,11 +419,7 @@ def hostile(*, short: bool) -> Iterator[Figure]:
             for file in files(some, 0):
                 page = file.page or "worlds"
 
-                async def give(v: Visitor, page: str = page, file: object = file) -> None:
-                    await v.open(page)
-                    await v.upload("", file.name, file.content)
-
-                await one(file.name[:80], page, give)
+                await one(file.name[:80], page, partial(give, page=page, name=file.name, data=file.content))
 
         asyncio.run(everything())
         sizes = f"{many} links and {some} files, {server.limited}"

@@ -50,6 +50,7 @@ class Visitor:
 
     Attributes:
         shown: elements by their path.
+        sections: widgets of the sections that can be opened, by their labels.
         query: of the address bar, as the server has written it last.
         received: bytes of all messages.
         patience: seconds until an answer that has not come is an error.
@@ -59,6 +60,7 @@ class Visitor:
     socket: ClientConnection
     patience: float = 60.0
     shown: dict[tuple[int, ...], Place] = field(default_factory=dict)
+    sections: dict[str, str] = field(default_factory=dict)
     query: str = ""
     received: int = 0
     _path: str = ""
@@ -99,9 +101,17 @@ class Visitor:
             raise Broken(f"there is no button {label!r}")
         await self._ask({place.element.button.id: {"trigger_value": True}}, place.fragment)
 
+    async def unfold(self, label: str) -> None:
+        """Open the section of this label; what is in it comes from the server only then."""
+        name = self.sections.get(label)
+        if name is None:
+            raise Broken(f"there is no section {label!r}")
+        await self._ask({name: {"bool_value": True}})
+
     async def upload(self, label: str, name: str, data: bytes) -> None:
         """Give a file to the uploader whose label begins so."""
-        place = next((p for p in self.shown.values() if p.element.file_uploader.label.startswith(label)), None)
+        uploaders = [p for p in self.shown.values() if p.element.WhichOneof("type") == "file_uploader"]
+        place = next((p for p in uploaders if p.element.file_uploader.label.startswith(label)), None)
         if place is None:
             raise Broken(f"there is no uploader {label!r}")
         asked = BackMsg()
@@ -248,6 +258,9 @@ class Visitor:
             self.shown[path] = Place(delta.new_element, delta.fragment_id)
         elif delta.WhichOneof("type") == "add_block":
             self.shown.pop(path, None)
+            section = delta.add_block.expandable
+            if section.id:
+                self.sections[section.label] = section.id
 
     def _repeat(self, fragment: str, interval: float) -> None:
         self._stop(fragment)

@@ -9,7 +9,7 @@ from urllib.parse import parse_qs
 
 import pytest
 
-from bench.hold import FAULTS, heavy_visits
+from bench.hold import FAULTS, give, heavy_visits
 from bench.serving import ROOT, serving
 from bench.visitor import Broken, visit
 
@@ -44,6 +44,30 @@ def test_a_visitor_finds_another_page_and_gives_it_a_file(server):
             assert visitor.button("Roll out") is not None
             await visitor.upload("Open a checkpoint", "broken.safetensors", b"not a checkpoint")
             assert "broken.safetensors" in " ".join(visitor.texts("alert"))
+
+    asyncio.run(visiting())
+
+
+def test_a_file_given_to_the_worlds_page_is_opened_or_refused_there(server):
+    # The uploader lies in a closed section. Given to the first element without a label instead, every file only
+    # broke the page, and no file was tried.
+    world = (
+        '{"name": "w", "states": ["s"], "actions": ["stay"], "start": {"s": 1.0}, "transitions": '
+        '[{"state": "s", "action": "stay", "next": {"END": 1.0}, "reward": {"1": 1.0}}]}'
+    )
+
+    async def visiting() -> None:
+        async with visit(server.address) as visitor:
+            await give(visitor, "worlds", "w.json", world.encode())
+            assert not visitor.texts("exception")
+            assert parse_qs(visitor.query)["world"] == ["own"]
+            await give(visitor, "worlds", "half.json", world[:50].encode())
+            assert not visitor.texts("exception")
+            assert "not JSON" in " ".join(visitor.texts("alert"))
+            with pytest.raises(Broken, match="no uploader 'Of nothing'"):
+                await visitor.upload("Of nothing", "w.json", b"")
+            with pytest.raises(Broken, match="no section 'Of nothing'"):
+                await visitor.unfold("Of nothing")
 
     asyncio.run(visiting())
 
