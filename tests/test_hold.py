@@ -71,9 +71,9 @@ def test_memory_is_that_of_the_whole_family(server):
 
 
 def test_heavy_visits_take_turns():
-    names = [name for name, _ in heavy_visits(16)]
-    assert names[:8] == names[8:]
-    assert len(set(names)) == 8
+    names = [name for name, _ in heavy_visits(18)]
+    assert names[:9] == names[9:]
+    assert len(set(names)) == 9
 
 
 def test_help_of_hold_names_its_parts():
