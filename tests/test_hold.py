@@ -66,7 +66,7 @@ def test_a_file_given_to_the_worlds_page_is_opened_or_refused_there(server):
             assert "not JSON" in " ".join(visitor.texts("alert"))
             with pytest.raises(Broken, match="no uploader 'Of nothing'"):
                 await visitor.upload("Of nothing", "w.json", b"")
-            with pytest.raises(Broken, match="no section 'Of nothing'"):
+            with pytest.raises(Broken, match="no group 'Of nothing'"):
                 await visitor.unfold("Of nothing")
 
     asyncio.run(visiting())
@@ -95,9 +95,9 @@ def test_memory_is_that_of_the_whole_family(server):
 
 
 def test_heavy_visits_take_turns():
-    names = [name for name, _ in heavy_visits(16)]
-    assert names[:8] == names[8:]
-    assert len(set(names)) == 8
+    names = [name for name, _ in heavy_visits(18)]
+    assert names[:9] == names[9:]
+    assert len(set(names)) == 9
 
 
 def test_help_of_hold_names_its_parts():

@@ -362,7 +362,7 @@ class Kind(Generic[Result]):
         return "" if job is None else job.why
 
     def take(
-        self, key: Hashable, make: Callable[[Progress], Result], seconds: float, name: str = "",
+        self, key: Hashable, make: Callable[[Progress], Result], seconds: float, *, name: str = "",
         lower: str = "ask for less",
     ) -> Job[Result]:  # fmt: skip
         """The job of a key: the one there is, or a new one.
