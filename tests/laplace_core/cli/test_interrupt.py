@@ -27,9 +27,9 @@ VERBS = {
     "reproduce": ["reproduce", "all", "--budget"],
 }
 FUNCTIONS = {
-    "worlds": "verbs._worlds", "decode": "verbs.study", "learn": "learn.Learning", "train": "train.settings_of",
-    "evaluate": "evaluate.checked_number", "race": "race.checked_number", "report": "report.Path",
-    "search": "search.named_params", "reproduce": "reproduce.recorded_rows",
+    "worlds": "verbs._worlds", "decode": "verbs.study_of_options", "learn": "learn.Learning",
+    "train": "train.settings_of", "evaluate": "evaluate.checked_number", "race": "race.checked_number",
+    "report": "report.Path", "search": "search.named_params", "reproduce": "reproduce.recorded_rows",
 }  # fmt: skip
 """Something that each verb calls when it is at work, in the module of its name."""
 
