@@ -20,6 +20,7 @@ from urllib.parse import urlsplit
 import requests
 from streamlit.components.v2.bidi_component.constants import EVENT_DELIM
 from streamlit.proto.BackMsg_pb2 import BackMsg
+from streamlit.proto.Block_pb2 import Block
 from streamlit.proto.Element_pb2 import Element
 from streamlit.proto.ForwardMsg_pb2 import ForwardMsg
 from streamlit.runtime.state.session_state import STREAMLIT_INTERNAL_KEY_PREFIX
@@ -68,6 +69,8 @@ class Visitor:
     _fresh: set[tuple[int, ...]] = field(default_factory=set)
     _idle: asyncio.Condition = field(default_factory=asyncio.Condition)
     _urls: asyncio.Queue = field(default_factory=asyncio.Queue)
+    _groups: dict[tuple[int, ...], Block.Expandable] = field(default_factory=dict)
+    _unfolded: set[str] = field(default_factory=set)
     _again: dict[str, asyncio.Task] = field(default_factory=dict)
 
     # What a person does.
@@ -99,9 +102,17 @@ class Visitor:
             raise Broken(f"there is no button {label!r}")
         await self._ask({place.element.button.id: {"trigger_value": True}}, place.fragment)
 
+    async def unfold(self, label: str) -> None:
+        """Open the group of controls with this label, which stays open."""
+        group = next((group for group in self._groups.values() if group.label == label), None)
+        if group is None:
+            raise Broken(f"there is no group {label!r}")
+        self._unfolded.add(group.id)
+        await self._ask()
+
     async def upload(self, label: str, name: str, data: bytes) -> None:
         """Give a file to the uploader whose label begins so."""
-        place = next((p for p in self.shown.values() if p.element.file_uploader.label.startswith(label)), None)
+        place = self._first("file_uploader", label)
         if place is None:
             raise Broken(f"there is no uploader {label!r}")
         asked = BackMsg()
@@ -131,21 +142,23 @@ class Visitor:
 
     def button(self, label: str) -> Place | None:
         """The first button whose label begins so and that can be pressed."""
-        return next(
-            (
-                p
-                for p in self.shown.values()
-                if p.element.button.label.startswith(label) and not p.element.button.disabled
-            ),
-            None,
-        )
+        return self._first("button", label)
 
-    def _components(self) -> list[Place]:
-        return [place for place in self.shown.values() if place.element.WhichOneof("type") == "bidi_component"]
+    def _first(self, kind: str, label: str) -> Place | None:
+        """The first widget of a kind whose label begins so and that is not disabled."""
+        for place in self.of_kind(kind):
+            widget = getattr(place.element, kind)
+            if widget.label.startswith(label) and not widget.disabled:
+                return place
+        return None
+
+    def of_kind(self, kind: str) -> list[Place]:
+        """All elements of a kind: ``button``, ``progress``, ``alert``."""
+        return [place for place in self.shown.values() if place.element.WhichOneof("type") == kind]
 
     def component(self, name: str) -> Place:
         """The first component of the app with this name."""
-        for place in self._components():
+        for place in self.of_kind("bidi_component"):
             if place.element.bidi_component.component_name.endswith(name):
                 return place
         raise Broken(f"the page shows no {name}: {self.text()[:300]!r}")
@@ -180,8 +193,9 @@ class Visitor:
         run.context_info.url = f"{self.address}/{self._path}"
         run.context_info.timezone, run.context_info.locale = "UTC", "en"
         run.widget_states.SetInParent()
-        held = {p.element.bidi_component.id: {"json_value": "{}"} for p in self._components()}
-        for key, value in {**held, **widgets}.items():
+        held = {p.element.bidi_component.id: {"json_value": "{}"} for p in self.of_kind("bidi_component")}
+        open_groups = {group: {"bool_value": True} for group in self._unfolded}
+        for key, value in {**held, **open_groups, **widgets}.items():
             run.widget_states.widgets.add(id=key, **value)
         self._due = "asked"
         await self.socket.send(message.SerializeToString())
@@ -248,6 +262,9 @@ class Visitor:
             self.shown[path] = Place(delta.new_element, delta.fragment_id)
         elif delta.WhichOneof("type") == "add_block":
             self.shown.pop(path, None)
+            self._groups.pop(path, None)
+            if delta.add_block.WhichOneof("type") == "expandable":
+                self._groups[path] = delta.add_block.expandable
 
     def _repeat(self, fragment: str, interval: float) -> None:
         self._stop(fragment)

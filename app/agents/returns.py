@@ -55,7 +55,7 @@ def section(
         ReturnRow(_title(each, law, opened=twice and each is loaded), law, observed[i] if observed else None)
         for i, (each, law) in enumerate(zip(agents, laws, strict=True))
     ]
-    left, right = st.columns([2, 1], gap="medium")
+    left, right = st.container(key="codes").columns([2, 1], gap="medium")
     alt = "Cumulated distribution of the return, a panel an agent: learned, and observed."
     chart(figures.returns_side_by_side(rows), "codes", alt, rows_height(len(rows)), place=left)
     with right:
@@ -86,9 +86,7 @@ def _offered(
     with st.container(key="codes_line"):
         words, button = st.columns([5, 1], vertical_alignment="center")
         if rollout is None:
-            words.caption(
-                f"As learned, {name} first. Roll out to hold it against what comes from a state of an episode."
-            )
+            words.caption(f"As learned, {name} first. Roll out an episode to compare with observed returns.")
             return None
         wish = jobs.returns(agents, rollout, step, action)
         job = wish.look()
@@ -107,7 +105,7 @@ def _offered(
 
 def _offer(loaded: Loaded, step: int, name: str) -> str:
     times = f"{COUNT} times" if vector.chance(loaded.environment) else "once, because nothing here is by chance"
-    return f"As learned. What comes: {name} at step {step}, then each agent's own greedy policy, {times}."
+    return f"As learned. Simulated: {name} at step {step}, then each agent's own greedy policy, {times}."
 
 
 def _summary(observed: Sequence[SimulatedReturns], step: int, name: str) -> str:

@@ -13,6 +13,7 @@ TITLES = {
     "fading": ("for T: fading deadline", "fading deadline"),
     "readout": ("for T: readout of all discounts", "readout"),
     "decoded": ("for T: decoded tau-space (slow)", "decoded tau-space"),
+    "certified": ("for T: greedy unless another action is certainly better", "certified"),
     "matched": ("for T: nearest discount", "nearest discount"),
     "own": ("for T: values of the steps to go", "learned values"),
     "random": ("random", "random"),

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import threading
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from typing import Any, TypeVar
 
 import streamlit as st
@@ -82,3 +84,26 @@ def attempt(make: Callable[[], Result]) -> Result | None:
     except InputError as error:
         st.error(in_markdown(error))
         return None
+
+
+_large = threading.Lock()
+
+
+@contextmanager
+def turn(*, needed: bool) -> Iterator[None]:
+    """Wait until no other page computes something large: memory and processors are to last for the small ones, too.
+
+    Args:
+        needed: whether what follows is large; all else begins at once.
+    """
+    if not needed:
+        yield
+        return
+    place = st.empty()
+    while not _large.acquire(timeout=LOOK_EVERY):
+        place.caption("Waits: another large study is being computed.")  # where Streamlit ends a run that nobody awaits
+    try:
+        place.empty()
+        yield
+    finally:
+        _large.release()

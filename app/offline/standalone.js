@@ -176,8 +176,14 @@ function axes(pen, box, { x, y, across = [Number, Number], xTicks, yTicks, xTitl
       );
     pen.text(words, X(value), box.y + box.h + 13, { align: "center", colour: colours.soft, size: 10.5 });
   }
-  if (xTitle)
-    pen.text(xTitle, box.x + box.w / 2, box.y + box.h + 27, { align: "center", colour: colours.soft, size: 11 });
+  if (xTitle) {
+    const fits = pen.width(xTitle, 11) <= box.w + 6;
+    pen.text(xTitle, box.x + box.w / (fits ? 2 : 1), box.y + box.h + 27, {
+      align: fits ? "center" : "right",
+      colour: colours.soft,
+      size: fits ? 11 : 10
+    });
+  }
   if (yTitle)
     pen.text(yTitle, box.x - 36, box.y + box.h / 2, { align: "center", colour: colours.soft, size: 11, turn: true });
   return {
@@ -1638,10 +1644,11 @@ var inside = (w, h, { left = 46, right = 10, top: top2 = 28, bottom = 34 } = {})
   h: h - top2 - bottom
 });
 function titled(pen, w, words, note, { colours }, under = true) {
-  pen.text(words, 2, 15, { size: 14, weight: 600, colour: colours.text });
+  const full = pen.width(words, 14, 600), size = 14 * Math.min(1, (w - 4) / full);
+  pen.text(words, 2, 15, { size, weight: 600, colour: colours.text });
   if (!note) return;
-  const beside = pen.width(words, 14, 600) + pen.width(note, 11) + 14 < w;
-  if (beside || under)
+  const beside = full + pen.width(note, 11) + 14 < w;
+  if (beside || under && pen.width(note, 10.5) < w - 50)
     pen.text(note, w - 4, beside ? 15 : 26, { size: beside ? 11 : 10.5, align: "right", colour: colours.soft });
 }
 function marked(pen, { box, X, Y }, { x, y }, colours) {

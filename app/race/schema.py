@@ -89,7 +89,7 @@ def parameters(loaded: Loaded, other: Loaded | None = None) -> dict[str, Paramet
     return by_name(
         Parameter(HORIZON, usual_horizon(loaded), 1, longest_horizon(loaded), _STOPPED),
         Parameter(START, 0, 0, MOST_START, f"Both sides begin from it. {_HELD_OUT}"),
-        Parameter(LEFT, None, help="What the right side is held against.", kind=str, choices=left),
+        Parameter(LEFT, None, help="The rule that the right side is compared with.", kind=str, choices=left),
         Parameter(GAMMA, None, 1e-6, 0.999999, "It takes the best action at this discount.", float),
         Parameter(RIGHT, None, help=_RIGHT_HELP, kind=str, choices=rules_of(loaded.agent)),
         Parameter(AT, None, 0, 10_000, "Steps that are over under the cursor.", int),

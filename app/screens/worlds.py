@@ -5,9 +5,11 @@ from __future__ import annotations
 import streamlit as st
 
 from app.components.lens.state import LIVE
+from app.components.waiting import turn
 from app.session import store
 from app.session.typed import in_markdown
 from app.view import compute, panels
+from app.view.subjects import View
 from app.worlds import bring, compare, export, learners, learning, sidebar, sources
 from app.worlds.presets import presets_for
 from app.worlds.schema import LINK
@@ -35,10 +37,27 @@ def _view(*, running: bool) -> None:
         learned, watched = learning.current(world) if world is not None else (None, None)
         view = sources.view_of(store.chosen(), learned)
         base = sources.view_of(store.without(*LIVE), learned)
+        large = compute.is_large(view)
+    except InputError as error:
+        _refuse(error)
+        return
+    with turn(needed=large):
+        _pictures(view, base, watched, running=running)
+    if learners.at_work() != running:  # learning began or ended: look oftener, or no more
+        st.rerun()
+
+
+def _refuse(error: InputError) -> None:
+    st.error(in_markdown(error))
+    st.button("Undo the last change", on_click=store.undo)
+
+
+def _pictures(view: View, base: View, watched: learners.Watched | None, *, running: bool) -> None:
+    """All that is computed of a view."""
+    try:
         compute.study_for(view)
     except InputError as error:
-        st.error(in_markdown(error))
-        st.button("Undo the last change", on_click=store.undo)
+        _refuse(error)
         return
     store.worked()
     learning.strip(view, watched)
@@ -51,8 +70,6 @@ def _view(*, running: bool) -> None:
     bring.editor(view)
     if not running:  # what is learned changes under the search
         panels.explain(view)
-    if learners.at_work() != running:  # learning began or ended: look oftener, or no more
-        st.rerun()
 
 
 page()

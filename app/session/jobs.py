@@ -128,7 +128,7 @@ class Job(Generic[Result]):
             raise self._error
         if self.gone:
             return self.result()
-        return cast(Result, self._result)
+        return cast(Result, self._result)  # it has one, for it neither failed nor was ended
 
     @property
     def refusal(self) -> str | None:
@@ -362,7 +362,7 @@ class Kind(Generic[Result]):
         return "" if job is None else job.why
 
     def take(
-        self, key: Hashable, make: Callable[[Progress], Result], seconds: float, name: str = "",
+        self, key: Hashable, make: Callable[[Progress], Result], seconds: float, *, name: str = "",
         lower: str = "ask for less",
     ) -> Job[Result]:  # fmt: skip
         """The job of a key: the one there is, or a new one.

@@ -17,6 +17,7 @@ from laplace_core.study.compare import Space, difference, summary, value_differe
 from laplace_core.study.episodes import episode_regret_of
 from laplace_core.study.pipeline import WorldStudy
 from laplace_core.study.settings import Resolved
+from laplace_core.study.size import largest_study, size_of
 from laplace_core.study.trials import Trials
 from laplace_core.study.verdict import Verdict, judge
 from laplace_core.tabular import Bands, Learned, bands, return_distributions
@@ -29,6 +30,21 @@ def _study(subject: Subject, settings: Resolved) -> Study:
 
 def study_for(view: View) -> Study:
     return _study(view.subject, view.settings)
+
+
+LARGE = 1_000_000
+"""Numbers in the largest array of a study from which on pages compute one at a time: 8 MB, many times over."""
+
+
+def is_large(view: View) -> bool:
+    """Whether a study takes so much memory and time that no two are to be computed at once; not if it is refused."""
+    s, space = view.settings, view.subject.gamma_space
+    shape = len(view.subject.action_names), s.gammas or 0, s.thetas or 0  # None where a gamma-space has its own
+    if space is not None:
+        actions, gammas, thetas = space.values.shape
+        shape = (actions, gammas, thetas)
+    rewards = 1 if view.world is None else view.world.reward_values.size
+    return LARGE < size_of(*shape, s.steps, rewards=rewards) <= largest_study()
 
 
 def horizon_of(view: View) -> float:

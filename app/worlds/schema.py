@@ -93,8 +93,8 @@ def _learner_is_there(values: Values) -> None:
     shown = str(values.get("learner", "mean"))
     if values.get("source") != "learned" or not shown.isdecimal():
         return
-    usual = by_name(*LEARN_SCHEMA)["seeds"].default
-    count = len(tabular.agent(values["agent"]).basis) if "agent" in values else int(values.get(f"{LEARN}seeds", usual))
+    asked = values.get(f"{LEARN}seeds", by_name(*LEARN_SCHEMA)["seeds"].default)
+    count = len(tabular.agent(values["agent"]).basis) if "agent" in values else int(str(asked))
     if int(shown) >= count:
         raise InputError(f"learner {shown} is not there: {count} learned, of which the first is 0.")
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import io
 import json
+import re
 import sys
 from collections.abc import Sequence
 from functools import cache
@@ -44,7 +45,8 @@ class _Parser(argparse.ArgumentParser):
     """argparse, with its errors in one line."""
 
     def error(self, message: str) -> NoReturn:
-        raise InputError(f"{message} (see {self.prog} --help)")
+        named = re.sub(r"'([^']{40})[^']+'", r"'\1...'", message)  # as much of a long word as names it
+        raise InputError(f"{named} (see {self.prog} --help)")
 
 
 def main(argv: Sequence[str] | None = None) -> int:

@@ -4,7 +4,7 @@ Rules such as cross-validation make the *prediction* of gamma-space best. What a
 factor that depends on the transform, and no rule knows it. Here log alpha is a weighted sum of a few numbers that any
 problem has (:data:`FEATURES`), among them two rules that need no noise level: marginal likelihood and quasi-optimality,
 both on the masses that are to be decoded. The coefficients are those which come nearest to the alphas whose timelines
-are nearest to the truth (``python -m laplace_core report auto``), one set for each linear solver, with and without
+are nearest to the truth (``python -m laplace_core report auto``), one set for each solver, with and without
 deviations of the discounts. How good the result is on other worlds: ``python -m laplace_core study``.
 """
 
@@ -61,9 +61,9 @@ def auto_alpha(sweep: Sweep) -> float:
         InputError: a solver that has no coefficients.
     """
     known = _coefficients()
-    if sweep.solver not in known:
-        raise InputError(f"alpha auto is for the solvers {', '.join(known)}.")
-    weights = known[sweep.solver]["equal" if sweep.spectrum.weights is None else "weighted"]
+    if sweep.target not in known:
+        raise InputError(f"alpha auto is for the solvers {', '.join(known)}, not for {sweep.target}.")
+    weights = known[sweep.target]["equal" if sweep.spectrum.weights is None else "weighted"]
     low, high = sweep.alphas[0], sweep.alphas[-1]
     return float(np.clip(np.exp(features(sweep) @ weights), low, high))
 

@@ -13,9 +13,9 @@ from functools import cached_property
 import numpy as np
 
 from laplace_core.errors import InputError
-from laplace_core.inverse.linear import LINEAR, linear_solver, shares_kept, shares_lost
+from laplace_core.inverse.linear import LINEAR, shares_kept, shares_lost
 from laplace_core.inverse.problem import Problem
-from laplace_core.inverse.solvers import spectrum_for
+from laplace_core.inverse.solvers import selecting, spectrum_for
 from laplace_core.inverse.spectrum import Spectrum
 
 SWEEP = 200
@@ -84,6 +84,7 @@ class Sweep:
             size is not known.
         masses: components of the masses themselves, of all bins and actions.
         time_step: from one row to the next, in steps of the world.
+        target: the solver that alpha is for; ``solver`` itself where that is linear.
     """
 
     spectrum: Spectrum
@@ -95,7 +96,8 @@ class Sweep:
     cross: np.ndarray
     expected: np.ndarray | None
     masses: Energies
-    time_step: float = 1.0
+    time_step: float
+    target: str
 
     @property
     def discounts(self) -> int:
@@ -188,18 +190,20 @@ def sweep_of(
     noise: np.ndarray | None = None,
     each_bin: bool = False,
 ) -> Sweep:
-    """A problem at many alphas, for a linear solver.
+    """A problem at many alphas.
 
     Args:
+        solver: one of ``SOLVERS``. One that is not linear has no influence matrix: the sweep is then that of
+            ``ALPHA_OF``, whose penalty it shares.
         alphas: increasing; default :func:`sweep_alphas`.
         noise: ``(G,)``, standard deviation of the error of one sensitivity's value at each discount, in the units of
             the masses; None where its size is not known. That of ``problem.deviations`` may be relative.
         each_bin: whether every bin has an alpha of its own.
 
     Raises:
-        InputError: a solver that is not linear, or noise that does not fit.
+        InputError: no such solver, or noise that does not fit.
     """
-    linear_solver(solver)
+    target, solver = solver, selecting(solver)
     spectrum, masses = spectrum_for(problem, solver), problem.masses
     G, bins = masses.shape[-2:]
     stacked = masses.reshape(-1, G, bins)
@@ -230,4 +234,5 @@ def sweep_of(
         expected=expected,
         masses=_energies(spectrum.weighted(np.moveaxis(stacked, 1, 0).reshape(G, -1)), directions),
         time_step=problem.time_step,
+        target=target,
     )

@@ -35,6 +35,8 @@ PENALTY = 1e-7
 BATCH = 40
 LEAST_DEVIATION = 1e-4
 """Of the largest deviation that seeds show: what a few of them happen to agree on is not known without any error."""
+ROUNDING = 1e-14
+"""Of the masses: seeds that differ by less do not differ."""
 HEARD = 0.3
 """What a direction of the whitened data must be able to change, in units of its noise, to count in the misfit. The rest
 is noise whatever the timeline."""
@@ -141,10 +143,10 @@ def check_seeds(
     masses = _masses(channels_of(values, constant, weights))  # (n, A, B, G)
     _, actions, bins, discounts = masses.shape
     least = LEAST_DEVIATION * float(masses.std(axis=0, ddof=1).max())
-    if not least > 0.0:
+    if least <= ROUNDING * np.abs(masses).max():
         raise InputError("the seeds do not differ, so that they show no noise: give a noise level.")
     flat = masses.reshape(n, actions, bins * discounts)
-    roots = np.array([np.linalg.cholesky(shrunk_covariance(flat[:, a])) for a in range(actions)])
+    roots = np.array([_root(shrunk_covariance(flat[:, a], least)) for a in range(actions)])
     deviations = constant.std(axis=0, ddof=1) / np.sqrt(n)
     axis = _axis(gamma_space.gammas, np.maximum(deviations.max(axis=0), np.finfo(float).tiny))
 
@@ -180,6 +182,12 @@ def shrunk_covariance(samples: np.ndarray, least: float = 0.0) -> np.ndarray:
     total = (correlation[off] ** 2).sum()
     share = float(np.clip(variance[off].sum() / total, 0.02, 1.0)) if total > 0 else 1.0
     return np.where(off, (1.0 - share) * correlation, 1.0) * np.outer(deviations, deviations)
+
+
+def _root(covariance: np.ndarray) -> np.ndarray:
+    """R with R R^T = covariance, from its correlations: variances may differ by many orders."""
+    deviations = np.sqrt(np.diag(covariance))
+    return np.asarray(deviations[:, None] * np.linalg.cholesky(covariance / np.outer(deviations, deviations)))
 
 
 def _moderate(errors: np.ndarray) -> np.ndarray:

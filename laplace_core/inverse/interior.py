@@ -172,7 +172,7 @@ def _step(A: np.ndarray, axis: Axis, penalty: np.ndarray, point: _Point, residua
     weighted = A * spared[..., None, :]  # (n, B, r, C)
     inner = weighted @ np.swapaxes(A, -1, -2)
     rank = np.arange(A.shape[-2])
-    inner[..., rank, rank] += 1.0 + 1e-14 * inner[..., rank, rank]  # what rounding may take from the identity
+    inner[..., rank, rank] += 1.0 + 2e-13 * inner[..., rank, rank]  # what rounding may take from the identity
     whitened = np.linalg.inv(np.linalg.cholesky(inner)) @ weighted
     lumped = axis.survival(whitened).reshape(n, -1, stretches)
     free = d / zd

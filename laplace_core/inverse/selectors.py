@@ -210,7 +210,7 @@ class AlphaRecord:
         rule: as it was asked for: ``typed``, ``auto`` or a rule.
         value: the alpha; a tuple, one for each bin, where each has its own.
         criterion: the rule that decided; None of a typed value.
-        solver: whose alpha it is.
+        solver: the linear solver that the rule looked at.
         alphas: every alpha that was tried.
         curve: the criterion at each of them; None where it has no value. A tuple of curves where each bin has its own.
         edge: ``lower`` or ``upper`` where the choice is the first or last alpha with a value, so that the true optimum
@@ -249,7 +249,7 @@ def choose_alpha(
     :class:`laplace_core.inverse.components.Sweep`.
 
     Args:
-        solver: a linear one.
+        solver: one of ``SOLVERS``; for one that is not linear the rules look at Tikhonov, whose penalty it shares.
         rule: one of ``SELECTORS``, or ``auto``.
         noise: ``(G,)``, standard deviation of the error of one sensitivity's value at each discount.
         each_bin: whether every bin has an alpha of its own.
@@ -273,7 +273,7 @@ def choose_alpha(
         rule=rule,
         value=plain(sweep.alphas[at[criterion]]),
         criterion=criterion,
-        solver=solver,
+        solver=sweep.solver,
         alphas=tuple(sweep.alphas.tolist()),
         curve=plain_curve(curves[criterion], each_bin=each_bin),
         edge=plain(_edges(curves[criterion], at[criterion])),

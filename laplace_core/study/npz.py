@@ -19,11 +19,12 @@ from laplace_core.code.gamma_space import GammaSpace, check_gammas, check_shapes
 from laplace_core.code.ties import greedy_action
 from laplace_core.errors import InputError
 from laplace_core.files.atomic import atomic_write
-from laplace_core.inverse import is_linear
+from laplace_core.inverse import is_linear, solve
+from laplace_core.inverse.bands import Bands, bands, bands_by_draws, layers_of
 from laplace_core.study.conventions import check_convention, order_of_axes
 from laplace_core.study.horizon import regret
 from laplace_core.study.kernels import averaging_kernel_of, discount_kernel_of
-from laplace_core.study.pipeline import Study
+from laplace_core.study.pipeline import Study, decoder, noise_of
 from laplace_core.study.settings import BY_NAME
 from laplace_core.study.size import largest_study
 from laplace_core.worlds import MAX_STATES
@@ -32,6 +33,7 @@ MAX_BYTES = 400_000_000
 """Most that a file's arrays may take together, as float64; as much as the largest study where that is less."""
 _MOST = {"gammas": int(BY_NAME["gammas"].bounds[1]), "thetas": int(BY_NAME["thetas"].bounds[1])}
 """Entries of a file's grids: as many as those of a world may have."""
+BAND_DRAWS = 20
 _WANTED = ("gamma_space", "gammas", "thetas", "constant_channel", "open_ends", "places")
 
 
@@ -66,6 +68,9 @@ def study_arrays(study: Study) -> dict[str, Any]:
             "true_expected_reward": truth.expected_reward,
             "true_horizon_values": truth.horizon_values,
         }
+    found = bands_of_study(study)
+    if found is not None:
+        arrays |= {"band": found.noise, "band_bias": found.bias}
     arrays = {name: np.ascontiguousarray(array, dtype=np.float64) for name, array in arrays.items()}
     arrays |= {"read_row": np.array(read), "chosen": chosen, "alpha": np.array(study.settings.alpha)}
     if truth is not None:
@@ -77,6 +82,22 @@ def study_arrays(study: Study) -> dict[str, Any]:
         "settings": np.array(json.dumps(settings)),
         "alpha_record": np.array(study.alpha_record.as_json()),
     }
+
+
+def bands_of_study(study: Study) -> Bands | None:
+    """Errors of the expected rewards of a study, ``(A, K)``, before any rescaling; None where no noise level is given.
+
+    Of a linear solver the noise is exact; of another one it is measured over ``BAND_DRAWS`` draws.
+    """
+    s, space = study.settings, study.gamma_space
+    deviations = noise_of(s, space.gammas)
+    if deviations is None:
+        return None
+    if is_linear(s.solver):
+        matrix = decoder(space.gammas, s)
+        return bands(space, s.steps, s.alpha, deviations, time_step=s.time_step, matrix=matrix)
+    layers = layers_of(space, s.steps, deviations, time_step=s.time_step)
+    return bands_by_draws(lambda problem, alpha: solve(problem, s.solver, alpha), layers, s.alpha, draws=BAND_DRAWS)
 
 
 def save_study(study: Study, path: str | Path) -> None:

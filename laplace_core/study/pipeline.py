@@ -30,7 +30,6 @@ from laplace_core.inverse import (
     solve,
 )
 from laplace_core.inverse.smoothing import filtered, probability_filter
-from laplace_core.inverse.solvers import selecting
 from laplace_core.planning import (
     check_policy,
     finite_horizon_optimum,
@@ -353,7 +352,7 @@ def with_alpha(gamma_space: GammaSpace, settings: AnyResolved) -> tuple[AnyResol
     if s.selector == "typed":
         return s, None
     problem = problem_for(gamma_space, s, row_read(s))
-    record = choose_alpha(problem, selecting(s.solver), s.selector, noise=noise_of(s, gamma_space.gammas))
+    record = choose_alpha(problem, s.solver, s.selector, noise=noise_of(s, gamma_space.gammas))
     assert isinstance(record.value, float)  # one for all bins
     return replace(s, alpha=record.value), record
 

@@ -20,14 +20,19 @@ def set_largest_study(numbers: int) -> None:
     _most = min(numbers, MAX_VALUES)
 
 
+def size_of(actions: int, gammas: int, thetas: int, steps: int, *, rewards: int = 1, learners: int = 1) -> int:
+    """Numbers of the largest array of a study, or of one for each of several learners."""
+    rows = max(gammas, steps)
+    return learners * max(actions * thetas * rows, rewards * thetas, actions * rewards * rows)
+
+
 def check_size(actions: int, gammas: int, thetas: int, steps: int, *, rewards: int = 1, learners: int = 1) -> None:
     """Refuse a study, or one for each of several learners, that would hold more.
 
     Raises:
         InputError: naming the numbers, and what to lower.
     """
-    rows = max(gammas, steps)
-    size = learners * max(actions * thetas * rows, rewards * thetas, actions * rewards * rows)
+    size, rows = size_of(actions, gammas, thetas, steps, rewards=rewards, learners=learners), max(gammas, steps)
     if size > _most:
         several = f"{learners} learners, " if learners > 1 else ""
         raise InputError(

@@ -257,8 +257,15 @@ export function axes(
       );
     pen.text(words, X(value), box.y + box.h + 13, { align: 'center', colour: colours.soft, size: 10.5 });
   }
-  if (xTitle)
-    pen.text(xTitle, box.x + box.w / 2, box.y + box.h + 27, { align: 'center', colour: colours.soft, size: 11 });
+  if (xTitle) {
+    // in a narrow picture it ends with the axis, so that neither its edge nor its neighbour cuts it
+    const fits = pen.width(xTitle, 11) <= box.w + 6;
+    pen.text(xTitle, box.x + box.w / (fits ? 2 : 1), box.y + box.h + 27, {
+      align: fits ? 'center' : 'right',
+      colour: colours.soft,
+      size: fits ? 11 : 10,
+    });
+  }
   if (yTitle)
     pen.text(yTitle, box.x - 36, box.y + box.h / 2, { align: 'center', colour: colours.soft, size: 11, turn: true });
   return {

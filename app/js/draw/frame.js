@@ -17,7 +17,8 @@ export const inside = (w, h, { left = 46, right = 10, top = 28, bottom = 34 } = 
 });
 
 /**
- * Writes a title and a note: beside it where there is room, else under it, where `under` says so.
+ * Writes a title and a note: beside it where there is room, else under it, where `under` says so. In a narrow picture
+ * the title is smaller, and a note that would run into the labels of the axis is left out.
  * @param {Pen} pen
  * @param {number} w - width of the picture
  * @param {string} words
@@ -27,10 +28,12 @@ export const inside = (w, h, { left = 46, right = 10, top = 28, bottom = 34 } = 
  * @returns {void}
  */
 export function titled(pen, w, words, note, { colours }, under = true) {
-  pen.text(words, 2, 15, { size: 14, weight: 600, colour: colours.text });
+  const full = pen.width(words, 14, 600),
+    size = 14 * Math.min(1, (w - 4) / full);
+  pen.text(words, 2, 15, { size, weight: 600, colour: colours.text });
   if (!note) return;
-  const beside = pen.width(words, 14, 600) + pen.width(note, 11) + 14 < w;
-  if (beside || under)
+  const beside = full + pen.width(note, 11) + 14 < w;
+  if (beside || (under && pen.width(note, 10.5) < w - 50))
     pen.text(note, w - 4, beside ? 15 : 26, { size: beside ? 11 : 10.5, align: 'right', colour: colours.soft });
 }
 

@@ -26,7 +26,10 @@ SEED = 1000
 """Of the worlds that are fitted; studies use others."""
 PROBLEMS = 4
 """Of each world, each with a grid and a noise of its own."""
-ALPHAS = np.geomspace(1e-6, 100.0, 56)
+ALPHAS, FEW_ALPHAS = np.geomspace(1e-6, 100.0, 56), np.geomspace(1e-5, 10.0, 13)
+"""Of a linear solver, and of a slow one."""
+SLOW, SLOW_WORLDS, SLOW_PROBLEMS = ("nonnegative", "feasible"), 60, 1
+"""Slow solvers, and how many worlds and problems of each they are fitted to."""
 GOOD, NEAR = 1.2, 1.3
 NOTHING = 1e-6
 WEIGHTINGS = ("weighted", "equal")
@@ -34,12 +37,13 @@ _ROUNDS, _LEAST_DEVIATION, _RIDGE = 60, 0.3, 1e-2
 
 
 class Example(NamedTuple):
-    """One problem and one solver: its features ``(8,)``, and the distance at each of ``ALPHAS``."""
+    """One problem and one solver: its features ``(8,)``, and the distance at each of ``alphas``."""
 
     world: int
     solver: str
     weighting: str
     features: np.ndarray
+    alphas: np.ndarray
     distances: np.ndarray
 
 
@@ -48,20 +52,22 @@ def examples_of(world: int) -> list[Example]:
     rng = np.random.default_rng([SEED, world, 1])
     case = random_case(np.random.default_rng([SEED, world]))
     examples = []
-    for _ in range(PROBLEMS):
+    for number in range(PROBLEMS):
         noise, gammas = 10.0 ** rng.uniform(-5.0, -1.3), _gammas(rng)
         weighted = case.problem(noise, seed=int(rng.integers(10**6)), gammas=gammas)
         equal = Problem(weighted.masses, weighted.gammas, weighted.steps, weighted.time_step)
+        slow = SLOW if world < SLOW_WORLDS and number < SLOW_PROBLEMS else ()
         for weighting, problem in zip(WEIGHTINGS, (weighted, equal), strict=True):
-            for solver in LINEAR:
+            for solver in (*LINEAR, *slow):
+                alphas = ALPHAS if solver in LINEAR else FEW_ALPHAS
                 distances = [
                     mean_time_distance(
                         solve(problem, solver, alpha).masses, case.masses, case.settings.time_step
                     ).mean()
-                    for alpha in ALPHAS
+                    for alpha in alphas
                 ]  # fmt: skip
                 found = features(sweep_of(problem, solver))
-                examples.append(Example(world, solver, weighting, found, np.maximum(distances, NOTHING)))
+                examples.append(Example(world, solver, weighting, found, alphas, np.maximum(distances, NOTHING)))
     return examples
 
 
@@ -75,9 +81,8 @@ def _gammas(rng: np.random.Generator) -> np.ndarray:
 
 def fitted(examples: list[Example]) -> np.ndarray:
     """Coefficients ``(8,)``, by iteratively reweighted least squares towards the nearest good alpha."""
-    places = np.log(ALPHAS)
-    good = [np.flatnonzero(each.distances <= GOOD * each.distances.min()) for each in examples]
-    low, high = (np.array([places[which[end]] for which in good]) for end in (0, -1))
+    good = [np.log(each.alphas[each.distances <= GOOD * each.distances.min()]) for each in examples]
+    low, high = (np.array([alphas[end] for alphas in good]) for end in (0, -1))
     X = np.array([each.features for each in examples])
     weights = np.linalg.lstsq(X, (low + high) / 2.0, rcond=None)[0]
     for _ in range(_ROUNDS):
@@ -90,9 +95,8 @@ def fitted(examples: list[Example]) -> np.ndarray:
 
 def near(examples: list[Example], weights: np.ndarray) -> float:
     """Share of the examples whose distance is at most ``NEAR`` times the least."""
-    places = np.log(ALPHAS)
     ratios = [
-        np.exp(np.interp(each.features @ weights, places, np.log(each.distances))) / each.distances.min()
+        np.exp(np.interp(each.features @ weights, np.log(each.alphas), np.log(each.distances))) / each.distances.min()
         for each in examples
     ]
     return float(np.mean(np.array(ratios) <= NEAR))
@@ -111,10 +115,10 @@ def report(
     lines = [
         f"{worlds} worlds of seed {SEED}, {PROBLEMS} problems each; within {NEAR} of the least distance on the half "
         "that was not fitted",
-        f"{'solver':10} " + " ".join(f"{name:>10}" for name in WEIGHTINGS),
+        f"{'solver':11} " + " ".join(f"{name:>10}" for name in WEIGHTINGS),
     ]
     shares: dict[str, dict[str, float]] = {}
-    for solver in LINEAR:
+    for solver in (*LINEAR, *SLOW):
         coefficients[solver], shares[solver] = {}, {}
         for weighting in WEIGHTINGS:
             own = [each for each in examples if each.solver == solver and each.weighting == weighting]
@@ -122,7 +126,7 @@ def report(
             crossed = [near(halves[1 - half], fitted(halves[half])) for half in (0, 1) if all(halves)]
             shares[solver][weighting] = float(np.mean(crossed)) if crossed else float("nan")
             coefficients[solver][weighting] = np.round(fitted(own), 5).tolist()
-        lines.append(f"{solver:10} " + " ".join(f"{shares[solver][name]:10.1%}" for name in WEIGHTINGS))
+        lines.append(f"{solver:11} " + " ".join(f"{shares[solver][name]:10.1%}" for name in WEIGHTINGS))
     command = f"python -m laplace_core report auto --worlds {worlds}"
     numbers = {"command": command, "features": list(FEATURES), "coefficients": coefficients, "near": shares}
     return numbers, "\n".join(lines)

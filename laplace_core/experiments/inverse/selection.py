@@ -8,9 +8,9 @@ is :func:`laplace_core.inverse.distances.mean_time_distance` (Wasserstein-1 over
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
-from functools import partial
+from functools import cache, partial
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -20,7 +20,7 @@ from laplace_core.code.encoding import PAPER_GAMMAS, discount_grid
 from laplace_core.errors import InputError
 from laplace_core.experiments.inverse.random_cases import RandomCase, random_case
 from laplace_core.experiments.inverse.table_file import TableFile
-from laplace_core.inverse import SELECTORS, SOLVERS, Problem, choose_alpha, is_linear, solve
+from laplace_core.inverse import LINEAR, SELECTORS, SOLVERS, Problem, choose_alpha, is_linear, solve
 from laplace_core.inverse.components import sweep_alphas
 from laplace_core.inverse.distances import (
     choice_regret,
@@ -29,6 +29,7 @@ from laplace_core.inverse.distances import (
     total_variation,
     value_error,
 )  # fmt: skip
+from laplace_core.inverse.linear import shares_kept
 from laplace_core.inverse.solvers import selecting, spectrum_for
 from laplace_core.supervise.parallel import in_parallel
 
@@ -120,46 +121,65 @@ def _alphas(problem: Problem, solver: str, selectors: Sequence[str]) -> list[tup
     noise = problem.deviations
     chosen: list[tuple[str, float | None]] = []
     for name in selectors:
-        alpha = choose_alpha(problem, selecting(solver), name, noise=noise).value
+        alpha = choose_alpha(problem, solver, name, noise=noise).value
         assert isinstance(alpha, float)  # one for all bins
         chosen.append((name, alpha))
     return [(NO_SELECTOR, None), *chosen]
 
 
 class _Measured:
-    """One solver on one problem: what each alpha gives, computed once."""
+    """One solver on one problem: what each alpha gives."""
 
     def __init__(self, case: RandomCase, problem: Problem, solver: str):
         self._case, self._problem, self._solver = case, problem, solver
         self._truth = case.values_of(case.rewards)
-        self._known: dict[float, tuple[float, ...]] = {}
+        near = _Linear(case, problem, solver).measured if is_linear(solver) else self._solved
+        self._near: Callable[[float], tuple[float, float]] = cache(near)
         count = ALPHAS if is_linear(solver) else FEW_ALPHAS
-        spectrum = spectrum_for(problem, selecting(solver))
-        alphas = sweep_alphas(spectrum, selecting(solver), count) if SOLVERS[solver].has_alpha else np.ones(1)
-        self._best = min(alphas.tolist(), key=lambda alpha: self._at(alpha)[0])
+        linear = selecting(solver)
+        alphas = sweep_alphas(spectrum_for(problem, linear), linear, count) if SOLVERS[solver].has_alpha else np.ones(1)
+        self._best = min(alphas.tolist(), key=lambda alpha: self._near(alpha)[0])
 
     def row(self, alpha: float | None) -> tuple[Any, ...]:
         """The columns from ``alpha`` on; None is the alpha of least distance."""
         alpha = self._best if alpha is None else alpha
-        distance, regret, *more = self._at(alpha)
+        distance, regret = self._near(alpha)
         # A selector may hit an alpha between those of the sweep that is better still.
-        least, regret_at_least, *_ = min(self._at(self._best), self._at(alpha))
-        return alpha, distance, least, regret, regret_at_least, *more
+        least, regret_at_least = min(self._near(self._best), self._near(alpha))
+        case, solution = self._case, solve(self._problem, self._solver, alpha)
+        return (
+            alpha, distance, least, regret, regret_at_least,
+            float(relative_error(solution.masses, case.masses).mean()),
+            float(total_variation(solution.masses, case.masses).mean()),
+            value_error(case.values_of(solution.masses @ case.worth), self._truth),
+            float(np.mean(solution.degrees_of_freedom)),
+        )  # fmt: skip
 
-    def _at(self, alpha: float) -> tuple[float, ...]:
-        if alpha not in self._known:
-            case = self._case
-            solution = solve(self._problem, self._solver, alpha)
-            values = case.values_of(solution.masses @ case.worth)
-            self._known[alpha] = (
-                float(mean_time_distance(solution.masses, case.masses, case.settings.time_step).mean()),
-                choice_regret(values, self._truth),
-                float(relative_error(solution.masses, case.masses).mean()),
-                float(total_variation(solution.masses, case.masses).mean()),
-                value_error(values, self._truth),
-                float(np.mean(solution.degrees_of_freedom)),
-            )
-        return self._known[alpha]
+    def _solved(self, alpha: float) -> tuple[float, float]:
+        """Distance and regret, from the solution itself."""
+        case, masses = self._case, solve(self._problem, self._solver, alpha).masses
+        distance = mean_time_distance(masses, case.masses, case.settings.time_step).mean()
+        return float(distance), choice_regret(case.values_of(masses @ case.worth), self._truth)
+
+
+class _Linear:
+    """Distance and regret of a linear solver at any alpha, from components that are summed over time beforehand."""
+
+    def __init__(self, case: RandomCase, problem: Problem, solver: str):
+        self._case, self._kind, self._spectrum = case, LINEAR[solver].filter, spectrum_for(problem, solver)
+        spectrum, truth = self._spectrum, case.masses
+        self._parts = spectrum.U.T @ spectrum.weighted(problem.masses)  # (A, r, B)
+        self._running, self._true = np.cumsum(spectrum.rows, axis=0), np.cumsum(truth, axis=-2)
+        self._worths = self._parts @ case.worth  # (A, r)
+        mass = np.abs(truth).sum(axis=(-2, -1))
+        self._mass, self._values = np.where(mass > 0.0, mass, 1.0), case.values_of(case.rewards)
+
+    def measured(self, alpha: float) -> tuple[float, float]:
+        kept = shares_kept(self._spectrum, np.array([alpha]), self._kind)[0]
+        off = self._running @ (kept[:, None] * self._parts) - self._true
+        distance = self._case.settings.time_step * np.abs(off).sum(axis=(-2, -1)) / self._mass
+        values = self._case.values_of((kept * self._worths) @ self._spectrum.rows.T)
+        return float(distance.mean()), choice_regret(values, self._values)
 
 
 def run(

@@ -211,4 +211,4 @@ def test_a_cancelled_simulation_is_asked_for_anew(shipped, monkeypatch):
     page.button(key="simulate returns").click().run()
     page.button(key="cancel returns").click().run()
     wait(page, lambda page: any(button.key == "simulate returns" for button in page.button))
-    assert "What comes" in words(page)
+    assert "Simulated: " in words(page)

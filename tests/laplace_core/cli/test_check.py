@@ -45,7 +45,7 @@ def test_a_world_is_tested_as_it_would_be_decoded(capsys):
 
 def test_seeds_of_a_learned_agent_show_their_noise(tmp_path, capsys):
     path = str(tmp_path / "learned.safetensors")
-    assert main(["learn", "two_branch", "--seeds", "4", "--episodes", "200", "--out", path]) == 0
+    assert main(["learn", "two_branch", "--param", "slip=0.2", "--seeds", "4", "--episodes", "200", "--out", path]) == 0
     capsys.readouterr()
     assert main(["check", path, "--json"]) == 0
     assert json.loads(capsys.readouterr().out)["noise"] == "from 4 seeds"

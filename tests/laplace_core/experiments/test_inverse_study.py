@@ -31,10 +31,27 @@ def test_a_row_is_what_the_parts_say():
     alpha = choose_alpha(problem, "tikhonov", "gcv").value
     masses = solve(problem, "tikhonov", alpha).masses
     assert rows[1]["alpha"] == alpha
-    assert rows[1]["distance"] == mean_time_distance(masses, case.masses, case.settings.time_step).mean()
-    assert rows[1]["regret"] == choice_regret(case.values_of(masses @ case.worth), case.values_of(case.rewards))
+    distance = mean_time_distance(masses, case.masses, case.settings.time_step).mean()
+    assert rows[1]["distance"] == pytest.approx(distance, rel=1e-9)
+    regret = choice_regret(case.values_of(masses @ case.worth), case.values_of(case.rewards))
+    assert rows[1]["regret"] == pytest.approx(regret, abs=1e-12)
     assert all(row["distance"] >= row["least"] for row in rows)
     assert rows[0]["distance"] == rows[0]["least"]
+
+
+@pytest.mark.parametrize("solver", ["tikhonov1", "tsvd", "nonnegative"])
+def test_every_solver_has_the_distance_and_regret_of_its_solution(solver):
+    """Linear solvers are measured by components; the slow twin decodes the masses."""
+    plan = Plan(cases=1, noises=(1e-2,), grids=("paper",), solvers=(solver,), selectors=("fitted",))
+    for number in (0, 2, 5):
+        case = random_case(np.random.default_rng([0, number]))
+        problem = case.problem(1e-2, seed=number, gammas=gammas_of("paper"))
+        for row in rows_of(Job(number, 1e-2, "paper"), plan):
+            masses = solve(problem, solver, row["alpha"]).masses
+            distance = mean_time_distance(masses, case.masses, case.settings.time_step).mean()
+            assert row["distance"] == pytest.approx(distance, rel=1e-9)
+            values = case.values_of(masses @ case.worth)
+            assert row["regret"] == pytest.approx(choice_regret(values, case.values_of(case.rewards)), abs=1e-12)
 
 
 def test_a_study_is_gone_on_with_where_it_was_stopped(tmp_path):

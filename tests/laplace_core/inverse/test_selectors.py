@@ -23,6 +23,7 @@ from laplace_core.inverse import (
     solve,
     transform_matrix,
 )
+from laplace_core.inverse.auto import COEFFICIENTS
 from laplace_core.inverse.components import sweep_alphas, sweep_of
 from laplace_core.inverse.selectors import ROBUSTNESS, chosen_index, gcv, loo
 from laplace_core.inverse.solvers import spectrum_for
@@ -93,7 +94,45 @@ def naive_curve(name, given, solver, alphas, noise):
         return [*np.sqrt(changes), math.inf]
     if name == "ncp":
         return [_ncp(s.residuals) for s in dense]
+    if name == "fitted":
+        wanted = min(max(naive_auto(given, solver), math.log(alphas[0])), math.log(alphas[-1]))
+        return [abs(math.log(alpha) - wanted) for alpha in alphas]
     raise AssertionError(name)
+
+
+def naive_auto(given: Problem, solver: str) -> float:
+    """log alpha of ``auto``: one component, one column and one alpha after the other."""
+    spectrum = spectrum_for(given, solver)
+    W = np.eye(len(given.gammas)) if spectrum.weights is None else np.diag(spectrum.weights)
+    s = spectrum.s[spectrum.usable]
+    reached = spectrum.U[:, : spectrum.free + len(s)]
+    columns = [W @ action[:, b] for action in given.masses for b in range(action.shape[1])]
+    tails = [W @ column for action in given.masses for column in np.cumsum(action[:, ::-1], axis=1).T]
+    energy = [sum((u @ c) ** 2 for c in columns) / len(columns) for u in reached.T]
+    outside = sum(c @ c for c in columns) / len(columns) - sum(energy)
+    alphas = np.geomspace(s[-1] / 100, 10 * s[0], 120)
+    bare = energy[spectrum.free :]
+
+    def likelihood(a: float) -> float:
+        lost = [a**2 / (x**2 + a**2) for x in s]
+        misfit = sum(x * e for x, e in zip(lost, bare, strict=True)) + outside
+        return len(s) * math.log(misfit) - sum(map(math.log, lost))
+
+    def change(a: float, b: float) -> float:
+        if not min(s[-1] / 2, s[0] / 100) <= a <= s[0]:
+            return math.inf
+        return sum((x / (x**2 + a**2) - x / (x**2 + b**2)) ** 2 * e for x, e in zip(s, bare, strict=True))
+
+    numbers = [
+        1.0, math.log(min(alphas, key=likelihood)),
+        math.log(min(pairwise(alphas), key=lambda pair: change(*pair))[0]),
+        math.log(sum(energy) + outside), math.log(sum(t @ t for t in tails) / len(tails)),
+        math.log(given.steps), math.log(given.time_step), math.log(s[0]),
+    ]  # fmt: skip
+    weights = json.loads(COEFFICIENTS.read_text())["coefficients"][solver]
+    return sum(
+        n * w for n, w in zip(numbers, weights["equal" if spectrum.weights is None else "weighted"], strict=True)
+    )
 
 
 def _ncp(residuals):
@@ -261,11 +300,15 @@ def test_discrepancy_takes_the_largest_alpha_that_fits_within_the_error():
     assert (tiny.value, tiny.edge) == (sweep.alphas[0], "lower")
 
 
+UNITS = [rule for rule in SELECTORS if rule != "fitted"]
+"""Rules that know no unit; what is fitted knows that masses are probabilities."""
+
+
 @given(st.sampled_from(sorted(LINEAR)), st.integers(0, 10**6))
 def test_a_change_of_unit_changes_no_choice(solver, seed):
     one = problem(seed)
     other = replace(one, masses=1024.0 * one.masses)
-    for rule in SELECTORS:
+    for rule in UNITS:
         chosen, scaled = (
             choose_alpha(given, solver, rule, noise=size * NOISE).value for given, size in ((one, 1.0), (other, 1024.0))
         )
@@ -278,6 +321,9 @@ def test_an_alpha_for_each_bin_is_that_of_the_bin_alone(subtests):
         with subtests.test(rule=rule):
             record = choose_alpha(given, "tikhonov", rule, noise=NOISE, each_bin=True)
             assert len(record.value) == len(record.curve) == len(record.edge) == 4
+            if rule == "fitted":  # one formula for the whole space
+                assert len(set(record.value)) == 1
+                continue
             # The last bin is a tail, so that it is a problem of its own: one column an action.
             alone = choose_alpha(replace(given, masses=given.masses[..., -1:]), "tikhonov", rule, noise=NOISE)
             assert record.value[-1] == pytest.approx(alone.value)
@@ -356,7 +402,7 @@ def test_a_selector_that_lacks_what_it_needs_says_so(subtests):
         ),
         ("ncp needs at least 4 discounts; there are 3", lambda: choose_alpha(few, "tikhonov", "ncp")),
         ("'bayes' is neither a number nor one of auto, gcv", lambda: choose_alpha(few, "tikhonov", "bayes")),
-        ("'ridge' has no decode matrix", lambda: choose_alpha(few, "ridge", "gcv")),
+        ("'ridge' is not one of tikhonov", lambda: choose_alpha(few, "ridge", "gcv")),
         ("noise must be 3 numbers", lambda: choose_alpha(few, "tikhonov", "gcv", noise=np.ones(2))),
         ("noise must be 3 numbers", lambda: choose_alpha(few, "tikhonov", "gcv", noise=np.zeros(3))),
     ]:

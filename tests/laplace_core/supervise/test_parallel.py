@@ -41,7 +41,8 @@ def test_a_job_whose_process_dies_is_done_again(tmp_path):
 
 
 def test_a_job_that_always_kills_its_process_is_given_up():
-    with pytest.raises(InputError, match="a process died 3 times without finishing a job, the last time by SIGKILL with 2 to go"):
+    sentence = "a process died 3 times without finishing a job, the last time by SIGKILL with 2 to go"
+    with pytest.raises(InputError, match=sentence):
         list(in_parallel(die, [1, 2], 2))
 
 
