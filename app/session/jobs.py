@@ -362,8 +362,8 @@ class Kind(Generic[Result]):
         return "" if job is None else job.why
 
     def take(
-        self, key: Hashable, make: Callable[[Progress], Result], seconds: float, *, name: str = "",
-        lower: str = "ask for less",
+        self, key: Hashable, make: Callable[[Progress], Result], seconds: float, name: str = "",
+        *, lower: str = "ask for less",
     ) -> Job[Result]:  # fmt: skip
         """The job of a key: the one there is, or a new one.
 
@@ -502,7 +502,7 @@ class Wish(Generic[Result]):
             if self.kind.get(self.key) is None and self.too_long:
                 raise InputError(self.too_long)
             seconds = self.estimate() if self.kind.get(self.key) is None else 0.0
-            job = self.kind.take(self.key, self.make, seconds, name, self.lower)
+            job = self.kind.take(self.key, self.make, seconds, name, lower=self.lower)
         except InputError as error:
             asked.refused[self.slot] = self.key, str(error)
             return
