@@ -280,7 +280,7 @@ def test_a_result_that_is_larger_than_the_budget_is_refused_and_what_was_there_s
     budget = Budget(5_000)
     kind = Server().kind(budget=budget)
     small = over(kind.take("small", at_once, 1.0))
-    large = over(kind.take("large", kilobytes, 1.0, "", "lower T"))
+    large = over(kind.take("large", kilobytes, 1.0, lower="lower T"))
     assert large.refusal == (
         "the result takes 0 MB, and results, caches and opened files may take 0 MB together on this server: lower T."
     )
