@@ -9,7 +9,7 @@ sides draw the same random numbers as long as they act alike.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -17,6 +17,7 @@ import numpy as np
 from laplace_core.acting.bootstrap import mean_interval
 from laplace_core.acting.evaluation import evaluate
 from laplace_core.acting.rollout import Rollout, nearest_head, one_thread, roll_out
+from laplace_core.acting.rules import Options
 from laplace_core.agents.agent import Agent
 from laplace_core.errors import InputError
 
@@ -33,11 +34,12 @@ Progress = Callable[[int, int], None]
 
 @dataclass(frozen=True, eq=False)
 class Entrant:
-    """One side: an agent, the rule it acts by, and for ``greedy`` another discount than the acting one."""
+    """One side: an agent, the rule it acts by, for ``greedy`` another discount than the acting one, and options."""
 
     agent: Agent
     rule: str = "greedy"
     gamma: float | None = None
+    options: Options = Options()
 
 
 @dataclass(frozen=True, eq=False)
@@ -130,7 +132,7 @@ def race(
         sides.append(
             roll_out(
                 one.agent, environment, FIRST_START + int(start), rule=one.rule, horizon=horizon, gamma=one.gamma,
-                pictures=pictures, spaces=False, progress=half,
+                options=one.options, pictures=pictures, spaces=False, progress=half,
             )
         )  # fmt: skip
     return Race(int(start), horizon, *sides)
@@ -158,7 +160,8 @@ def races(
             scores.append(
                 evaluate(
                     one.agent, environment, episodes=count, horizon=horizon, rule=one.rule,
-                    first_seed=FIRST_START + first, head=head, progress=_half(progress, i),
+                    first_seed=FIRST_START + first, progress=_half(progress, i),
+                    **asdict(replace(one.options, head=head)),
                 )
             )  # fmt: skip
     a, b = scores

@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import torch
@@ -176,7 +176,7 @@ def judge_of(
         InputError: a rule that the agent has not learned enough for, or a discount that does not fit.
     """
     head, gamma = nearest_head(agent, rule, gamma)
-    return (None if rule == RANDOM else RULES[rule].values(agent, length, _with_head(options, head))), gamma
+    return (None if rule == RANDOM else RULES[rule].values(agent, length, replace(options, head=head))), gamma
 
 
 @contextmanager
@@ -188,10 +188,6 @@ def one_thread() -> Iterator[None]:
         yield
     finally:
         torch.set_num_threads(before)
-
-
-def _with_head(options: Options, head: int | None) -> Options:
-    return Options(options.softness, options.alpha, options.steps, options.stretch, head)
 
 
 def nearest_head(agent: Agent, rule: str, gamma: float | None) -> tuple[int | None, float | None]:

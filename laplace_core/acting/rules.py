@@ -10,8 +10,9 @@ evaluations follow. What the page calls it is a row of ``app.agents.episode.TITL
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 
@@ -232,9 +233,15 @@ def check_rule_options(rule: str, given: Iterable[str]) -> None:
     for name in given if rule in RULES else ():
         if name not in RULES[rule].options:
             takers = " and ".join(taker for taker, other in RULES.items() if name in other.options)
+            option = "alpha by name" if name == "selector" else name.replace("_", "-")
             raise InputError(
-                f"--{name.replace('_', '-')} changes nothing under the rule {rule[:40]!r}: it is of {takers}."
+                f"--{option} changes nothing under the rule {rule[:40]!r}: it is of {takers}."
             )
+
+
+def options_for(rule: str, given: Mapping[str, Any]) -> dict[str, Any]:
+    """Those of the options that a rule uses; none of a rule that does not exist."""
+    return {name: value for name, value in given.items() if rule in RULES and name in RULES[rule].options}
 
 
 def suited(agent: Agent, horizon: int | None) -> str:

@@ -4,11 +4,9 @@ from __future__ import annotations
 
 import argparse
 import json
-from typing import Any
 
 from laplace_core.cli.options import checked_number
-from laplace_core.errors import InputError
-from laplace_core.inverse import ALPHA_CHOICES, SOLVERS
+from laplace_core.cli.rule_options import add_rule_options, rule_options
 
 
 def add_evaluate(verbs: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
@@ -23,28 +21,12 @@ def add_evaluate(verbs: argparse._SubParsersAction[argparse.ArgumentParser]) -> 
     evaluate.add_argument("--seed", default="0", metavar="N", help="which start seeds (default: 0)")
     evaluate.add_argument("--horizon", metavar="T", help="act for an episode of T steps, by the time to go")
     evaluate.add_argument(
-        "--softness",
-        metavar="W",
-        help="of readout and decoded: width of the deadline over the time to go (default: .2)",
-    )
-    evaluate.add_argument(
-        "--alpha", metavar="A",
-        help="of readout and decoded: regularisation (default: 1); of decoded also auto or a rule that chooses it for "
-        "every observation",
-    )  # fmt: skip
-    evaluate.add_argument(
-        "--solver", metavar="NAME", help="of decoded: how the transform is inverted (default: tikhonov)"
-    )
-    evaluate.add_argument(
-        "--noise-level", metavar="S", help="of decoded and certified: standard deviation of (1 - gamma) Q"
-    )
-    evaluate.add_argument(
         "--rule",
         metavar="NAME",
         help="greedy, matched (the discount nearest to the time to go), fading, readout, decoded (the same, slowly) or "
         "own (of fixed_horizon); default: with a horizon fading or own where the agent can, else greedy",
     )
-    evaluate.add_argument("--stretch", metavar="C", help="of fading: its time constant / the time to go (default: 1.5)")
+    add_rule_options(evaluate)
     evaluate.add_argument("--json", action="store_true", help="print JSON, with every return")
     evaluate.set_defaults(run=run_evaluate)
 
@@ -53,19 +35,7 @@ def run_evaluate(options: argparse.Namespace) -> None:
     """Evaluate one checkpoint."""
     episodes = checked_number("episodes", options.episodes, int, 1, high=100_000)
     seed = checked_number("seed", options.seed, int, 0, high=10**6)
-    rule_options: dict[str, Any] = {
-        name: checked_number(name, getattr(options, name), float, low, high=high)
-        for name, low, high in (
-            ("softness", 0.0, 10.0), ("alpha", 1e-9, 1e6), ("stretch", 1e-2, 100.0), ("noise_level", 1e-12, 1.0)
-        )
-        if getattr(options, name) is not None and not (name == "alpha" and options.alpha in ALPHA_CHOICES)
-    }  # fmt: skip
-    if options.alpha in ALPHA_CHOICES:
-        rule_options["selector"] = options.alpha
-    if options.solver is not None:
-        if options.solver not in SOLVERS:
-            raise InputError(f"solver must be one of {', '.join(SOLVERS)}, not {options.solver[:40]!r}.")
-        rule_options["solver"] = options.solver
+    given = rule_options(options)
     horizon = None if options.horizon is None else checked_number("horizon", options.horizon, int, 1, high=10_000)
     from laplace_core.acting.evaluation import evaluate, own_discount, return_notes
     from laplace_core.acting.rules import check_rule_options, suited
@@ -73,10 +43,10 @@ def run_evaluate(options: argparse.Namespace) -> None:
 
     loaded = load_checkpoint(options.checkpoint)
     rule = suited(loaded.agent, horizon) if options.rule is None else options.rule
-    check_rule_options(rule, rule_options)
+    check_rule_options(rule, given)
     scores = evaluate(
         loaded.agent, loaded.environment, episodes=episodes, seed=seed, horizon=horizon, rule=rule,
-        discounts=own_discount(loaded.agent), **rule_options,
+        discounts=own_discount(loaded.agent), **given,
     )  # fmt: skip
     notes = return_notes(loaded.agent, scores)
     report = {

@@ -7,6 +7,7 @@ import json
 from typing import TYPE_CHECKING, Any
 
 from laplace_core.cli.options import checked_number
+from laplace_core.cli.rule_options import add_rule_options, rule_options
 from laplace_core.errors import InputError
 
 if TYPE_CHECKING:  # these bring torch along
@@ -19,7 +20,7 @@ def add_race(verbs: argparse._SubParsersAction[argparse.ArgumentParser]) -> None
         "race",
         help="two ways to act, from the same starts to the same deadline",
         description="Races between two control rules, or two agents: who has the larger return after T steps. Starts "
-        "are such that no agent was trained or chosen on.",
+        "are such that no agent was trained or chosen on. An option of a rule counts for each side whose rule takes it.",
     )
     race.add_argument("checkpoint", metavar="CHECKPOINT", help="a .safetensors file of a trained agent")
     race.add_argument("--horizon", required=True, metavar="T", help="the deadline, in steps")
@@ -27,6 +28,7 @@ def add_race(verbs: argparse._SubParsersAction[argparse.ArgumentParser]) -> None
     race.add_argument("--against", default="greedy", metavar="NAME", help="rule of the other side (default: greedy)")
     race.add_argument("--against-agent", metavar="CHECKPOINT", help="another agent for the other side")
     race.add_argument("--gamma", metavar="g", help="discount for the other side to be greedy at (default: acting one)")
+    add_rule_options(race)
     race.add_argument("--seeds", metavar="N", help="how many starts, 2 to 500 (default: 100)")
     race.add_argument("--first", metavar="K", help="the first of them (default: 0)")
     race.add_argument("--start", metavar="K", help="only the race from this start, step by step")
@@ -44,8 +46,9 @@ def run_race(options: argparse.Namespace) -> None:
             raise InputError(f"--{name} changes nothing beside --start, which is one race: leave one of them out.")
     start = None if options.start is None else checked_number("start", options.start, int, 0, high=10**8)
     gamma = None if options.gamma is None else checked_number("gamma", options.gamma, float, 1e-6, high=0.999999)
+    given = rule_options(options)
     from laplace_core.acting.race import Entrant, race, races
-    from laplace_core.acting.rules import suited
+    from laplace_core.acting.rules import Options, check_rule_options, options_for, suited
     from laplace_core.training.checkpoint import load_checkpoint  # all three load torch
 
     loaded = load_checkpoint(options.checkpoint)
@@ -54,11 +57,14 @@ def run_race(options: argparse.Namespace) -> None:
         raise InputError(
             f"one agent is of {loaded.environment}, the other of {other.environment}: race two of one kind."
         )
-    right = Entrant(loaded.agent, options.rule or suited(loaded.agent, horizon))
-    left = Entrant(other.agent, options.against, gamma)
+    rule, against = options.rule or suited(loaded.agent, horizon), options.against
+    check_rule_options(rule, [name for name in given if name not in options_for(against, given)])
+    right = Entrant(loaded.agent, rule, options=Options(**options_for(rule, given)))
+    left = Entrant(other.agent, against, gamma, Options(**options_for(against, given)))
     report = {
         "checkpoint": options.checkpoint, "environment": loaded.environment, "horizon": horizon,
         "rule": right.rule, "against": left.rule, "against_agent": options.against_agent, "gamma": gamma,
+        "options": given,
     }  # fmt: skip
     if start is None:
         result = races(loaded.environment, left, right, horizon, count=count, first=first)

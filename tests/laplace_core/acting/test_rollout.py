@@ -186,8 +186,7 @@ def test_what_does_not_fit_is_refused_in_one_sentence(subtests, agent):
             assert "\n" not in str(refused.value)
 
 
-def test_every_rule_of_a_form_has_a_name():
-    """Forms offer those that need nothing more."""
+def test_every_rule_has_a_name():
     from app.catalogue.rules import TITLES
 
-    assert set(TITLES) == {*(name for name, rule in RULES.items() if not rule.needs), "random"}
+    assert set(TITLES) == {*RULES, "random"}

@@ -26,13 +26,14 @@ def agents(tmp_path_factory):
     return {name: str(folder / f"{name}.safetensors") for name in kinds}
 
 
-@pytest.mark.parametrize("rule", [name for name in RULES if name not in ("own", "certified")])
+@pytest.mark.parametrize("rule", [name for name in RULES if name != "own"])
 def test_the_options_of_a_rule_are_those_that_move_its_values(rule):
     settings = LaplaceSettings(environment="two_branch", hidden=8, features=4, theta_max=12.0, seed=3)
     agent, observations = new_agent(settings), np.eye(3, dtype=np.float32)
-    usual = RULES[rule].values(agent, 20, Options())(observations, 5)
+    needed = {name: 0.1 for name in RULES[rule].needs}
+    usual = RULES[rule].values(agent, 20, Options(**needed))(observations, 5)
     for name, other in (("alpha", 3.0), ("softness", 0.9), ("stretch", 4.0)):
-        moved = RULES[rule].values(agent, 20, Options(**{name: other}))(observations, 5)
+        moved = RULES[rule].values(agent, 20, Options(**needed, **{name: other}))(observations, 5)
         assert (not np.allclose(moved, usual, rtol=1e-6)) == (name in RULES[rule].options)
 
 
@@ -43,6 +44,13 @@ RULED = [
 ]
 
 
+GIVEN = {
+    "alpha": ["--alpha", "2"], "softness": ["--softness", "2"], "stretch": ["--stretch", "2"],
+    "solver": ["--solver", "tsvd"], "selector": ["--alpha", "gcv"], "noise_level": ["--noise-level", "0.01"],
+}  # fmt: skip
+"""A word of the command line for each option of a rule."""
+
+
 def test_an_option_of_another_rule_is_refused(subtests, agents, capsys):
     for rule, name in RULED:
         with subtests.test(rule=rule, name=name):
@@ -51,13 +59,17 @@ def test_an_option_of_another_rule_is_refused(subtests, agents, capsys):
             assert_refused(capsys, ["report", "horizon", agents["laplace"], *words], f"--{name}", f"{rule!r}")
 
 
+def test_an_alpha_by_name_is_refused_by_its_own_words(agents, capsys):
+    for rule in ("readout", "fading"):
+        words = ["evaluate", agents["laplace"], "--horizon", "3", "--rule", rule, "--alpha", "auto"]
+        assert_refused(capsys, words, "--alpha by name", f"{rule!r}", "of decoded")
+
+
 def test_an_option_of_the_rule_is_heard(agents, capsys):
     for rule, found in RULES.items():
         for name in found.options:
             words = ["evaluate", agents["laplace"], "--horizon", "3", "--episodes", "2", "--rule", rule]
-            option, value = {"solver": ("--solver", "tikhonov1"), "selector": ("--alpha", "auto"),
-                             "noise_level": ("--noise-level", "0.1")}.get(name, (f"--{name}", "2"))  # fmt: skip
-            assert main([*words, option, value]) == 0
+            assert main([*words, *GIVEN[name]]) == 0
     capsys.readouterr()
 
 

@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 
 import pytest
 
+from laplace_core.acting.evaluation import evaluate
 from laplace_core.acting.race import Entrant, race, races
+from laplace_core.acting.rules import RULES, Options
 from laplace_core.agents import LaplaceSettings
 from laplace_core.cli import main
 from laplace_core.training.checkpoint import load_checkpoint, new_agent, save_checkpoint
@@ -64,3 +67,71 @@ def test_bad_words_are_refused_in_one_line(subtests, files, capsys):
     ]:  # fmt: skip
         with subtests.test(" ".join(words)):
             assert_refused(capsys, ["race", *(files.get(word, word) for word in words)])
+
+
+# --- options of the rules, which evaluate takes as well ---
+
+CHOSEN = ["--rule", "decoded", "--solver", "nonnegative", "--alpha", "auto"]
+
+
+def test_a_rule_has_its_options_in_a_race(files, capsys):
+    """A side whose rule takes no option is as it was."""
+    words = [files["c"], "--horizon", "4", "--seeds", "2", "--json"]
+    found = json.loads(printed(capsys, *words, *CHOSEN))
+    agent = load_checkpoint(files["c"]).agent
+    options = Options(solver="nonnegative", selector="auto")
+    wanted = races("two_branch", Entrant(agent), Entrant(agent, "decoded", options=options), 4, count=2)
+    assert found["returns"]["right"] == wanted.right.tolist()
+    assert found["returns"]["left"] == races("two_branch", Entrant(agent), Entrant(agent), 4, count=2).left.tolist()
+    assert found["options"] == {"solver": "nonnegative", "selector": "auto"}
+
+
+def test_one_race_and_many_act_by_the_same_options(files, capsys):
+    """Readout with a regularisation so strong that it weighs nothing differs from its usual self."""
+    words = [files["c"], "--horizon", "4", "--rule", "readout", "--alpha", "1e6", "--softness", "0", "--json"]
+    many = json.loads(printed(capsys, *words, "--seeds", "2"))
+    one = json.loads(printed(capsys, *words, "--start", "0"))
+    assert sum(one["right_rewards"]) == many["returns"]["right"][0]
+
+
+@pytest.mark.parametrize("options", [Options(solver="tsvd", alpha=0.3), Options(noise_level=0.02, head=1)])
+def test_no_option_is_lost_on_the_way_to_a_rule(files, monkeypatch, options):
+    seen = []
+    greedy = RULES["greedy"]
+
+    def noted(agent, length, given):
+        seen.append(given)
+        return greedy.values(agent, length, given)
+
+    monkeypatch.setitem(RULES, "greedy", replace(greedy, values=noted))
+    agent = load_checkpoint(files["c"]).agent
+    entrant = Entrant(agent, "greedy", options=options)
+    race("two_branch", entrant, entrant, 0, horizon=3)
+    races("two_branch", entrant, entrant, 3, count=2)
+    assert seen == [replace(options, head=None)] * 4  # the head is that of the discount asked for
+
+
+def test_evaluate_takes_a_solver_and_an_alpha_by_name(files, capsys):
+    assert main(["evaluate", files["c"], "--horizon", "4", "--episodes", "2", "--json", *CHOSEN]) == 0
+    found = json.loads(capsys.readouterr().out)
+    agent = load_checkpoint(files["c"]).agent
+    wanted = evaluate(
+        agent, "two_branch", episodes=2, horizon=4, rule="decoded", solver="nonnegative", selector="auto"
+    )
+    assert found["returns"] == wanted.returns.tolist()
+
+
+@pytest.mark.parametrize("verb", ["evaluate", "race"])
+def test_certified_needs_a_noise_level(files, capsys, verb):
+    words = [verb, files["c"], "--horizon", "3", "--episodes" if verb == "evaluate" else "--seeds", "2"]
+    assert_refused(capsys, [*words, "--rule", "certified"], "'certified'", "--noise-level")
+    assert main([*words, "--rule", "certified", "--noise-level", "0.01"]) == 0
+    assert "certified" in capsys.readouterr().out
+
+
+def test_an_option_that_neither_side_takes_is_refused(files, capsys):
+    words = ["race", files["c"], "--horizon", "3", "--rule", "fading"]
+    assert_refused(capsys, [*words, "--solver", "tsvd"], "--solver", "'fading'", "decoded")
+    assert_refused(capsys, [*words, "--alpha", "auto"], "--alpha by name", "'fading'")
+    assert main([*words, "--against", "readout", "--alpha", "2", "--seeds", "2"]) == 0
+    capsys.readouterr()
