@@ -24,6 +24,7 @@ from laplace_core.study.verdict import Verdict
 
 TONES = {"lucky": "warn", "wrong": "bad", "unknown": "unknown"}
 _ACROSS = 3  # artefacts side by side
+_ROWS = {"steps", "time_step"}
 
 
 @dataclass
@@ -65,7 +66,7 @@ def pictures(
         if "policy" in changes:  # which the sidebar shows, too
             store.refresh_sidebar()
         if released.remedy is not None and released.remedy < len(judged.remedies):
-            remedy(judged.remedies[released.remedy].changes)
+            remedy(judged.remedies[released.remedy].changes, horizon)
         if view.world is not None and released.picked is not None and released.picked < view.world.n_states:
             store.apply_changes({"state": view.world.states[released.picked]})
         if released.pin is not None and pin is not None:
@@ -127,11 +128,14 @@ def _graph(view: View) -> Graph | None:
     return Graph(compute.world_figure(view), alt, f"{s.world} {view.world.n_states}")
 
 
-def remedy(changes: Mapping[str, object]) -> None:
+def remedy(changes: Mapping[str, object], horizon: float) -> None:
     """Callback: make the changes of a remedy: fields, and ``param:NAME`` for a parameter of the world.
 
-    A switch that it turns off is let go, so that the link does not speak of it.
+    A switch that it turns off is no longer set by hand, so that the link does not name it. A remedy was tried at the
+    horizon of the view: where it changes the rows, and with them the longest horizon, the view stays at its own.
     """
+    if _ROWS & changes.keys():
+        changes = {**changes, "horizon": horizon}
     off = {name for name, value in changes.items() if name in SWITCHES and value == BY_NAME[name].default}
     store.apply_changes(
         {name.replace("param:", PARAM): None if name in off else value for name, value in changes.items()}
@@ -151,12 +155,12 @@ def artefacts(view: View) -> None:
         for first in range(0, len(listed), _ACROSS):
             for column, artefact in zip(st.columns(_ACROSS), listed[first : first + _ACROSS], strict=False):
                 with column:
-                    _artefact(artefact)
+                    _artefact(artefact, compute.horizon_of(view))
         if listed and others:
             st.html(f'<div class="artefact">{escape(others)}</div>')
 
 
-def _artefact(artefact: Artefact) -> None:
+def _artefact(artefact: Artefact, horizon: float) -> None:
     st.html(
         f'<div class="artefact"><b>{escape(artefact.name)}</b> · {escape(artefact.shown)}<br>'
         f"<span>{escape(artefact.sentence)}</span></div>"
@@ -165,5 +169,5 @@ def _artefact(artefact: Artefact) -> None:
     for column, offer in zip(st.columns(len(remedies)) if remedies else (), remedies, strict=True):
         column.button(
             in_markdown(offer.label), key=f"fix {artefact.name} {offer.label}", on_click=remedy,
-            args=(offer.changes,), width="stretch",
+            args=(offer.changes, horizon), width="stretch",
         )  # fmt: skip

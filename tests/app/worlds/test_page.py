@@ -11,7 +11,7 @@ from app.worlds.schema import LINK
 from app.worlds.sources import WORLDS, view_of
 from laplace_core import study
 from tests.support.lens_reference import unpacked
-from tests.support.pages import choose, handed, opened, press, verdict
+from tests.support.pages import choose, handed, link, opened, press, verdict
 
 
 def test_it_opens_on_the_paper_s_figure_with_the_verdict_red():
@@ -19,6 +19,18 @@ def test_it_opens_on_the_paper_s_figure_with_the_verdict_red():
     assert text.startswith("bad")
     assert "choose short (14.85 v 9.74); the best is long" in text
     assert "repeated reward" in text
+
+
+def test_a_remedy_that_decodes_more_rows_keeps_the_horizon_it_was_tried_at():
+    # Up to T = 0.75 only the reward at tau = 0 counts: 5 for short, nothing for long. One row of half a step makes it
+    # 8.75 for long, as it takes up what comes later; more rows put it right. Eight rows reach T = 4.25, where long is
+    # best: the view must not move there, and so answer another question than the one that was asked.
+    page = opened(world="two_branch", steps="1", time_step="0.5", deadline="constant", action="long")
+    assert verdict(page).startswith("bad: ")
+    assert "At T = 0.75 the decoded values choose long" in verdict(page)
+    press(page, "Decode 8 rows")
+    assert "At T = 0.75 the decoded values choose short" in verdict(page)
+    assert link(page)["horizon"] == "0.75"
 
 
 @pytest.mark.parametrize("remedy", ["Keep survival", "Add auxiliary states"])
