@@ -30,7 +30,7 @@ def agents(tmp_path_factory):
 def test_the_options_of_a_rule_are_those_that_move_its_values(rule):
     settings = LaplaceSettings(environment="two_branch", hidden=8, features=4, theta_max=12.0, seed=3)
     agent, observations = new_agent(settings), np.eye(3, dtype=np.float32)
-    needed = {name: 0.1 for name in RULES[rule].needs}
+    needed = dict.fromkeys(RULES[rule].needs, 0.1)
     usual = RULES[rule].values(agent, 20, Options(**needed))(observations, 5)
     for name, other in (("alpha", 3.0), ("softness", 0.9), ("stretch", 4.0)):
         moved = RULES[rule].values(agent, 20, Options(**needed, **{name: other}))(observations, 5)

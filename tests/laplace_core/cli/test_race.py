@@ -115,9 +115,7 @@ def test_evaluate_takes_a_solver_and_an_alpha_by_name(files, capsys):
     assert main(["evaluate", files["c"], "--horizon", "4", "--episodes", "2", "--json", *CHOSEN]) == 0
     found = json.loads(capsys.readouterr().out)
     agent = load_checkpoint(files["c"]).agent
-    wanted = evaluate(
-        agent, "two_branch", episodes=2, horizon=4, rule="decoded", solver="nonnegative", selector="auto"
-    )
+    wanted = evaluate(agent, "two_branch", episodes=2, horizon=4, rule="decoded", solver="nonnegative", selector="auto")
     assert found["returns"] == wanted.returns.tolist()
 
 
