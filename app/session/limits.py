@@ -23,7 +23,9 @@ from laplace_core.study.size import set_largest_study
 class Limits:
     """Limits of a server; a person alone needs none of them changed."""
 
-    memory: int = setting(1_000, 50, 1_000_000, "Megabytes that all caches of the server may hold together.")
+    memory: int = setting(
+        1_000, 50, 1_000_000, "Megabytes that all caches, opened files and results of the server may hold together."
+    )
     largest_study: int = setting(
         10_000_000,
         10_000,

@@ -28,6 +28,7 @@ MOST_RACES = 500
 LEVEL = 1e-9
 """Returns that differ by less are equal: sums of the same rewards in another order."""
 
+_USUAL = Options()
 Progress = Callable[[int, int], None]
 """Called with (done, total); an exception that it raises cancels the work."""
 
@@ -39,7 +40,7 @@ class Entrant:
     agent: Agent
     rule: str = "greedy"
     gamma: float | None = None
-    options: Options = Options()
+    options: Options = _USUAL
 
 
 @dataclass(frozen=True, eq=False)

@@ -20,7 +20,7 @@ def add_race(verbs: argparse._SubParsersAction[argparse.ArgumentParser]) -> None
         "race",
         help="two ways to act, from the same starts to the same deadline",
         description="Races between two control rules, or two agents: who has the larger return after T steps. Starts "
-        "are such that no agent was trained or chosen on. An option of a rule counts for each side whose rule takes it.",
+        "are such that no agent was trained or chosen on. An option of a rule is for each side whose rule takes it.",
     )
     race.add_argument("checkpoint", metavar="CHECKPOINT", help="a .safetensors file of a trained agent")
     race.add_argument("--horizon", required=True, metavar="T", help="the deadline, in steps")

@@ -18,8 +18,6 @@ Trace = dict[str, Any]
 ACTION_COLOURS = ("#0072B2", "#E69F00", "#009E73", "#D55E00", "#CC79A7", "#56B4E9", "#8C6D31", "#7A7A7A")
 HEIGHT = 292
 NEUTRAL = "#8a8f98"
-TRUTH = "#ffffff"
-TRUTH_HALO = "#111111"
 
 _VIRIDIS = ("#440154", "#472d7b", "#3b528b", "#2c728e", "#21918c", "#28ae80", "#5ec962", "#addc30", "#fde725")
 UNDER_RANGE = 0.25

@@ -29,7 +29,6 @@ _MARK = 64  # last bytes read, compared with the file to notice that it was cut 
 _BY_DISCOUNT = ("values", "discounted", "discounted_errors")
 _SMOOTHING = 0.02  # of all episodes, on either side
 _LEAST_SMOOTHING = 5
-_Numbers = tuple[float, ...]
 
 
 @dataclass(frozen=True, eq=False)
