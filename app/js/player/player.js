@@ -10,8 +10,8 @@ import { bySurprise, followedAt, frameAt, modelAt, nextMarked, openReel, ownAt }
 const ASK = 400; // ms until the server is asked again for what it looks for in the background
 const MEANINGS = {
   expected: 'discounted return that the agent expected of the action taken',
-  came:
-    'discounted return that came; where the episode was cut off, the best value of the last observation ' +
+  observed:
+    'discounted return that was observed; where the episode was cut off, the best value of the last observation ' +
     'stands for the rest (≈: it has more than 5% of the weight)',
   surprise: 'reward + γ best value of the next observation − value of the action taken',
 };
@@ -80,7 +80,7 @@ function mount(host, reel, told, report) {
   });
   values.prepend(element('tr', {}, cell(''), cell('action'), cell('by the rule', 'number'), cell('greedy', 'number')));
   const gamma = `(γ ${short(reel.acting_gamma)})`;
-  const factCells = ['reward', 'return so far', `expected ${gamma}`, `came ${gamma}`, 'surprise'].map((name) => {
+  const factCells = ['reward', 'return so far', `expected ${gamma}`, `observed ${gamma}`, 'surprise'].map((name) => {
     const value = cell('', 'number');
     facts.append(element('tr', { title: MEANINGS[name.split(' (')[0]] }, cell(name), value));
     return value;
