@@ -36,8 +36,8 @@ from bench.timing import Spread
 from bench.visitor import Broken, Visitor, visit
 from laplace_core import InputError
 from laplace_core.files.tensor_file import read_tensors
+from laplace_core.tabular.files import read_learned
 from laplace_core.training.defaults import settings_of
-from laplace_core.training.progress import read_progress
 from laplace_core.training.queue import Queue
 from laplace_core.training.run_folder import MAX_RESUME_BYTES
 
@@ -340,7 +340,7 @@ def asked(*, short: bool) -> Iterator[Figure]:
                         await visitor.press("Roll out")
                     else:
                         await visitor.open("race", urlencode({"checkpoint": _CART, "d.T": 20, "d.start": i}))
-                        if visitor.button("Race") is not None:  # a race that takes long waits for its button
+                        if visitor.has_button("Race"):  # a race that takes long waits for its button
                             await visitor.press("Race")
                     if await _until_done(visitor, patience):
                         visitor.component("laplace_player" if i < rollouts else "laplace_track")
@@ -362,50 +362,142 @@ def asked(*, short: bool) -> Iterator[Figure]:
 # ---- kills
 
 
-def kills(*, short: bool) -> Iterator[Figure]:
-    """A training is killed at random moments and resumed: what it had saved is there, and every file is whole."""
-    count, chance = (3 if short else 200), random.Random(0)
-    lost = broken = orphans = step = points = 0
-    with tempfile.TemporaryDirectory() as folder:
-        queue = Queue(Path(folder) / "runs")
-        name = queue.add(settings_of("dqn", "CartPole-v1", {"steps": 1_000_000, "checkpoint_every": 500}))
-        run = queue.folder / name
-        command = [sys.executable, "-m", "laplace_core", "train", "--resume", str(run)]
-        for _ in range(count):
-            seen = read_progress(run)
-            process = subprocess.Popen(command, cwd=ROOT, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-            while process.poll() is None and read_progress(run) == seen:
-                time.sleep(0.05)
-            with contextlib.suppress(subprocess.TimeoutExpired):
-                process.wait(chance.uniform(0.0, 3.0))
-            children = psutil.Process(process.pid).children(recursive=True) if process.poll() is None else []
-            process.kill()
-            process.wait()
-            orphans += len(psutil.wait_procs(children, 30)[1])
-            broken += sum(not _is_json(path) for path in run.glob("*.json"))
-            point = run / "resume.safetensors"
-            if point.exists():
-                try:
-                    about = read_tensors(point, MAX_RESUME_BYTES)[1]
-                except InputError:
-                    broken += 1
-                    continue
-                points += about["step"] > step
-                lost += about["step"] < step or (run / "metrics.jsonl").stat().st_size < about["metrics_bytes"]
-                step = about["step"]
-        sizes = f"{count} kills of a training, at once to three seconds after it has gone on"
-        note = f"{points} resume points, the last at step {step:,}"
-        yield counted("Kills", "went back behind a resume point", lost, Goal("<=", 0), sizes=sizes, note=note)
-        yield counted("Kills", "files half-written", broken, Goal("<=", 0), sizes=sizes)
-        yield counted("Kills", "processes left after 30 s", orphans, Goal("<=", 0), sizes=sizes)
+@dataclass(frozen=True)
+class Victim:
+    """Work that is killed again and again, and goes on where it was.
+
+    Attributes:
+        command: of ``laplace``, the same at every start.
+        points: by name, how far what is saved reaches, which may never go back; it raises InputError or ValueError
+            where a file is half-written.
+    """
+
+    name: str
+    command: list[str]
+    points: Callable[[], dict[str, float]]
 
 
-def _is_json(path: Path) -> bool:
-    try:
+def _training_points(runs: Path) -> dict[str, float]:
+    """Steps of the resume points under a folder, and bytes that their metrics lack."""
+    found: dict[str, float] = {}
+    for path in runs.rglob("*.json"):
         json.loads(path.read_text())
-    except ValueError:
-        return False
-    return True
+    for path in runs.rglob("resume.safetensors"):
+        about = read_tensors(path, MAX_RESUME_BYTES)[1]
+        found[str(path)] = about["step"]
+        lacking = about["metrics_bytes"] - (path.parent / "metrics.jsonl").stat().st_size
+        found[f"metrics of {path}"] = -max(0, lacking)  # 0 at first, as it is to stay
+    return found
+
+
+def _table_points(table: Path) -> dict[str, float]:
+    """Rows of a table that are whole; what a kill has cut short after them is written anew."""
+    if not table.exists():
+        return {}
+    lines = table.read_text().splitlines(keepends=True)
+    return {"rows": sum(line.endswith("\n") and line.count(",") >= lines[0].count(",") for line in lines)}
+
+
+def _learned_points(file: Path) -> dict[str, float]:
+    """Whether there is a snapshot; it has to be whole. A learner that was killed begins anew."""
+    if not file.exists():
+        return {}
+    read_learned(file)
+    return {"snapshot": 1.0}
+
+
+def victims(folder: Path) -> list[Victim]:
+    """Training, search, study and learning, each too long to end by itself."""
+    queue, found, table, learned = Queue(folder / "runs"), folder / "search", folder / "s.csv", folder / "l.safetensors"
+    run = queue.folder / queue.add(settings_of("dqn", "CartPole-v1", {"steps": 1_000_000, "checkpoint_every": 500}))
+    searching = ["search", "dqn", "CartPole-v1", "--set", "steps=1000000", "--set", "checkpoint_every=500"]
+    searching += ["--seeds", "2", "--jobs", "2", "--runs", str(found)]
+    studying = ["study", "--worlds", "1000", "--jobs", "2", "--out", str(table)]
+    learning = ["learn", "cliff_grid", "--episodes", "1000000", "--seeds", "2", "--out", str(learned)]
+    return [
+        Victim("training", ["train", "--resume", str(run)], lambda: _training_points(run)),
+        Victim("search", searching, lambda: _training_points(found)),
+        Victim("study", studying, lambda: _table_points(table)),
+        Victim("learning", learning, lambda: _learned_points(learned)),
+    ]
+
+
+@dataclass
+class _Harm:
+    """What kills have done: points that went back, files half-written, processes left; and how far all went."""
+
+    back: int = 0
+    broken: int = 0
+    left: int = 0
+    reached: list[str] = field(default_factory=list)
+
+
+def _end(process: subprocess.Popen[bytes], harm: _Harm) -> None:
+    """Kill a process, and count its children that are there 30 seconds later."""
+    try:
+        children = psutil.Process(process.pid).children(recursive=True)
+    except psutil.NoSuchProcess:
+        children = []
+    process.kill()
+    process.wait()
+    left = psutil.wait_procs(children, 30)[1]
+    harm.left += len(left)
+    for child in left:
+        child.kill()
+
+
+def _kill_again(victim: Victim, count: int, chance: random.Random, harm: _Harm) -> None:
+    command, reached = [sys.executable, "-m", "laplace_core", *victim.command], dict[str, float]()
+    for _ in range(count):
+        process = subprocess.Popen(command, cwd=ROOT, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        with contextlib.suppress(subprocess.TimeoutExpired):
+            process.wait(chance.uniform(0.5, 15.0))
+        _end(process, harm)
+        try:
+            points = victim.points()
+        except (InputError, ValueError):
+            harm.broken += 1
+            continue
+        harm.back += sum(points.get(name, -1.0) < before for name, before in reached.items())
+        reached = points
+    harm.reached.append(f"{victim.name} to {max(reached.values(), default=0):,.0f}")
+
+
+def _kill_servers(count: int, chance: random.Random, harm: _Harm) -> None:
+    """Servers that a learner runs on are killed; the learner has to end with them."""
+
+    async def learn(server: Server, seed: int) -> None:
+        async with visit(server.address) as visitor:
+            wanted = {"world": "cliff_grid", "source": "learned", "l.episodes": 20_000, "l.seed": seed}
+            await visitor.open("worlds", urlencode(wanted))
+            await visitor.press("Learn")
+            await asyncio.sleep(chance.uniform(0.0, 3.0))
+
+    for seed in range(count):
+        with serving(ROOT, None) as server:
+            asyncio.run(learn(server, seed))
+            _end(server.process, harm)
+            runs = server.log_file.parent / "runs"
+            try:
+                _training_points(runs)
+            except (InputError, ValueError):
+                harm.broken += 1
+
+
+def kills(*, short: bool) -> Iterator[Figure]:
+    """Work is killed at random moments and begun again: what it had saved is there, and every file is whole."""
+    each, chance, harm = (1 if short else 40), random.Random(0), _Harm()
+    with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
+        listed = victims(Path(folder))
+        for victim in listed:
+            _kill_again(victim, each, chance, harm)
+    _kill_servers(each, chance, harm)
+    names = ", ".join([victim.name for victim in listed] + ["server"])
+    sizes = f"{each * (len(listed) + 1)} kills in all, of {names} alike, half a second to 15 after each start"
+    note = ", ".join(harm.reached)
+    yield counted("Kills", "went back behind a resume point", harm.back, Goal("<=", 0), sizes=sizes, note=note)
+    yield counted("Kills", "files half-written", harm.broken, Goal("<=", 0), sizes=sizes)
+    yield counted("Kills", "processes left after 30 s", harm.left, Goal("<=", 0), sizes=sizes)
 
 
 # ---- what nobody means well by

@@ -25,6 +25,7 @@ from streamlit.proto.Element_pb2 import Element
 from streamlit.proto.ForwardMsg_pb2 import ForwardMsg
 from streamlit.runtime.state.session_state import STREAMLIT_INTERNAL_KEY_PREFIX
 from websockets.asyncio.client import ClientConnection, connect
+from websockets.exceptions import WebSocketException
 
 PAGES = {"worlds": "", "agents": "agents", "race": "race", "train": "train"}
 """Address of every page, by the name that the app gives it."""
@@ -66,6 +67,7 @@ class Visitor:
     _hash: str = ""
     _session: str = ""
     _due: str = ""
+    _due_fragment: str = ""
     _fresh: set[tuple[int, ...]] = field(default_factory=set)
     _idle: asyncio.Condition = field(default_factory=asyncio.Condition)
     _urls: asyncio.Queue = field(default_factory=asyncio.Queue)
@@ -144,6 +146,13 @@ class Visitor:
         """The first button whose label begins so and that can be pressed."""
         return self._first("button", label)
 
+    def has_button(self, label: str) -> bool:
+        """Whether a button with exactly this label can be pressed."""
+        return any(
+            place.element.button.label == label and not place.element.button.disabled
+            for place in self.of_kind("button")
+        )
+
     def _first(self, kind: str, label: str) -> Place | None:
         """The first widget of a kind whose label begins so and that is not disabled."""
         for place in self.of_kind(kind):
@@ -197,7 +206,8 @@ class Visitor:
         open_groups = {group: {"bool_value": True} for group in self._unfolded}
         for key, value in {**held, **open_groups, **widgets}.items():
             run.widget_states.widgets.add(id=key, **value)
-        self._due = "asked"
+        if not auto:  # nobody waits for what a page repeats by itself
+            self._due, self._due_fragment = "asked", fragment
         await self.socket.send(message.SerializeToString())
 
     async def rest(self) -> None:
@@ -216,15 +226,17 @@ class Visitor:
 
     async def listen(self) -> None:
         """Take over messages until the connection ends."""
-        with contextlib.suppress(Exception):
-            async for data in self.socket:
-                if isinstance(data, bytes):
-                    await self._take(data)
-        for task in self._again.values():
-            task.cancel()
-        async with self._idle:
-            self._due = "gone"
-            self._idle.notify_all()
+        try:
+            with contextlib.suppress(OSError, WebSocketException):
+                async for data in self.socket:
+                    if isinstance(data, bytes):
+                        await self._take(data)
+        finally:
+            for task in self._again.values():
+                task.cancel()
+            async with self._idle:
+                self._due = "gone"
+                self._idle.notify_all()
 
     async def _take(self, data: bytes) -> None:
         self.received += len(data)
@@ -250,7 +262,8 @@ class Visitor:
         elif kind == "script_finished" and message.script_finished != ForwardMsg.FINISHED_EARLY_FOR_RERUN:
             if message.script_finished == ForwardMsg.FINISHED_SUCCESSFULLY:
                 self.shown = {path: place for path, place in self.shown.items() if path in self._fresh}
-            if self._due == "runs":
+            fragment = message.script_finished == ForwardMsg.FINISHED_FRAGMENT_RUN_SUCCESSFULLY
+            if self._due == "runs" and (self._due_fragment or not fragment):  # not what the page repeats by itself
                 async with self._idle:
                     self._due = ""
                     self._idle.notify_all()
