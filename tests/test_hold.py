@@ -46,7 +46,7 @@ def test_a_visitor_opens_a_group_and_gives_its_uploader_a_file(server):
                 await visitor.upload("", "world.json", b"{}")
             await visitor.unfold("Bring your own")
             await visitor.upload("", "world.json", b"{}")
-            assert "world.json" in " ".join(visitor.texts("alert"))
+            assert "'states' must be a list" in " ".join(visitor.texts("alert"))
             with pytest.raises(Broken, match="no group 'Nothing'"):
                 await visitor.unfold("Nothing")
 

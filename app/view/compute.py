@@ -40,9 +40,9 @@ def is_large(view: View) -> bool:
     """Whether a study takes so much memory and time that no two are to be computed at once; not if it is refused."""
     s, space = view.settings, view.subject.gamma_space
     own = len(view.subject.action_names), s.gammas, s.thetas
-    shape = own if space is None else space.values.shape
+    actions, gammas, thetas = own if space is None else space.values.shape
     rewards = 1 if view.world is None else view.world.reward_values.size
-    return LARGE < size_of(*shape, s.steps, rewards=rewards) <= largest_study()
+    return LARGE < size_of(actions, gammas, thetas, s.steps, rewards=rewards) <= largest_study()
 
 
 def horizon_of(view: View) -> float:
