@@ -38,8 +38,6 @@ from bench.visitor import Broken, Visitor, visit
 from laplace_core import InputError
 from laplace_core.files.tensor_file import read_tensors
 from laplace_core.tabular.files import read_learned
-from laplace_core.training.defaults import settings_of
-from laplace_core.training.queue import Queue
 from laplace_core.training.run_folder import MAX_RESUME_BYTES
 
 if TYPE_CHECKING:
@@ -371,13 +369,13 @@ class Victim:
     """Work that is killed again and again, and goes on where it was.
 
     Attributes:
-        command: of ``laplace``, the same at every start.
+        command: of ``laplace``, for the next start.
         points: by name, how far what is saved reaches, which may never go back; it raises InputError or ValueError
             where a file is half-written.
     """
 
     name: str
-    command: list[str]
+    command: Callable[[], list[str]]
     points: Callable[[], dict[str, float]]
 
 
@@ -412,17 +410,18 @@ def _learned_points(file: Path) -> dict[str, float]:
 
 def victims(folder: Path) -> list[Victim]:
     """Training, search, study and learning, each too long to end by itself."""
-    queue, found, table, learned = Queue(folder / "runs"), folder / "search", folder / "s.csv", folder / "l.safetensors"
-    run = queue.folder / queue.add(settings_of("dqn", "CartPole-v1", {"steps": 1_000_000, "checkpoint_every": 500}))
+    run, found, table, learned = folder / "run", folder / "search", folder / "s.csv", folder / "l.safetensors"
+    training = ["train", "dqn", "CartPole-v1", "--steps", "1000000", "--checkpoint-every", "500", "--run", str(run)]
+    resume = ["train", "--resume", str(run)]
     searching = ["search", "dqn", "CartPole-v1", "--set", "steps=1000000", "--set", "checkpoint_every=500"]
     searching += ["--seeds", "2", "--jobs", "2", "--runs", str(found)]
     studying = ["study", "--worlds", "1000", "--jobs", "2", "--out", str(table)]
     learning = ["learn", "cliff_grid", "--episodes", "1000000", "--seeds", "2", "--out", str(learned)]
     return [
-        Victim("training", ["train", "--resume", str(run)], lambda: _training_points(run)),
-        Victim("search", searching, lambda: _training_points(found)),
-        Victim("study", studying, lambda: _table_points(table)),
-        Victim("learning", learning, lambda: _learned_points(learned)),
+        Victim("training", lambda: resume if run.exists() else training, lambda: _training_points(run)),
+        Victim("search", lambda: searching, lambda: _training_points(found)),
+        Victim("study", lambda: studying, lambda: _table_points(table)),
+        Victim("learning", lambda: learning, lambda: _learned_points(learned)),
     ]
 
 
@@ -451,8 +450,9 @@ def _end(process: subprocess.Popen[bytes], harm: _Harm) -> None:
 
 
 def _kill_again(victim: Victim, count: int, chance: random.Random, harm: _Harm, *, latest: float) -> None:
-    command, reached = [sys.executable, "-m", "laplace_core", *victim.command], dict[str, float]()
+    reached = dict[str, float]()
     for _ in range(count):
+        command = [sys.executable, "-m", "laplace_core", *victim.command()]
         process = subprocess.Popen(command, cwd=ROOT, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         with contextlib.suppress(subprocess.TimeoutExpired):
             process.wait(chance.uniform(0.5, latest))
