@@ -42,6 +42,7 @@ coverage: .venv/.dev
 # What takes long: random views against an independent judge, detectors against ground truth, the lens on 1,000 views;
 # neural inverses and a designed grid on random worlds.
 verify: .venv/.verify
+	$(BIN)/python -m bench.hold
 	$(BIN)/python -m laplace_core report verdicts --jobs 2 --check
 	$(BIN)/python -m laplace_core report detectors --check
 	$(BIN)/python -m laplace_core report neural --check

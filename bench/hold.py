@@ -22,7 +22,8 @@ from collections.abc import Awaitable, Callable, Iterator
 from dataclasses import dataclass, field
 from importlib.util import find_spec
 from pathlib import Path
-from urllib.parse import urlencode
+from typing import TYPE_CHECKING
+from urllib.parse import urlencode, urlsplit
 
 import numpy as np
 import psutil
@@ -37,9 +38,10 @@ from bench.visitor import Broken, Visitor, visit
 from laplace_core import InputError
 from laplace_core.files.tensor_file import read_tensors
 from laplace_core.tabular.files import read_learned
-from laplace_core.training.defaults import settings_of
-from laplace_core.training.queue import Queue
 from laplace_core.training.run_folder import MAX_RESUME_BYTES
+
+if TYPE_CHECKING:
+    from playwright.sync_api import Dialog, Request
 
 BUDGET = 2500
 """Megabytes that the server and all that it starts may take."""
@@ -367,13 +369,13 @@ class Victim:
     """Work that is killed again and again, and goes on where it was.
 
     Attributes:
-        command: of ``laplace``, the same at every start.
+        command: of ``laplace``, for the next start.
         points: by name, how far what is saved reaches, which may never go back; it raises InputError or ValueError
             where a file is half-written.
     """
 
     name: str
-    command: list[str]
+    command: Callable[[], list[str]]
     points: Callable[[], dict[str, float]]
 
 
@@ -408,17 +410,18 @@ def _learned_points(file: Path) -> dict[str, float]:
 
 def victims(folder: Path) -> list[Victim]:
     """Training, search, study and learning, each too long to end by itself."""
-    queue, found, table, learned = Queue(folder / "runs"), folder / "search", folder / "s.csv", folder / "l.safetensors"
-    run = queue.folder / queue.add(settings_of("dqn", "CartPole-v1", {"steps": 1_000_000, "checkpoint_every": 500}))
+    run, found, table, learned = folder / "run", folder / "search", folder / "s.csv", folder / "l.safetensors"
+    training = ["train", "dqn", "CartPole-v1", "--steps", "1000000", "--checkpoint-every", "500", "--run", str(run)]
+    resume = ["train", "--resume", str(run)]
     searching = ["search", "dqn", "CartPole-v1", "--set", "steps=1000000", "--set", "checkpoint_every=500"]
     searching += ["--seeds", "2", "--jobs", "2", "--runs", str(found)]
     studying = ["study", "--worlds", "1000", "--jobs", "2", "--out", str(table)]
     learning = ["learn", "cliff_grid", "--episodes", "1000000", "--seeds", "2", "--out", str(learned)]
     return [
-        Victim("training", ["train", "--resume", str(run)], lambda: _training_points(run)),
-        Victim("search", searching, lambda: _training_points(found)),
-        Victim("study", studying, lambda: _table_points(table)),
-        Victim("learning", learning, lambda: _learned_points(learned)),
+        Victim("training", lambda: resume if run.exists() else training, lambda: _training_points(run)),
+        Victim("search", lambda: searching, lambda: _training_points(found)),
+        Victim("study", lambda: studying, lambda: _table_points(table)),
+        Victim("learning", lambda: learning, lambda: _learned_points(learned)),
     ]
 
 
@@ -446,12 +449,13 @@ def _end(process: subprocess.Popen[bytes], harm: _Harm) -> None:
         child.kill()
 
 
-def _kill_again(victim: Victim, count: int, chance: random.Random, harm: _Harm) -> None:
-    command, reached = [sys.executable, "-m", "laplace_core", *victim.command], dict[str, float]()
+def _kill_again(victim: Victim, count: int, chance: random.Random, harm: _Harm, *, latest: float) -> None:
+    reached = dict[str, float]()
     for _ in range(count):
+        command = [sys.executable, "-m", "laplace_core", *victim.command()]
         process = subprocess.Popen(command, cwd=ROOT, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         with contextlib.suppress(subprocess.TimeoutExpired):
-            process.wait(chance.uniform(0.5, 15.0))
+            process.wait(chance.uniform(0.5, latest))
         _end(process, harm)
         try:
             points = victim.points()
@@ -486,14 +490,14 @@ def _kill_servers(count: int, chance: random.Random, harm: _Harm) -> None:
 
 def kills(*, short: bool) -> Iterator[Figure]:
     """Work is killed at random moments and begun again: what it had saved is there, and every file is whole."""
-    each, chance, harm = (1 if short else 40), random.Random(0), _Harm()
+    each, latest, chance, harm = (1 if short else 40), (3.0 if short else 15.0), random.Random(0), _Harm()
     with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
         listed = victims(Path(folder))
         for victim in listed:
-            _kill_again(victim, each, chance, harm)
+            _kill_again(victim, each, chance, harm, latest=latest)
     _kill_servers(each, chance, harm)
     names = ", ".join([victim.name for victim in listed] + ["server"])
-    sizes = f"{each * (len(listed) + 1)} kills in all, of {names} alike, half a second to 15 after each start"
+    sizes = f"{each * (len(listed) + 1)} kills in all, of {names} alike, half a second to {latest:.0f} after each start"
     note = ", ".join(harm.reached)
     yield counted("Kills", "went back behind a resume point", harm.back, Goal("<=", 0), sizes=sizes, note=note)
     yield counted("Kills", "files half-written", harm.broken, Goal("<=", 0), sizes=sizes)
@@ -531,6 +535,14 @@ def hostile(*, short: bool) -> Iterator[Figure]:
                 await one(file.name[:80], page, lambda v, page=page, file=file: give(v, page, file.name, file.content))
 
         asyncio.run(everything())
+        seen = _in_chromium(server.address, links(2 if short else 60, 1))
+        if seen is None:
+            print("links in a browser skipped: there is no Chromium")
+        else:
+            opened, wrong = seen
+            words = f"{opened} links in Chromium"
+            yield counted("Hostile", "requests to other hosts, and scripts", len(wrong), Goal("<=", 0), sizes=words,
+                          note="; ".join(wrong[:5]))  # fmt: skip
         sizes = f"{many} links and {some} files, {server.limited}"
         yield counted(
             "Hostile", "pages that died", len(told.wrong), Goal("<=", 0), sizes=sizes, note="; ".join(told.wrong[:5])
@@ -538,6 +550,38 @@ def hostile(*, short: bool) -> Iterator[Figure]:
         yield counted("Hostile", "tracebacks in the log", server.log.count("Traceback"), Goal("<=", 0), sizes=sizes)
         yield counted("Hostile", "largest memory, MB", server.peak, Goal("<=", BUDGET), sizes=sizes)
         yield counted("Hostile", "server alive at the end", float(server.alive), Goal(">=", 1), sizes=sizes)
+
+
+def _in_chromium(address: str, links: list[str]) -> tuple[int, list[str]] | None:
+    """How many links a browser has opened, and its requests to other hosts and dialogs of scripts; None without one."""
+    from playwright.sync_api import sync_playwright
+
+    from tests.browser.support import FLAGS, find_chromium
+
+    chromium, wrong = find_chromium(), list[str]()
+    if chromium is None:
+        return None
+
+    def note(request: Request) -> None:
+        asked = urlsplit(request.url)
+        if asked.scheme not in ("data", "blob") and asked.netloc != urlsplit(address).netloc:
+            wrong.append(f"asked {request.url[:80]}")
+
+    def dismiss(dialog: Dialog) -> None:
+        wrong.append(f"said {dialog.message[:80]}")
+        dialog.dismiss()
+
+    with sync_playwright() as playwright:
+        browser = playwright.chromium.launch(executable_path=chromium, args=FLAGS)
+        page = browser.new_page()
+        page.on("request", note)
+        page.on("dialog", dismiss)
+        for link in links:
+            page.goto(f"{address}{link}")
+            page.wait_for_selector("[data-testid=stApp][data-test-script-state=notRunning] [data-testid=stSidebar]")
+            page.wait_for_load_state("networkidle")  # pictures of another host would be asked for by now
+        browser.close()
+    return len(links), wrong
 
 
 PARTS = {"visits": visits, "sessions": sessions, "asked": asked, "kills": kills, "hostile": hostile}

@@ -9,9 +9,10 @@ from urllib.parse import parse_qs
 
 import pytest
 
-from bench.hold import FAULTS, give, heavy_visits
+from bench.hold import FAULTS, asked, give, heavy_visits, victims
 from bench.serving import ROOT, serving
 from bench.visitor import Broken, visit
+from laplace_core import InputError
 
 
 @pytest.fixture(scope="module")
@@ -33,6 +34,21 @@ def test_a_visitor_opens_links_and_moves_the_lens(server):
             assert not visitor.texts("exception")
             with pytest.raises(Broken, match="no button 'Fly'"):
                 await visitor.press("Fly")
+
+    asyncio.run(visiting())
+
+
+def test_a_visitor_opens_a_group_and_gives_its_uploader_a_file(server):
+    async def visiting() -> None:
+        async with visit(server.address) as visitor:
+            await visitor.open("worlds")
+            with pytest.raises(Broken, match="no uploader ''"):
+                await visitor.upload("", "world.json", b"{}")
+            await visitor.unfold("Bring your own")
+            await visitor.upload("", "world.json", b"{}")
+            assert "'states' must be a list" in " ".join(visitor.texts("alert"))
+            with pytest.raises(Broken, match="no group 'Nothing'"):
+                await visitor.unfold("Nothing")
 
     asyncio.run(visiting())
 
@@ -105,3 +121,23 @@ def test_help_of_hold_names_its_parts():
     assert shown.returncode == 0
     for part in ("visits", "sessions", "asked", "kills", "hostile"):
         assert part in shown.stdout
+
+
+def test_rollouts_and_races_asked_at_once_all_finish():
+    (finished,) = asked(short=True)
+    assert finished.met, finished.note
+
+
+def test_points_of_work_refuse_a_file_that_is_half_written(tmp_path, subtests):
+    listed = {victim.name: victim for victim in victims(tmp_path)}
+    files = {"search": "search/a/run.json", "learning": "l.safetensors"}
+    for name, file in files.items():
+        with subtests.test(name):
+            assert listed[name].points() == {}
+            (tmp_path / file).parent.mkdir(parents=True, exist_ok=True)
+            (tmp_path / file).write_text('{"half')
+            with pytest.raises((InputError, ValueError)):
+                listed[name].points()
+    # A table whose last row a kill has cut short: the whole rows count, with the header.
+    (tmp_path / "s.csv").write_text("a,b\n1,2\n3,")
+    assert listed["study"].points() == {"rows": 2}

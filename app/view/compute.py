@@ -39,12 +39,10 @@ LARGE = 1_000_000
 def is_large(view: View) -> bool:
     """Whether a study takes so much memory and time that no two are to be computed at once; not if it is refused."""
     s, space = view.settings, view.subject.gamma_space
-    shape = len(view.subject.action_names), s.gammas or 0, s.thetas or 0  # None where a gamma-space has its own
-    if space is not None:
-        actions, gammas, thetas = space.values.shape
-        shape = (actions, gammas, thetas)
+    own = len(view.subject.action_names), s.gammas or 0, s.thetas or 0  # None where a gamma-space has its own
+    actions, gammas, thetas = own if space is None else space.values.shape
     rewards = 1 if view.world is None else view.world.reward_values.size
-    return LARGE < size_of(*shape, s.steps, rewards=rewards) <= largest_study()
+    return LARGE < size_of(actions, gammas, thetas, s.steps, rewards=rewards) <= largest_study()
 
 
 def horizon_of(view: View) -> float:

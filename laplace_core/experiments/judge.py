@@ -100,6 +100,15 @@ def grade(timeline_error: float) -> str:
     return "sound" if timeline_error <= SOUND else "smeared" if timeline_error <= SMEARED else "ruined"
 
 
+def judge_view(view: View) -> Judged:
+    """Choice, values and timelines of a view.
+
+    Raises:
+        InputError: settings that make no grid or are too large.
+    """
+    return Judge(view).judged
+
+
 def repairs(view: View, changes: Mapping[str, Any]) -> bool:
     """Whether a change of settings repairs what is wrong with a view, and on fresh noise too."""
     return Judge(view).repairs(changes)
