@@ -34,4 +34,4 @@ PAGES = [
 ]
 shown = st.navigation(PAGES, position="top")
 shown.run()
-collector.settle(shown.title)
+collector.settle(getattr(shown, "title", ""))  # outside of a session a page has none
