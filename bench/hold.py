@@ -20,7 +20,6 @@ import tempfile
 import time
 from collections.abc import Awaitable, Callable, Iterator
 from dataclasses import dataclass, field
-from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING
 from urllib.parse import urlencode, urlsplit
@@ -39,6 +38,7 @@ from laplace_core import InputError
 from laplace_core.files.tensor_file import read_tensors
 from laplace_core.tabular.files import read_learned
 from laplace_core.training.run_folder import MAX_RESUME_BYTES
+from tests.support.hostile_inputs import files, links
 
 if TYPE_CHECKING:
     from playwright.sync_api import Dialog, Request
@@ -508,11 +508,6 @@ def kills(*, short: bool) -> Iterator[Figure]:
 
 
 def hostile(*, short: bool) -> Iterator[Figure]:
-    if find_spec("bench.hostile") is None:
-        print("hostile links and files skipped: there is no bench/hostile.py")
-        return
-    from bench.hostile import files, links
-
     many, some = (12, 6) if short else (300, 100)
     with serving(ROOT, BUDGET) as server:
         told = Told()

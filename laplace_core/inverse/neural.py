@@ -6,8 +6,8 @@ constant channel and gives the chance of ending at each step; their product is s
 increases. Each row of masses is then moved to the nearest one that is not negative and sums to survival. What remains
 after the last row needs no place: survival may be above 0 there.
 
-Both are trained for one grid of discounts (:mod:`laplace_core.training.neural_inverse`) and are told the size of the
-noise. Here they are run in NumPy, so that no network library is loaded.
+Both are trained for one grid of discounts (:mod:`laplace_core.training.neural_inverse`) and take the size of the
+noise as an input. Here they are run in NumPy, so that no network library is loaded.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
-"""How far apart in time two rewards must be to be told apart through discounts, at a given noise.
+"""How far apart in time two rewards must be to be resolved by discounts, at a given noise.
 
 The Laplace transform multiplies the component of frequency w over log time by sqrt(pi / cosh(pi w)) (McWhirter and
 Pike, J. Phys. A 11, 1978). Components up to the w at which this falls to 1 / SNR of its largest can be recovered,
-and two times are told apart if their ratio is at least exp(pi / w):
+and two times are resolved if their ratio is at least exp(pi / w):
 
     w = arccosh(SNR^2) / pi,    ratio = exp(pi / w)
 
@@ -23,11 +23,11 @@ MARGIN = 3.0
 
 @dataclass(frozen=True)
 class Resolution:
-    """Whether two rewards are told apart.
+    """Whether two rewards are resolved.
 
     Attributes:
         ratio: of the later time to the earlier one.
-        resolvable: the smallest ratio that is told apart at this noise.
+        resolvable: the smallest ratio that is resolved at this noise.
         verdict: ``resolved``, ``marginal`` or ``unresolved``.
         surrounded: whether both times lie within the time constants of the discounts.
         samples: how many times as many samples resolve them; 1 if they are resolved.
@@ -53,7 +53,7 @@ class Resolution:
 
 
 def resolvable_ratio(snr: float) -> float:
-    """The smallest ratio of two times that is told apart at a signal-to-noise ratio.
+    """The smallest ratio of two times that is resolved at a signal-to-noise ratio.
 
     Raises:
         InputError: a ratio that is not above 1.
@@ -64,12 +64,12 @@ def resolvable_ratio(snr: float) -> float:
 
 
 def needed_snr(ratio: float) -> float:
-    """The signal-to-noise ratio at which two times of a ratio are told apart, inverse to :func:`resolvable_ratio`."""
+    """The signal-to-noise ratio at which two times of a ratio are resolved, inverse to :func:`resolvable_ratio`."""
     return float(np.sqrt(np.cosh(np.pi**2 / np.log(ratio))))
 
 
 def resolution(first: float, second: float, snr: float, gammas: np.ndarray) -> Resolution:
-    """Whether rewards at two times are told apart.
+    """Whether rewards at two times are resolved.
 
     Args:
         first: time of a reward, in steps, above 0.

@@ -16,7 +16,7 @@ from app.agents import schema as agents
 from app.race import schema as race
 from app.train import schema as train
 from app.worlds import schema as worlds
-from bench.hostile import LINKS, files, links
+from tests.support.hostile_inputs import LINKS, files, links
 from tests.support.pages import MAIN, opened
 
 MEMORY = 400_000

@@ -8,8 +8,8 @@ from urllib.parse import urlencode
 import pytest
 
 from app.session.link import pack
-from bench.hostile import HOST, NAMES
 from tests.browser.support import DRAWN, settled
+from tests.support.hostile_inputs import HOST, NAMES
 
 pytestmark = pytest.mark.browser
 

@@ -80,7 +80,7 @@ class RandomCase:
         return encode(basis, self.world.reward_values, gammas, self.thetas, self.settings.slope)
 
     def problem(self, noise: float = 0.0, seed: int = 0, gammas: np.ndarray | None = None) -> Problem:
-        """What a solver is given: the gamma-space with noise, whose size it is told.
+        """The problem for a solver: the gamma-space with noise, and the standard deviation of that noise.
 
         Args:
             noise: standard deviation of (1 - gamma) Q.

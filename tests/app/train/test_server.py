@@ -83,7 +83,9 @@ def test_a_browser_keeps_its_runs_over_a_reload_and_a_restart_of_the_server(runs
     begun(monkeypatch)
     training_runs._queue.cache_clear()  # another server on the same folder
     press(wait(opened(), lambda page: "Cancel" in labels(page)), "Cancel")
-    wait(opened(), lambda page: "Resume" in labels(page))
+    page = wait(opened(), lambda page: "Resume" in labels(page))
+    assert "Cancel" not in labels(page)
+    assert states(runs)[NAME] == STOPPED
 
 
 def test_the_word_of_a_browser_is_in_no_file_and_no_link(runs, monkeypatch):

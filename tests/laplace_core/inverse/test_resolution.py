@@ -1,4 +1,4 @@
-"""Which ratio of two times can be told apart at a signal-to-noise ratio."""
+"""Which ratio of two times is resolved at a signal-to-noise ratio."""
 
 import numpy as np
 import pytest
