@@ -62,7 +62,7 @@ def session_id() -> str:
     return "" if context is None else context.session_id
 
 
-def _is_there(name: str) -> bool:
+def is_there(name: str) -> bool:
     """Whether a session's page is open in a browser."""
     try:
         return not name or not runtime.exists() or bool(runtime.get_instance().is_active_session(name))
@@ -222,7 +222,7 @@ class Line:
 
     def __init__(
         self, threads: int, *, kept: int, most: int, limit: float, clock: Callable[[], float] = time.monotonic,
-        is_there: Callable[[str], bool] = _is_there,
+        is_there: Callable[[str], bool] = is_there,
     ):  # fmt: skip
         self.limit, self.clock, self.is_there = limit, clock, is_there
         self.threads, self._kept, self._most = threads, kept, most

@@ -87,7 +87,7 @@ def test_a_search_that_another_visitor_ends_meanwhile_is_shown(monkeypatch):
 def test_a_cause_that_was_forgotten_is_found_again(monkeypatch):
     monkeypatch.setattr(compute, "AT_ONCE", 0.0)
     query = {"world": "two_branch", "normalise": "paper"}
-    for forgotten in (compute.forget, compute._explained_verdict.cache_clear):
+    for forgotten in (compute.forget, compute._explained.cache_clear):
         forgotten()
         assert "Cause: repeated reward" in handed(opened(**query))[0]["said"]["sentence"]
 
