@@ -311,7 +311,7 @@ def sessions(*, short: bool, minutes: float = 10.0) -> Iterator[Figure]:
     with tempfile.TemporaryDirectory() as folder, contextlib.ExitStack() as stack:
         new = stack.enter_context(serving(ROOT, BUDGET))
         old = stack.enter_context(serving(tree_of(OLD, Path(folder) / "old"), None))
-        trainings, finished = _train(Path(folder), 2_000 if short else 20_000), dict[str, bool]()
+        trainings, finished = _train(Path(folder), 2_000 if short else 60_000), dict[str, bool]()
         told = {new: Told(), old: Told()}
         spent, memory = dict.fromkeys(told, 0.0), []
         try:
