@@ -14,6 +14,7 @@ import itertools
 import json
 import os
 import random
+import signal
 import subprocess
 import sys
 import tempfile
@@ -256,7 +257,7 @@ async def _crowd(server: Server, users: int, seconds: float, told: Told) -> None
 
 
 def _train(folder: Path, steps: int) -> list[subprocess.Popen[bytes]]:
-    """Two trainings of low priority."""
+    """Two trainings of low priority, long enough to last until the sessions end."""
     command = ["nice", "-n", "19", sys.executable, "-m", "laplace_core", "train", "dqn", "CartPole-v1"]
     return [
         subprocess.Popen(
@@ -311,7 +312,7 @@ def sessions(*, short: bool, minutes: float = 10.0) -> Iterator[Figure]:
     with tempfile.TemporaryDirectory() as folder, contextlib.ExitStack() as stack:
         new = stack.enter_context(serving(ROOT, BUDGET))
         old = stack.enter_context(serving(tree_of(OLD, Path(folder) / "old"), None))
-        trainings = _train(Path(folder), 2_000 if short else 60_000)
+        trainings = _train(Path(folder), 2_000 if short else 40_000)
         told, finished = {new: Told(), old: Told()}, {new: dict[str, bool](), old: dict[str, bool]()}
         spent, memory, rounds_of = dict.fromkeys(told, 0.0), [], {new: list[str](), old: list[str]()}
         try:
@@ -638,6 +639,7 @@ PARTS = {"visits": visits, "sessions": sessions, "asked": asked, "kills": kills,
 
 
 def main() -> int:
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))  # so that servers and trainings end with it
     parser = argparse.ArgumentParser(prog="python -m bench.hold", description="Whether a server holds.")
     parser.add_argument("--part", choices=PARTS, help="run one part")
     parser.add_argument("--short", action="store_true", help="a few of everything")

@@ -1,18 +1,22 @@
-"""The selector ``auto``: alpha by a linear formula whose coefficients were fitted to worlds of known truth.
+"""The selector ``auto``: alpha by a small network that was fitted to worlds of known truth.
 
 Rules such as cross-validation make the *prediction* of gamma-space best. What a timeline needs is more smoothing, by a
-factor that depends on the transform, and no rule knows it. Here log alpha is a weighted sum of a few numbers that any
-problem has (:data:`FEATURES`), among them two rules that need no noise level: marginal likelihood and quasi-optimality,
-both on the masses that are to be decoded. The coefficients are those which come nearest to the alphas whose timelines
-are nearest to the truth (``python -m laplace_core report auto``), one set for each solver, with and without
-deviations of the discounts. How good the result is on other worlds: ``python -m laplace_core study``.
+factor that depends on the transform and on the data, and no rule knows it. Here log alpha is a function of a few
+numbers that any problem has (:data:`FEATURES`): among them two rules that need no noise level, marginal likelihood and
+quasi-optimality, both on the masses that are to be decoded, and a profile of what Tikhonov would leave of the masses at
+a dozen alphas (:data:`PROFILE`). For each linear solver, with and without deviations of the discounts, a network of two
+hidden layers gives log alpha; for the slow ones, of which examples are few, a weighted sum of the first eight numbers.
+Both are those which come nearest to the alphas whose timelines are nearest to the truth
+(``python -m laplace_core report auto``). How good the result is on other worlds: ``python -m laplace_core study``.
 """
 
 from __future__ import annotations
 
 import json
+from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -20,16 +24,23 @@ from laplace_core.errors import InputError
 from laplace_core.inverse.components import Energies, Sweep, reached
 from laplace_core.inverse.linear import shares_kept, shares_lost
 
-FEATURES = ("one", "likelihood", "quasiopt", "masses", "constant", "steps", "time_step", "largest")
+PROFILE = 12
+"""Alphas of the profile, from 1e-5 to 1 times the largest singular value."""
+SUMMED = ("one", "likelihood", "quasiopt", "masses", "constant", "steps", "time_step", "largest")
 """1; logarithms of the alphas of greatest marginal likelihood and of quasi-optimality; of the mean square of the masses
 and of that of the tails; of the number of rows, of the time from one to the next, and of the largest singular value."""
+FEATURES = (*SUMMED, *(f"{name} {i}" for name in ("misfit", "lost") for i in range(PROFILE)))
+"""These, then logarithms of the profile: of the share of the masses' energy that Tikhonov leaves, and of how many
+components it loses."""
+FARTHEST = 3.0
+"""Standard deviations from the mean of the examples at which a feature counts as no farther."""
 COEFFICIENTS = Path(__file__).with_suffix(".json")
 _ALPHAS = 120
-_LEAST = 1e-30
+_LEAST, _LEAST_LOST = 1e-30, 1e-9
 
 
 def features(sweep: Sweep) -> np.ndarray:
-    """The numbers of a problem by which alpha is chosen, ``(8,)``.
+    """The numbers of a problem by which alpha is chosen, ``(32,)``.
 
     Args:
         sweep: of a whole space.
@@ -40,18 +51,46 @@ def features(sweep: Sweep) -> np.ndarray:
     outside = np.trace(sweep.outside, axis1=-2, axis2=-1)
     tails = float(sweep.energy.sum() + outside.sum()) / (len(sweep.energy) * sweep.columns)
     rows, time_step = len(spectrum.rows), sweep.time_step
-    return np.array(
+    lost = _lost(sweep, np.geomspace(1e-5, 1.0, PROFILE) * largest)
+    misfit = lost @ _smoothed(sweep, sweep.masses) + sweep.masses.outside
+    return np.concatenate(
         [
-            1.0,
-            np.log(likelihood_alpha(sweep)),
-            np.log(quasi_optimal_alpha(sweep)),
-            np.log(sweep.masses.total + _LEAST),
-            np.log(tails + _LEAST),
-            np.log(rows),
-            np.log(time_step),
-            np.log(largest),
+            [
+                1.0,
+                np.log(likelihood_alpha(sweep)),
+                np.log(quasi_optimal_alpha(sweep)),
+                np.log(sweep.masses.total + _LEAST),
+                np.log(tails + _LEAST),
+                np.log(rows),
+                np.log(time_step),
+                np.log(largest),
+            ],
+            np.log(misfit + _LEAST) - np.log(sweep.masses.total + _LEAST),
+            np.log(np.maximum(lost.sum(axis=1), _LEAST_LOST)),
         ]
     )
+
+
+@dataclass(frozen=True, eq=False)
+class Network:
+    """Log alpha from features: two hidden layers of tanh over standardised features.
+
+    Attributes:
+        mean, scale: of the features of the examples, ``(32,)``.
+        layers: weights ``(out, in)`` and biases ``(out,)`` of each layer.
+    """
+
+    mean: np.ndarray
+    scale: np.ndarray
+    layers: tuple[tuple[np.ndarray, np.ndarray], ...]
+
+    def log_alpha(self, numbers: np.ndarray) -> np.ndarray:
+        """``(...)`` for features ``(..., 32)``."""
+        seen = np.clip((numbers - self.mean) / self.scale, -FARTHEST, FARTHEST)
+        for weights, biases in self.layers[:-1]:
+            seen = np.tanh(seen @ weights.T + biases)
+        weights, biases = self.layers[-1]
+        return (seen @ weights.T + biases)[..., 0]
 
 
 def auto_alpha(sweep: Sweep) -> float:
@@ -60,22 +99,44 @@ def auto_alpha(sweep: Sweep) -> float:
     Raises:
         InputError: a solver that has no coefficients.
     """
-    known = _coefficients()
-    if sweep.target not in known:
-        raise InputError(f"alpha auto is for the solvers {', '.join(known)}, not for {sweep.target}.")
-    weights = known[sweep.target]["equal" if sweep.spectrum.weights is None else "weighted"]
-    low, high = sweep.alphas[0], sweep.alphas[-1]
-    return float(np.clip(np.exp(features(sweep) @ weights), low, high))
+    networks, sums = _fitted()
+    weighting = "equal" if sweep.spectrum.weights is None else "weighted"
+    numbers = features(sweep)
+    if sweep.target in networks:
+        log_alpha = float(networks[sweep.target][weighting].log_alpha(numbers))
+    elif sweep.target in sums:
+        log_alpha = float(numbers[: len(SUMMED)] @ sums[sweep.target][weighting])
+    else:
+        known = ", ".join((*networks, *sums))
+        raise InputError(f"alpha auto is for the solvers {known}, not for {sweep.target}.")
+    return float(np.clip(np.exp(log_alpha), sweep.alphas[0], sweep.alphas[-1]))
 
 
 @cache
-def _coefficients() -> dict[str, dict[str, np.ndarray]]:
-    """By solver, and by whether the discounts are weighted."""
-    text = COEFFICIENTS.read_text(encoding="utf-8")
-    return {
-        solver: {weighting: np.array(numbers) for weighting, numbers in sets.items()}
-        for solver, sets in json.loads(text)["coefficients"].items()
+def _fitted() -> tuple[dict[str, dict[str, Network]], dict[str, dict[str, np.ndarray]]]:
+    """Networks and weights of sums, by solver and by whether the discounts are weighted."""
+    held = json.loads(COEFFICIENTS.read_text(encoding="utf-8"))
+    networks = {
+        solver: {weighting: network_of(numbers) for weighting, numbers in sets.items()}
+        for solver, sets in held["networks"].items()
     }
+    sums = {
+        solver: {weighting: np.array(numbers) for weighting, numbers in sets.items()}
+        for solver, sets in held["coefficients"].items()
+    }
+    return networks, sums
+
+
+def network_of(numbers: dict[str, Any]) -> Network:
+    """A network from plain lists."""
+    layers = tuple((np.array(weights), np.array(biases)) for weights, biases in numbers["layers"])
+    return Network(np.array(numbers["mean"]), np.array(numbers["scale"]), layers)
+
+
+def _lost(sweep: Sweep, alphas: np.ndarray) -> np.ndarray:
+    """Share of each smoothed component that Tikhonov leaves at each alpha, ``(a, r - free)``."""
+    lost = shares_lost(sweep.spectrum, alphas, "tikhonov")[:, reached(sweep.spectrum)]
+    return lost[:, sweep.spectrum.free :]
 
 
 def _grid(sweep: Sweep) -> np.ndarray:
@@ -95,7 +156,7 @@ def likelihood_alpha(sweep: Sweep) -> float:
     leaves, over m columns (Wahba, Ann. Statist. 13 (1985) 1378).
     """
     alphas = _grid(sweep)
-    lost = shares_lost(sweep.spectrum, alphas, "tikhonov")[:, reached(sweep.spectrum)][:, sweep.spectrum.free :]
+    lost = _lost(sweep, alphas)
     count = lost.shape[1]
     if not count:
         return float(alphas[0])

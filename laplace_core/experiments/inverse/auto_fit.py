@@ -1,8 +1,10 @@
 """The coefficients of the selector ``auto``, fitted to random worlds of known truth.
 
 Every world is decoded from several grids of discounts, with noise of several sizes, by every linear solver with many
-alphas. Alphas whose distance from the truth is at most ``GOOD`` times the least are good. The coefficients are those
-whose alphas lie in or nearest to these intervals, in the logarithm, by least absolute deviations.
+alphas. A network learns the logarithm of alpha of each linear solver by descent on the distance itself: first on its
+logarithm, then more and more on whether it is at most ``NEAR`` times the least. For the slow solvers alphas whose
+distance is at most ``GOOD`` times the least are good, and the weights of a sum are those whose alphas lie in or nearest
+to these intervals, in the logarithm, by least absolute deviations.
 """
 
 from __future__ import annotations
@@ -11,12 +13,13 @@ from collections.abc import Callable
 from typing import Any, NamedTuple
 
 import numpy as np
+import torch
 
 from laplace_core.code.encoding import PAPER_GAMMAS, discount_grid
 from laplace_core.experiments.inverse.random_cases import random_case
 from laplace_core.files.plain_json import as_json
 from laplace_core.inverse import LINEAR, solve
-from laplace_core.inverse.auto import FEATURES, features
+from laplace_core.inverse.auto import FARTHEST, FEATURES, SUMMED, Network, features
 from laplace_core.inverse.components import sweep_of
 from laplace_core.inverse.distances import mean_time_distance
 from laplace_core.inverse.problem import Problem
@@ -33,11 +36,15 @@ SLOW, SLOW_WORLDS, SLOW_PROBLEMS = ("nonnegative", "feasible"), 60, 1
 GOOD, NEAR = 1.2, 1.3
 NOTHING = 1e-6
 WEIGHTINGS = ("weighted", "equal")
+HIDDEN = 24
+"""Numbers of each hidden layer."""
+EPOCHS, BATCH, RATE, DECAY = 600, 512, 3e-3, 1e-3
+_FARTHEST_RATIO, _SHARP, _SMOOTH = 2.0, 0.08, 0.1  # of log ratios: cut there; width of the step at NEAR; share kept
 _ROUNDS, _LEAST_DEVIATION, _RIDGE = 60, 0.3, 1e-2
 
 
 class Example(NamedTuple):
-    """One problem and one solver: its features ``(8,)``, and the distance at each of ``alphas``."""
+    """One problem and one solver: its features ``(32,)``, and the distance at each of ``alphas``."""
 
     world: int
     solver: str
@@ -79,11 +86,11 @@ def _gammas(rng: np.random.Generator) -> np.ndarray:
     return discount_grid(count, spacing, low, high)
 
 
-def fitted(examples: list[Example]) -> np.ndarray:
-    """Coefficients ``(8,)``, by iteratively reweighted least squares towards the nearest good alpha."""
+def fitted_sum(examples: list[Example]) -> np.ndarray:
+    """Weights ``(8,)`` of the first features, by iteratively reweighted least squares to the nearest good alpha."""
     good = [np.log(each.alphas[each.distances <= GOOD * each.distances.min()]) for each in examples]
     low, high = (np.array([alphas[end] for alphas in good]) for end in (0, -1))
-    X = np.array([each.features for each in examples])
+    X = np.array([each.features[: len(SUMMED)] for each in examples])
     weights = np.linalg.lstsq(X, (low + high) / 2.0, rcond=None)[0]
     for _ in range(_ROUNDS):
         wanted = np.clip(X @ weights, low, high)
@@ -93,11 +100,56 @@ def fitted(examples: list[Example]) -> np.ndarray:
     return weights
 
 
-def near(examples: list[Example], weights: np.ndarray) -> float:
-    """Share of the examples whose distance is at most ``NEAR`` times the least."""
+def fitted_network(examples: list[Example], seed: int = 0) -> Network:
+    """A network for one solver, from examples with the same alphas."""
+    torch.manual_seed(seed)
+    X = np.array([each.features for each in examples])
+    mean, scale = X.mean(axis=0), np.maximum(X.std(axis=0), 1e-6)
+    seen = torch.as_tensor(np.clip((X - mean) / scale, -FARTHEST, FARTHEST), dtype=torch.float32)
+    places = np.log(examples[0].alphas)
+    distances = np.array([each.distances for each in examples])
+    ratios = np.minimum(np.log(distances / distances.min(axis=1, keepdims=True)), _FARTHEST_RATIO)
+    curves, best = torch.as_tensor(ratios, dtype=torch.float32), places[distances.argmin(axis=1)]
+    layers = [torch.nn.Linear(len(FEATURES), HIDDEN), torch.nn.Linear(HIDDEN, HIDDEN), torch.nn.Linear(HIDDEN, 1)]
+    with torch.no_grad():
+        layers[-1].bias.fill_(float(np.median(best)))
+    network = torch.nn.Sequential(layers[0], torch.nn.Tanh(), layers[1], torch.nn.Tanh(), layers[2])
+    descent = torch.optim.AdamW(network.parameters(), RATE, weight_decay=DECAY)
+    slower = torch.optim.lr_scheduler.CosineAnnealingLR(descent, EPOCHS)
+    for epoch in range(EPOCHS):
+        share = min(1.0, 2.0 * epoch / EPOCHS)  # of the step at NEAR in what is made small
+        for batch in torch.randperm(len(seen)).split(BATCH):
+            log_ratio = _read(curves[batch], network(seen[batch])[:, 0], places)
+            step = torch.sigmoid((log_ratio - float(np.log(NEAR))) / _SHARP) + _SMOOTH * log_ratio
+            loss = ((1.0 - share) * log_ratio + share * step).mean()
+            descent.zero_grad()
+            loss.backward()
+            descent.step()
+        slower.step()
+    held = tuple((each.weight.detach().double().numpy(), each.bias.detach().double().numpy()) for each in layers)
+    return Network(mean, scale, held)
+
+
+def _read(curves: torch.Tensor, log_alpha: torch.Tensor, places: np.ndarray) -> torch.Tensor:
+    """Curves ``(n, a)`` at an alpha each, ``(n,)``, linear between the places, which are evenly spaced."""
+    at = ((log_alpha - places[0]) / (places[1] - places[0])).clamp(0.0, len(places) - 1.001)
+    before = at.floor().long()
+    part = at - before
+    low, high = (curves.gather(1, (before + i)[:, None])[:, 0] for i in (0, 1))
+    return low * (1.0 - part) + high * part
+
+
+def log_alphas(fit: Network | np.ndarray, examples: list[Example]) -> np.ndarray:
+    """What a network, or the weights of a sum, choose for each example."""
+    X = np.array([each.features for each in examples])
+    return fit.log_alpha(X) if isinstance(fit, Network) else X[:, : len(SUMMED)] @ fit
+
+
+def near(examples: list[Example], chosen: np.ndarray) -> float:
+    """Share of the examples whose distance at the chosen log alphas is at most ``NEAR`` times the least."""
     ratios = [
-        np.exp(np.interp(each.features @ weights, np.log(each.alphas), np.log(each.distances))) / each.distances.min()
-        for each in examples
+        np.exp(np.interp(log_alpha, np.log(each.alphas), np.log(each.distances))) / each.distances.min()
+        for each, log_alpha in zip(examples, chosen, strict=True)
     ]
     return float(np.mean(np.array(ratios) <= NEAR))
 
@@ -111,6 +163,7 @@ def report(
         examples += several
         progress(done + 1, worlds)
     examples.sort(key=lambda each: each.world)
+    networks: dict[str, dict[str, Any]] = {}
     coefficients: dict[str, dict[str, list[float]]] = {}
     lines = [
         f"{worlds} worlds of seed {SEED}, {PROBLEMS} problems each; within {NEAR} of the least distance on the half "
@@ -119,19 +172,37 @@ def report(
     ]
     shares: dict[str, dict[str, float]] = {}
     for solver in (*LINEAR, *SLOW):
-        coefficients[solver], shares[solver] = {}, {}
+        shares[solver] = {}
         for weighting in WEIGHTINGS:
             own = [each for each in examples if each.solver == solver and each.weighting == weighting]
+            fit: Callable[[list[Example]], Network | np.ndarray] = fitted_network if solver in LINEAR else fitted_sum
             halves = [[each for each in own if each.world % 2 == half] for half in (0, 1)]
-            crossed = [near(halves[1 - half], fitted(halves[half])) for half in (0, 1) if all(halves)]
+            crossed = [
+                near(halves[1 - half], log_alphas(fit(halves[half]), halves[1 - half]))
+                for half in (0, 1)
+                if all(halves)
+            ]
             shares[solver][weighting] = float(np.mean(crossed)) if crossed else float("nan")
-            coefficients[solver][weighting] = np.round(fitted(own), 5).tolist()
+            whole = fit(own)
+            if isinstance(whole, Network):
+                networks.setdefault(solver, {})[weighting] = _listed(whole)
+            else:
+                coefficients.setdefault(solver, {})[weighting] = np.round(whole, 5).tolist()
         lines.append(f"{solver:11} " + " ".join(f"{shares[solver][name]:10.1%}" for name in WEIGHTINGS))
     command = f"python -m laplace_core report auto --worlds {worlds}"
-    numbers = {"command": command, "features": list(FEATURES), "coefficients": coefficients, "near": shares}
+    numbers = {
+        "command": command, "features": list(FEATURES), "networks": networks, "coefficients": coefficients,
+        "near": shares,
+    }  # fmt: skip
     return numbers, "\n".join(lines)
+
+
+def _listed(network: Network) -> dict[str, Any]:
+    """A network as plain lists, with digits enough for an alpha to four of its own."""
+    layers = [[np.round(weights, 5).tolist(), np.round(biases, 5).tolist()] for weights, biases in network.layers]
+    return {"mean": np.round(network.mean, 6).tolist(), "scale": np.round(network.scale, 6).tolist(), "layers": layers}
 
 
 def as_file(numbers: dict[str, Any]) -> bytes:
     """The file of coefficients as JSON."""
-    return as_json({name: numbers[name] for name in ("command", "features", "coefficients")})
+    return as_json({name: numbers[name] for name in ("command", "features", "networks", "coefficients")})
