@@ -5,7 +5,8 @@ factor that depends on the transform and on the data, and no rule knows it. Here
 numbers that any problem has (:data:`FEATURES`): among them two rules that need no noise level, marginal likelihood and
 quasi-optimality, both on the masses that are to be decoded, and a profile of what Tikhonov would leave of the masses at
 a dozen alphas (:data:`PROFILE`). For each linear solver, with and without deviations of the discounts, a network of two
-hidden layers gives log alpha; for the slow ones, of which examples are few, a weighted sum of the first eight numbers.
+hidden layers gives log alpha; for the slow ones, of which examples are few, a weighted sum of the first eight numbers
+and of what the network says for Tikhonov.
 Both are those which come nearest to the alphas whose timelines are nearest to the truth
 (``python -m laplace_core report auto``). How good the result is on other worlds: ``python -m laplace_core study``.
 """
@@ -28,7 +29,8 @@ PROFILE = 12
 """Alphas of the profile, from 1e-5 to 1 times the largest singular value."""
 SUMMED = ("one", "likelihood", "quasiopt", "masses", "constant", "steps", "time_step", "largest")
 """1; logarithms of the alphas of greatest marginal likelihood and of quasi-optimality; of the mean square of the masses
-and of that of the tails; of the number of rows, of the time from one to the next, and of the largest singular value."""
+and of that of the tails; of the number of rows, of the time from one to the next, and of the largest singular value. Of
+a slow solver the sum goes over these and the log alpha of Tikhonov's network."""
 FEATURES = (*SUMMED, *(f"{name} {i}" for name in ("misfit", "lost") for i in range(PROFILE)))
 """These, then logarithms of the profile: of the share of the masses' energy that Tikhonov leaves, and of how many
 components it loses."""
@@ -105,11 +107,16 @@ def auto_alpha(sweep: Sweep) -> float:
     if sweep.target in networks:
         log_alpha = float(networks[sweep.target][weighting].log_alpha(numbers))
     elif sweep.target in sums:
-        log_alpha = float(numbers[: len(SUMMED)] @ sums[sweep.target][weighting])
+        log_alpha = float(summed(numbers, networks["tikhonov"][weighting]) @ sums[sweep.target][weighting])
     else:
         known = ", ".join((*networks, *sums))
         raise InputError(f"alpha auto is for the solvers {known}, not for {sweep.target}.")
     return float(np.clip(np.exp(log_alpha), sweep.alphas[0], sweep.alphas[-1]))
+
+
+def summed(numbers: np.ndarray, tikhonov: Network) -> np.ndarray:
+    """What the sum of a slow solver goes over, ``(..., 9)``, from features ``(..., 32)``."""
+    return np.concatenate([numbers[..., : len(SUMMED)], tikhonov.log_alpha(numbers)[..., None]], axis=-1)
 
 
 @cache

@@ -19,7 +19,7 @@ from laplace_core.code.encoding import PAPER_GAMMAS, discount_grid
 from laplace_core.experiments.inverse.random_cases import random_case
 from laplace_core.files.plain_json import as_json
 from laplace_core.inverse import LINEAR, solve
-from laplace_core.inverse.auto import FARTHEST, FEATURES, SUMMED, Network, features
+from laplace_core.inverse.auto import FARTHEST, FEATURES, Network, features, summed
 from laplace_core.inverse.components import sweep_of
 from laplace_core.inverse.distances import mean_time_distance
 from laplace_core.inverse.problem import Problem
@@ -29,9 +29,9 @@ SEED = 1000
 """Of the worlds that are fitted; studies use others."""
 PROBLEMS = 4
 """Of each world, each with a grid and a noise of its own."""
-ALPHAS, FEW_ALPHAS = np.geomspace(1e-6, 100.0, 56), np.geomspace(1e-5, 10.0, 13)
+ALPHAS, FEW_ALPHAS = np.geomspace(1e-6, 100.0, 56), np.geomspace(1e-4, 100.0, 13)
 """Of a linear solver, and of a slow one."""
-SLOW, SLOW_WORLDS, SLOW_PROBLEMS = ("nonnegative", "feasible"), 60, 1
+SLOW, SLOW_WORLDS, SLOW_PROBLEMS = ("nonnegative", "feasible"), 120, 1
 """Slow solvers, and how many worlds and problems of each they are fitted to."""
 GOOD, NEAR = 1.2, 1.3
 NOTHING = 1e-6
@@ -86,11 +86,15 @@ def _gammas(rng: np.random.Generator) -> np.ndarray:
     return discount_grid(count, spacing, low, high)
 
 
-def fitted_sum(examples: list[Example]) -> np.ndarray:
-    """Weights ``(8,)`` of the first features, by iteratively reweighted least squares to the nearest good alpha."""
+def fitted_sum(examples: list[Example], tikhonov: Network) -> np.ndarray:
+    """Weights ``(9,)`` of a sum, by iteratively reweighted least squares to the nearest good alpha.
+
+    Args:
+        tikhonov: the network of Tikhonov, fitted to the same worlds.
+    """
     good = [np.log(each.alphas[each.distances <= GOOD * each.distances.min()]) for each in examples]
     low, high = (np.array([alphas[end] for alphas in good]) for end in (0, -1))
-    X = np.array([each.features[: len(SUMMED)] for each in examples])
+    X = summed(np.array([each.features for each in examples]), tikhonov)
     weights = np.linalg.lstsq(X, (low + high) / 2.0, rcond=None)[0]
     for _ in range(_ROUNDS):
         wanted = np.clip(X @ weights, low, high)
@@ -139,12 +143,6 @@ def _read(curves: torch.Tensor, log_alpha: torch.Tensor, places: np.ndarray) -> 
     return low * (1.0 - part) + high * part
 
 
-def log_alphas(fit: Network | np.ndarray, examples: list[Example]) -> np.ndarray:
-    """What a network, or the weights of a sum, choose for each example."""
-    X = np.array([each.features for each in examples])
-    return fit.log_alpha(X) if isinstance(fit, Network) else X[:, : len(SUMMED)] @ fit
-
-
 def near(examples: list[Example], chosen: np.ndarray) -> float:
     """Share of the examples whose distance at the chosen log alphas is at most ``NEAR`` times the least."""
     ratios = [
@@ -163,38 +161,61 @@ def report(
         examples += several
         progress(done + 1, worlds)
     examples.sort(key=lambda each: each.world)
-    networks: dict[str, dict[str, Any]] = {}
-    coefficients: dict[str, dict[str, list[float]]] = {}
     lines = [
         f"{worlds} worlds of seed {SEED}, {PROBLEMS} problems each; within {NEAR} of the least distance on the half "
         "that was not fitted",
         f"{'solver':11} " + " ".join(f"{name:>10}" for name in WEIGHTINGS),
     ]
-    shares: dict[str, dict[str, float]] = {}
-    for solver in (*LINEAR, *SLOW):
-        shares[solver] = {}
-        for weighting in WEIGHTINGS:
-            own = [each for each in examples if each.solver == solver and each.weighting == weighting]
-            fit: Callable[[list[Example]], Network | np.ndarray] = fitted_network if solver in LINEAR else fitted_sum
-            halves = [[each for each in own if each.world % 2 == half] for half in (0, 1)]
-            crossed = [
-                near(halves[1 - half], log_alphas(fit(halves[half]), halves[1 - half]))
-                for half in (0, 1)
-                if all(halves)
-            ]
-            shares[solver][weighting] = float(np.mean(crossed)) if crossed else float("nan")
-            whole = fit(own)
-            if isinstance(whole, Network):
-                networks.setdefault(solver, {})[weighting] = _listed(whole)
+    networks: dict[str, dict[str, Any]] = {solver: {} for solver in LINEAR}
+    coefficients: dict[str, dict[str, list[float]]] = {solver: {} for solver in SLOW}
+    shares: dict[str, dict[str, float]] = {solver: {} for solver in (*LINEAR, *SLOW)}
+    for weighting in WEIGHTINGS:
+        own = [each for each in examples if each.weighting == weighting]
+        whole, chosen = _fit(own), [_chosen(_fit(_half(own, half)), _half(own, 1 - half)) for half in (0, 1)]
+        for solver, fit in whole.items():
+            if isinstance(fit, Network):
+                networks[solver][weighting] = _listed(fit)
             else:
-                coefficients.setdefault(solver, {})[weighting] = np.round(whole, 5).tolist()
-        lines.append(f"{solver:11} " + " ".join(f"{shares[solver][name]:10.1%}" for name in WEIGHTINGS))
+                coefficients[solver][weighting] = np.round(fit, 5).tolist()
+            shares[solver][weighting] = float(
+                np.mean([near(*each[solver]) if each[solver][0] else np.nan for each in chosen])
+            )
+    for solver, each in shares.items():
+        lines.append(f"{solver:11} " + " ".join(f"{each[name]:10.1%}" for name in WEIGHTINGS))
     command = f"python -m laplace_core report auto --worlds {worlds}"
     numbers = {
         "command": command, "features": list(FEATURES), "networks": networks, "coefficients": coefficients,
         "near": shares,
     }  # fmt: skip
     return numbers, "\n".join(lines)
+
+
+def _half(examples: list[Example], half: int) -> list[Example]:
+    """The examples of every second world."""
+    return [each for each in examples if each.world % 2 == half]
+
+
+def _fit(examples: list[Example]) -> dict[str, Network | np.ndarray]:
+    """By solver: a network of the linear ones, the weights of a sum of the slow ones; nothing from no examples."""
+    own = {solver: [each for each in examples if each.solver == solver] for solver in (*LINEAR, *SLOW)}
+    networks = {solver: fitted_network(own[solver]) for solver in LINEAR if own[solver]}
+    sums = {solver: fitted_sum(own[solver], networks["tikhonov"]) for solver in SLOW if own[solver]}
+    return {**networks, **sums}
+
+
+def _chosen(
+    fits: dict[str, Network | np.ndarray], examples: list[Example]
+) -> dict[str, tuple[list[Example], np.ndarray]]:
+    """The examples of each solver, and the log alphas that the fits choose for them."""
+    chosen = {}
+    for solver, fit in fits.items():
+        own = [each for each in examples if each.solver == solver]
+        numbers = np.array([each.features for each in own]).reshape(len(own), len(FEATURES))
+        tikhonov = fits["tikhonov"]
+        assert isinstance(tikhonov, Network)  # it is linear
+        alphas = fit.log_alpha(numbers) if isinstance(fit, Network) else summed(numbers, tikhonov) @ fit
+        chosen[solver] = own, alphas
+    return chosen
 
 
 def _listed(network: Network) -> dict[str, Any]:

@@ -129,10 +129,27 @@ def naive_auto(given: Problem, solver: str) -> float:
         math.log(sum(energy) + outside), math.log(sum(t @ t for t in tails) / len(tails)),
         math.log(given.steps), math.log(given.time_step), math.log(s[0]),
     ]  # fmt: skip
-    weights = json.loads(COEFFICIENTS.read_text())["coefficients"][solver]
-    return sum(
-        n * w for n, w in zip(numbers, weights["equal" if spectrum.weights is None else "weighted"], strict=True)
+    weighting = "equal" if spectrum.weights is None else "weighted"
+    held = json.loads(COEFFICIENTS.read_text())
+    slow, summed = solver in held["coefficients"], numbers
+    total = sum(energy) + outside
+    lost_at = [[a**2 / (x**2 + a**2) for x in s] for a in (s[0] * 10 ** (-5 + 5 * i / 11) for i in range(12))]
+    numbers = (
+        numbers
+        + [math.log((sum(x * e for x, e in zip(lost, bare, strict=True)) + outside) / total) for lost in lost_at]
+        + [math.log(sum(lost)) for lost in lost_at]
     )
+    network = held["networks"]["tikhonov" if slow else solver][weighting]
+    seen = [
+        min(3.0, max(-3.0, (n - mean) / scale))
+        for n, mean, scale in zip(numbers, network["mean"], network["scale"], strict=True)
+    ]
+    for layer, (rows, biases) in enumerate(network["layers"]):
+        outputs = [sum(w * x for w, x in zip(row, seen, strict=True)) + b for row, b in zip(rows, biases, strict=True)]
+        seen = outputs if layer == 2 else [math.tanh(x) for x in outputs]
+    if not slow:
+        return seen[0]
+    return sum(n * w for n, w in zip([*summed, *seen], held["coefficients"][solver][weighting], strict=True))
 
 
 def _ncp(residuals):
