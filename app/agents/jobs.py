@@ -12,7 +12,7 @@ import numpy as np
 
 from app.catalogue.costs import cost_of
 from app.components.player.payload import payload
-from app.session.jobs import Job, Kind, Progress, Wish
+from app.session.jobs import Wish, background
 from app.view.subjects import View
 from laplace_core.acting.continuations import Continuations, Outcomes, continue_from, outcomes_of_states
 from laplace_core.acting.flags import Flags, flag_steps
@@ -20,6 +20,7 @@ from laplace_core.acting.return_laws import COUNT as RETURNS
 from laplace_core.acting.return_laws import SimulatedReturns, outputs_along, simulate_returns, steps_until_cut
 from laplace_core.acting.rollout import Rollout, acting_gamma, length_of, roll_out
 from laplace_core.environments import GYMNASIUM_ENVIRONMENTS, vector
+from laplace_core.supervise.jobs import Job, Kind, Progress
 from laplace_core.training.checkpoint import Loaded
 
 MOST_KEPT = 16
@@ -55,10 +56,10 @@ class RolledOut:
 
 Rolling = Job[RolledOut]
 
-_rollouts: Kind[RolledOut] = Kind("rollouts", MOST_KEPT)
-_artefacts: Kind[Flags] = Kind("artefacts along rollouts", MOST_KEPT)
-_truths: Kind[Continuations | Outcomes] = Kind("simulated continuations", 8)
-_returns: Kind[tuple[SimulatedReturns, ...]] = Kind("simulated returns", MOST_KEPT)
+_rollouts: Kind[RolledOut] = Kind("rollouts", MOST_KEPT, line=background)
+_artefacts: Kind[Flags] = Kind("artefacts along rollouts", MOST_KEPT, line=background)
+_truths: Kind[Continuations | Outcomes] = Kind("simulated continuations", 8, line=background)
+_returns: Kind[tuple[SimulatedReturns, ...]] = Kind("simulated returns", MOST_KEPT, line=background)
 
 
 def rolling(loaded: Loaded, control: Control) -> Wish[RolledOut]:

@@ -7,10 +7,11 @@ from typing import Any
 
 from app.catalogue.costs import cost_of
 from app.components.track.payload import payload
-from app.session.jobs import Kind, Progress, Wish
+from app.session.jobs import Wish, background
 from laplace_core.acting.evaluation import AT_ONCE
 from laplace_core.acting.race import Entrant, Race, Races, race, races
 from laplace_core.environments import GYMNASIUM_ENVIRONMENTS
+from laplace_core.supervise.jobs import Kind, Progress
 from laplace_core.training.checkpoint import Loaded
 
 MOST_KEPT = 12
@@ -38,8 +39,8 @@ class Control:
         return left, Entrant(self.right.agent, self.right_rule)
 
 
-_racing: Kind[tuple[Race, bytes]] = Kind("races", MOST_KEPT)
-_fields: Kind[tuple[Races, dict[str, Any]]] = Kind("races from many starts", MOST_KEPT)
+_racing: Kind[tuple[Race, bytes]] = Kind("races", MOST_KEPT, line=background)
+_fields: Kind[tuple[Races, dict[str, Any]]] = Kind("races from many starts", MOST_KEPT, line=background)
 
 
 def racing(control: Control, start: int) -> Wish[tuple[Race, bytes]]:

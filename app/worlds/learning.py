@@ -13,7 +13,7 @@ from app.components.chart import chart
 from app.components.waiting import attempt, place_in_line
 from app.components.widgets import download, field, select
 from app.session import store
-from app.session.jobs import Wish, duration
+from app.session.jobs import Wish
 from app.session.typed import in_markdown
 from app.session.url import by_name
 from app.view import compute, subjects
@@ -21,8 +21,10 @@ from app.view.subjects import View
 from app.worlds import learners, sources
 from app.worlds.sources import LEARN
 from laplace_core import InputError, World, load_world
+from laplace_core.supervise.jobs import duration
 from laplace_core.tabular import LEARN_SCHEMA, Learned, LearnSettings, learned_bytes, resolve_learning
 from laplace_core.tabular.settings import DECIDED_NAMES, ResolvedLearning
+from laplace_core.tabular.work import Watched, Work
 
 _SHOWN = {
     "episodes": "Episodes",
@@ -94,7 +96,7 @@ _IN_LINK = 10
 
 def _wish(
     world: World, wanted: LearnSettings, values: subjects.Values | None = None, *, slot: str = "learner"
-) -> Wish[learners.Work]:  # fmt: skip
+) -> Wish[Work]:  # fmt: skip
     """The run of settings in a view, by default the present one; a link names it."""
     values = store.chosen() if values is None else values
     what = (world.source, world.params, values.get("own"), values.get("timeline"), wanted)
@@ -108,12 +110,12 @@ def _begin(world: World) -> None:
         wish = _wish(world, learning_of(world))
     except InputError:  # said beside the button already
         return
-    learners.forget(str(wish.key))
+    learners.forget(wish)
     wish.begin()
     store.choose("run", str(wish.key)[:_IN_LINK])
 
 
-def current(world: World) -> tuple[Learned | None, learners.Watched | None]:
+def current(world: World) -> tuple[Learned | None, Watched | None]:
     """What was learned, or is being learned, for what the page shows; nothing under an exact gamma-space."""
     values = store.chosen()
     if values.get("source") != "learned":
@@ -166,7 +168,7 @@ def learned_in(values: subjects.Values, world: World) -> tuple[Learned | None, b
     return (None, True) if learned is None else (sources.about(learned, world), False)
 
 
-def strip(view: View, watched: learners.Watched | None) -> None:
+def strip(view: View, watched: Watched | None) -> None:
     """Between the verdict and the pictures: how far learning is."""
     if store.chosen().get("source") != "learned":
         return
@@ -190,7 +192,7 @@ def strip(view: View, watched: learners.Watched | None) -> None:
             download("Download agent", lambda: learned_bytes(learner.learned), file, place=save, width="stretch")
 
 
-def _present(view: View) -> Wish[learners.Work] | None:
+def _present(view: View) -> Wish[Work] | None:
     """The run of a view; none where its settings do not fit, which is said beside them."""
     try:
         return None if view.world is None else _wish(view.world, learning_of(view.world))
@@ -198,20 +200,20 @@ def _present(view: View) -> Wish[learners.Work] | None:
         return None
 
 
-def _cost(wish: Wish[learners.Work] | None) -> str:
+def _cost(wish: Wish[Work] | None) -> str:
     if wish is None:
         return ""
     return capital(wish.notice or f"learning takes about {duration(wish.estimate())}.")
 
 
-def _cancel(watched: learners.Watched, wish: Wish[learners.Work] | None) -> None:
+def _cancel(watched: Watched, wish: Wish[Work] | None) -> None:
     """Callback: stop; a link no longer asks for the whole run."""
     if wish is not None:
         watched.cancel(wish)
     store.choose("run", None)
 
 
-def _progress(view: View, watched: learners.Watched | None) -> None:
+def _progress(view: View, watched: Watched | None) -> None:
     if watched is None:
         if view.learned is None:
             st.info(f"Nothing is learned with these settings yet: the pictures are exact. {_cost(_present(view))}")
