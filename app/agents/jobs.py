@@ -11,7 +11,6 @@ from dataclasses import asdict, dataclass, replace
 import numpy as np
 
 from app.catalogue.costs import cost_of
-from app.components.player.payload import payload
 from app.session.jobs import Wish, background
 from app.view.subjects import View
 from laplace_core.acting.continuations import Continuations, Outcomes, continue_from, outcomes_of_states
@@ -20,6 +19,7 @@ from laplace_core.acting.return_laws import COUNT as RETURNS
 from laplace_core.acting.return_laws import SimulatedReturns, outputs_along, simulate_returns, steps_until_cut
 from laplace_core.acting.rollout import Rollout, acting_gamma, length_of, roll_out
 from laplace_core.environments import GYMNASIUM_ENVIRONMENTS, vector
+from laplace_core.payloads.player import payload
 from laplace_core.supervise.jobs import Job, Kind, Progress
 from laplace_core.training.checkpoint import Loaded
 

@@ -10,7 +10,6 @@ import numpy as np
 
 from app.agents import episode
 from app.catalogue import checkpoints
-from app.components.lens.state import ADDED
 from app.session.url import Check, Entries, Old, Schema, Values
 from app.view.schema import ACTION, DRAWN, LOOK, OLD_SWITCHES, check_reached
 from app.view.subjects import Observed, View
@@ -20,6 +19,7 @@ from laplace_core.caching import cached
 from laplace_core.code.interpolation import with_added
 from laplace_core.environments import GYMNASIUM_ENVIRONMENTS, Environment, environment_of
 from laplace_core.parameters import Parameter
+from laplace_core.payloads.state import ADDED
 from laplace_core.study.settings import ENCODING_NAMES, Resolved, resolve, resolve_for_gamma_space
 from laplace_core.training.checkpoint import Loaded
 

@@ -9,7 +9,6 @@ from app.agents.episode import AFTER
 from app.agents.jobs import COUNT, EACH, EPISODES, STEPS
 from app.catalogue import rules
 from app.components.chart import chart
-from app.components.lens.payload import Simulated
 from app.components.waiting import attempt, offer, progress
 from app.components.widgets import select
 from app.session import store
@@ -21,6 +20,7 @@ from laplace_core.acting.simulated_truth import Confronted, confront, confront_s
 from laplace_core.agents.agent import Agent
 from laplace_core.caching import cached
 from laplace_core.environments import vector
+from laplace_core.payloads.lens import Simulated
 from laplace_core.training.checkpoint import Loaded
 
 _HELP = "Compare the decoded timeline with simulated continuations."

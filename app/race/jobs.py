@@ -6,11 +6,11 @@ from dataclasses import dataclass
 from typing import Any
 
 from app.catalogue.costs import cost_of
-from app.components.track.payload import payload
 from app.session.jobs import Wish, background
 from laplace_core.acting.evaluation import AT_ONCE
 from laplace_core.acting.race import Entrant, Race, Races, race, races
 from laplace_core.environments import GYMNASIUM_ENVIRONMENTS
+from laplace_core.payloads.track import payload
 from laplace_core.supervise.jobs import Kind, Progress
 from laplace_core.training.checkpoint import Loaded
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import streamlit as st
 
-from app.components.lens.state import LIVE
 from app.components.waiting import turn
 from app.session import store
 from app.session.typed import in_markdown
@@ -14,6 +13,7 @@ from app.worlds import bring, compare, export, learners, learning, sidebar, sour
 from app.worlds.presets import presets_for
 from app.worlds.schema import LINK
 from laplace_core import InputError
+from laplace_core.payloads.state import LIVE
 
 LOOK_EVERY = 0.7  # seconds between two looks at a learner
 

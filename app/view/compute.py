@@ -7,10 +7,10 @@ from typing import Any
 
 import numpy as np
 
-from app.components.lens.payload import Simulated, payload, structure
 from app.view.subjects import Learner, Subject, View, state_in
 from laplace_core import InputError, Study, World, figures
 from laplace_core.caching import Cached, cached
+from laplace_core.payloads.lens import Simulated, payload, structure
 from laplace_core.planning import greedy_policy
 from laplace_core.study.artefacts import Artefact, find_artefacts
 from laplace_core.study.compare import Space, difference, summary, value_difference

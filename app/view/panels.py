@@ -11,13 +11,13 @@ import streamlit as st
 
 from app import session
 from app.components.lens import Graph, Pin, Preset, Released, Said, lens
-from app.components.lens.payload import Simulated
-from app.components.lens.state import checked, state_of, values_of
 from app.components.waiting import attempt
 from app.session import store
 from app.session.typed import in_markdown
 from app.view import compute
 from app.view.subjects import PARAM, View
+from laplace_core.payloads.lens import Simulated
+from laplace_core.payloads.state import checked, state_of, values_of
 from laplace_core.study.artefacts import Artefact
 from laplace_core.study.settings import BY_NAME, SWITCHES
 from laplace_core.study.verdict import Verdict

@@ -10,7 +10,6 @@ import streamlit as st
 
 from app.components.chart import chart
 from app.components.lens import Pin
-from app.components.lens.state import state_of
 from app.session import store
 from app.session.link import pack
 from app.session.typed import in_markdown
@@ -21,6 +20,7 @@ from app.worlds import learning, sources
 from app.worlds.actions import world_name
 from app.worlds.schema import unpinned
 from laplace_core import InputError
+from laplace_core.payloads.state import state_of
 
 _UNSAID = ("pin", "edit", "compare", "look", "run", "own", "timeline")
 

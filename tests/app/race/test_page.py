@@ -14,7 +14,6 @@ from streamlit.testing.v1 import AppTest
 
 from app.catalogue import checkpoints
 from app.components.track import COLOURS
-from app.components.track.payload import payload
 from app.race import jobs, schema, words
 from app.race.jobs import Control
 from laplace_core import figures
@@ -23,6 +22,7 @@ from laplace_core.acting.race import FIRST_START, Entrant, Races, race
 from laplace_core.acting.race import races as races_of
 from laplace_core.agents import SETTINGS, LaplaceSettings
 from laplace_core.figures.race import piles
+from laplace_core.payloads.track import payload
 from laplace_core.training.checkpoint import Loaded, load_checkpoint, new_agent, save_checkpoint
 from tests.support.pages import MAIN, charts, link, press, run, wait
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from app.components.lens.payload import payload, structure
 from app.view import compute, panels
 from laplace_core import Settings, load_world, study
+from laplace_core.payloads.lens import payload, structure
 from laplace_core.study.settings import resolve
 from tests.support.pages import choose, handed, link, opened, pin, press
 
