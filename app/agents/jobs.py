@@ -12,7 +12,6 @@ import numpy as np
 
 from app.catalogue.costs import cost_of
 from app.session.jobs import Wish, background
-from app.view.subjects import View
 from laplace_core.acting.continuations import Continuations, Outcomes, continue_from, outcomes_of_states
 from laplace_core.acting.flags import Flags, flag_steps
 from laplace_core.acting.return_laws import COUNT as RETURNS
@@ -20,6 +19,7 @@ from laplace_core.acting.return_laws import SimulatedReturns, outputs_along, sim
 from laplace_core.acting.rollout import Rollout, acting_gamma, length_of, roll_out
 from laplace_core.environments import GYMNASIUM_ENVIRONMENTS, vector
 from laplace_core.payloads.player import payload
+from laplace_core.subjects import View
 from laplace_core.supervise.jobs import Job, Kind, Progress
 from laplace_core.training.checkpoint import Loaded
 

@@ -12,7 +12,6 @@ from app.agents import episode
 from app.catalogue import checkpoints
 from app.session.url import Check, Entries, Old, Schema, Values
 from app.view.schema import ACTION, DRAWN, LOOK, OLD_SWITCHES, check_reached
-from app.view.subjects import Observed, View
 from laplace_core import InputError, Settings, load_world
 from laplace_core.agents.capabilities import HasGammaSpace
 from laplace_core.caching import cached
@@ -21,6 +20,7 @@ from laplace_core.environments import GYMNASIUM_ENVIRONMENTS, Environment, envir
 from laplace_core.parameters import Parameter
 from laplace_core.payloads.state import ADDED
 from laplace_core.study.settings import ENCODING_NAMES, Resolved, resolve, resolve_for_gamma_space
+from laplace_core.subjects import Observed, View
 from laplace_core.training.checkpoint import Loaded
 
 OBSERVED = "o."  # prefix of the components of an observation

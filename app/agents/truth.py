@@ -12,7 +12,6 @@ from app.components.chart import chart
 from app.components.waiting import attempt, offer, progress
 from app.components.widgets import select
 from app.session import store
-from app.view.subjects import Subject, View
 from laplace_core import figures
 from laplace_core.acting.continuations import Continuations, Outcomes, steps_known
 from laplace_core.acting.rollout import Rollout
@@ -21,6 +20,7 @@ from laplace_core.agents.agent import Agent
 from laplace_core.caching import cached
 from laplace_core.environments import vector
 from laplace_core.payloads.lens import Simulated
+from laplace_core.subjects import Subject, View
 from laplace_core.training.checkpoint import Loaded
 
 _HELP = "Compare the decoded timeline with simulated continuations."

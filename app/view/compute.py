@@ -7,7 +7,6 @@ from typing import Any
 
 import numpy as np
 
-from app.view.subjects import Learner, Subject, View, state_in
 from laplace_core import InputError, Study, World, figures
 from laplace_core.caching import Cached, cached
 from laplace_core.payloads.lens import Simulated, payload, structure
@@ -20,6 +19,7 @@ from laplace_core.study.settings import Resolved
 from laplace_core.study.size import largest_study, size_of
 from laplace_core.study.trials import Trials
 from laplace_core.study.verdict import Verdict, judge
+from laplace_core.subjects import Learner, Subject, View, state_in
 from laplace_core.tabular import Bands, Learned, bands, return_distributions
 
 

@@ -15,12 +15,13 @@ from app.components.waiting import attempt
 from app.session import store
 from app.session.typed import in_markdown
 from app.view import compute
-from app.view.subjects import PARAM, View
+from app.view.schema import PARAM
 from laplace_core.payloads.lens import Simulated
 from laplace_core.payloads.state import checked, state_of, values_of
 from laplace_core.study.artefacts import Artefact
 from laplace_core.study.settings import BY_NAME, SWITCHES
 from laplace_core.study.verdict import Verdict
+from laplace_core.subjects import View
 
 TONES = {"lucky": "warn", "wrong": "bad", "unknown": "unknown"}
 _ACROSS = 3  # artefacts side by side

@@ -12,11 +12,11 @@ from app.catalogue import tabular
 from app.components.widgets import download, left_out, upload
 from app.session import store
 from app.session.typed import in_markdown
-from app.view.subjects import View
 from app.worlds import sources
 from app.worlds.actions import edit_world, go_to, world_name
 from laplace_core import InputError, World
 from laplace_core.parameters import NUMBER, as_text
+from laplace_core.subjects import View
 from laplace_core.worlds import (
     dump_world,
     parse_world_bytes,

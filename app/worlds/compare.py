@@ -15,12 +15,12 @@ from app.session.link import pack
 from app.session.typed import in_markdown
 from app.session.url import query_of
 from app.view import compute
-from app.view.subjects import View
 from app.worlds import learning, sources
 from app.worlds.actions import world_name
 from app.worlds.schema import unpinned
 from laplace_core import InputError
 from laplace_core.payloads.state import state_of
+from laplace_core.subjects import View
 
 _UNSAID = ("pin", "edit", "compare", "look", "run", "own", "timeline")
 

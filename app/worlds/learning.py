@@ -16,11 +16,12 @@ from app.session import store
 from app.session.jobs import Wish
 from app.session.typed import in_markdown
 from app.session.url import by_name
-from app.view import compute, subjects
-from app.view.subjects import View
+from app.view import compute
+from app.view.schema import Values
 from app.worlds import learners, sources
 from app.worlds.sources import LEARN
 from laplace_core import InputError, World, load_world
+from laplace_core.subjects import View, learned_file
 from laplace_core.supervise.jobs import duration
 from laplace_core.tabular import LEARN_SCHEMA, Learned, LearnSettings, learned_bytes, resolve_learning
 from laplace_core.tabular.settings import DECIDED_NAMES, ResolvedLearning
@@ -78,7 +79,7 @@ def agent_title(agent: str) -> str:
     return "the file that you opened" if agent in tabular.opened_agents() else agent.replace("_", " ")
 
 
-def learning_of(world: World, values: subjects.Values | None = None) -> ResolvedLearning:
+def learning_of(world: World, values: Values | None = None) -> ResolvedLearning:
     """What would be learned in a view, by default the present one: the learner's settings, its discounts and policy.
 
     Raises:
@@ -95,7 +96,7 @@ _IN_LINK = 10
 
 
 def _wish(
-    world: World, wanted: LearnSettings, values: subjects.Values | None = None, *, slot: str = "learner"
+    world: World, wanted: LearnSettings, values: Values | None = None, *, slot: str = "learner"
 ) -> Wish[Work]:  # fmt: skip
     """The run of settings in a view, by default the present one; a link names it."""
     values = store.chosen() if values is None else values
@@ -137,13 +138,13 @@ def current(world: World) -> tuple[Learned | None, Watched | None]:
     return None if learned is None else sources.about(learned, world), watched
 
 
-def _opened(values: subjects.Values, world: World) -> Learned | None:
+def _opened(values: Values, world: World) -> Learned | None:
     """What the agent of a view has learned, if it learned this world."""
     learned = tabular.agent(str(values["agent"]))
     return sources.about(learned, world) if sources.fits(learned, world) else None
 
 
-def learned_in(values: subjects.Values, world: World) -> tuple[Learned | None, bool]:
+def learned_in(values: Values, world: World) -> tuple[Learned | None, bool]:
     """What was learned for a pinned view, and whether it is still to come.
 
     A run that is not here any more is learned again, from its seed, if that is short.
@@ -188,7 +189,7 @@ def strip(view: View, watched: Watched | None) -> None:
         if len(learner.learned.basis) > 1:
             _which(learner.learned, seed)
         if watched is None or not watched.running:
-            file = f"{subjects.plain_name(learner.world)}_td.safetensors"
+            file = learned_file(learner.world)
             download("Download agent", lambda: learned_bytes(learner.learned), file, place=save, width="stretch")
 
 

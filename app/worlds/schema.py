@@ -9,8 +9,7 @@ from dataclasses import replace
 from app.catalogue import tabular
 from app.session.link import unpack
 from app.session.url import Check, Entries, Schema, Values, by_name, check_of
-from app.view.schema import ACTION, DRAWN, LOOK, OLD_SWITCHES, check_reached
-from app.view.subjects import PARAM
+from app.view.schema import ACTION, DRAWN, LOOK, OLD_SWITCHES, PARAM, check_reached
 from app.worlds import sources
 from app.worlds.sources import LEARN
 from laplace_core import InputError, Settings, World

@@ -17,10 +17,10 @@ from streamlit.testing.v1 import AppTest
 
 from app.session import KEY, Session
 from app.session.link import pack
-from app.view.subjects import View
 from app.worlds.schema import LINK
 from app.worlds.sources import view_of
 from laplace_core import Study
+from laplace_core.subjects import View
 from laplace_core.tabular.work import Runs, Watched
 from tests.support.lens_reference import seen
 

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from app.session.link import pack
 from app.session.url import query_of
-from app.view.subjects import PARAM
+from app.view.schema import PARAM
 from app.worlds.schema import LINK, OPENING, PIN, VIEW, WORLD, unpinned
 from app.worlds.sources import BROUGHT, FIRST_TIMELINE, LEARN, packed_timeline, view_of
 from laplace_core import InputError

@@ -9,9 +9,9 @@ from app.agents.schema import observe
 from app.catalogue.checkpoints import checkpoint
 from app.catalogue.tabular import shipped_agent
 from app.view import compute
-from app.view.subjects import Exact, FromFile, Learner, Subject, View, state_in
 from laplace_core import GammaSpace, InputError, Settings, Study, load_world, study, study_of_gamma_space
 from laplace_core.study.settings import Resolved, resolve, resolve_for_gamma_space
+from laplace_core.subjects import Exact, FromFile, Learner, Subject, View, state_in
 from laplace_core.tabular.reading import study_settings
 
 WORLD = load_world("two_branch")
