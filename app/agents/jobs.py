@@ -10,9 +10,9 @@ from dataclasses import asdict, dataclass, replace
 
 import numpy as np
 
-from app.catalogue.costs import cost_of
 from app.session.jobs import Wish, background
 from laplace_core.acting.continuations import Continuations, Outcomes, continue_from, outcomes_of_states
+from laplace_core.acting.cost import cost_of
 from laplace_core.acting.flags import Flags, flag_steps
 from laplace_core.acting.return_laws import COUNT as RETURNS
 from laplace_core.acting.return_laws import SimulatedReturns, outputs_along, simulate_returns, steps_until_cut

@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from app.catalogue.costs import cost_of
 from app.session.jobs import Wish, background
+from laplace_core.acting.cost import cost_of
 from laplace_core.acting.evaluation import AT_ONCE
 from laplace_core.acting.race import Entrant, Race, Races, race, races
 from laplace_core.environments import GYMNASIUM_ENVIRONMENTS

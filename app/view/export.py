@@ -10,7 +10,8 @@ import streamlit as st
 from streamlit.delta_generator import DeltaGenerator
 
 from app.components.widgets import download
-from app.view import compute, explain
+from app.view import compute
+from app.view.explain import explain
 from laplace_core import Study
 from laplace_core.study.npz import npz_bytes
 from laplace_core.study.tables import gamma_space_csv, rewards_csv, tau_space_csv, values_csv
@@ -29,15 +30,8 @@ _TABLES = {
 def agent_footer(view: View) -> None:
     """The same for a trained agent, whose gamma-space no command computes anew."""
     _, words, download = st.columns([3.8, 1, 0.9], vertical_alignment="center")
-    reading(words)
+    explain(words)
     downloads(download, view)
-
-
-def reading(place: DeltaGenerator) -> None:
-    """What lies in a closed popover is left out: formulas bring a large script along."""
-    words = place.popover("How to read this", width="stretch", on_change="rerun", key="reading")
-    if words.open:
-        words.markdown(explain.READING)
 
 
 def downloads(place: DeltaGenerator, view: View) -> None:

@@ -41,7 +41,7 @@ def open_group(world: World | None) -> None:
     with box:
         kinds = "World (.json), gamma-space (.npz) or learned agent (.safetensors)"
         upload(kinds, ("json", "npz", "safetensors"), "upload", _open, help=_CONTENTS)
-        agents = tabular.shipped_agents()
+        agents = tabular.learners()
         for name in (name for name, refusal in agents.items() if refusal is None):
             title = in_markdown(name.removesuffix("_td").replace("_", " "))
             st.button(f"Open the learned {title}", on_click=_open_agent, args=(name,), width="stretch")

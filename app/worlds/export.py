@@ -10,7 +10,8 @@ from app.components.copy import copy_button
 from app.session import store
 from app.session.typed import in_markdown
 from app.view import compute
-from app.view.export import downloads, reading
+from app.view.explain import explain
+from app.view.export import downloads
 from app.worlds import sources
 from app.worlds.actions import world_name
 from laplace_core.subjects import View
@@ -23,7 +24,7 @@ def footer(view: View) -> None:
     regret, words, copying, download = st.columns([3, 1, 0.8, 0.9], vertical_alignment="center")
     lacking = FILE_ONLY if view.world is None else TOO_LONG
     regret.caption(_loss(view) if sources.in_link(store.chosen()) else lacking)
-    reading(words)
+    explain(words)
     _copying(copying, view)
     downloads(download, view)
 

@@ -9,12 +9,12 @@ from dataclasses import replace
 from typing import Any
 
 from app import session
-from app.session import link
-from app.session.link import MOST, pack, unpack
+from app.session.url import fits as fits_in_link
 from app.session.url import query_of
 from app.view.schema import PARAM, Values
 from laplace_core import PRESETS, InputError, Settings, World, load_world
 from laplace_core.caching import cached
+from laplace_core.files.packed_text import MOST, pack, unpack
 from laplace_core.study.settings import BY_NAME, ENCODING_NAMES, Resolved, resolve, resolve_for_gamma_space
 from laplace_core.subjects import Exact, GammaSpaceFile, Learner, Subject, View, plain_name
 from laplace_core.tabular import Learned
@@ -122,7 +122,7 @@ def open_gamma_space(name: str, data: bytes) -> str:
 def in_link(values: Values) -> bool:
     """Whether the link of a view holds all of it: neither too long nor with a file that only this session has."""
     kept = values.get("data") if values.get("world") == DATA else values.get(OWN)
-    return link.fits(query_of(values)) and not _DIGEST.fullmatch(str(kept))
+    return fits_in_link(query_of(values)) and not _DIGEST.fullmatch(str(kept))
 
 
 def world_values(world: World) -> dict[str, Any]:

@@ -16,10 +16,10 @@ from streamlit.delta_generator import DeltaGenerator
 from streamlit.testing.v1 import AppTest
 
 from app.session import KEY, Session
-from app.session.link import pack
 from app.worlds.schema import LINK
 from app.worlds.sources import view_of
 from laplace_core import Study
+from laplace_core.files.packed_text import pack
 from laplace_core.subjects import View
 from laplace_core.tabular.work import Runs, Watched
 from tests.support.lens_reference import seen

@@ -23,6 +23,7 @@ from laplace_core.agents import ENVIRONMENTS, LaplaceSettings
 from laplace_core.code.encoding import softening
 from laplace_core.code.interpolation import with_added
 from laplace_core.environments import environment_of, vector
+from laplace_core.experiments import shipped_agents
 from laplace_core.study.settings import resolve_for_gamma_space
 from laplace_core.training.checkpoint import load_checkpoint, new_agent, save_checkpoint
 from tests.support.lens_reference import unpacked
@@ -38,13 +39,9 @@ def shipped(tmp_path, monkeypatch):
         agent = new_agent(LaplaceSettings(environment=environment, hidden=8, features=4, theta_max=12.0))
         save_checkpoint(tmp_path / f"laplace_{environment}.safetensors", agent, 100, 21.5, episodes=20)
     monkeypatch.setattr(checkpoints, "SHIPPED", tmp_path)
-    checkpoints.shipped.cache_clear()
-    checkpoints._shipped.cache_clear()
-    checkpoints._shipped_curves.cache_clear()
+    shipped_agents.forget()
     yield tmp_path
-    checkpoints.shipped.cache_clear()
-    checkpoints._shipped.cache_clear()
-    checkpoints._shipped_curves.cache_clear()
+    shipped_agents.forget()
 
 
 def opened(**query: str) -> AppTest:
@@ -63,9 +60,9 @@ def words(page: AppTest) -> str:
 
 def test_without_an_agent_the_page_says_how_to_get_one(tmp_path, monkeypatch):
     monkeypatch.setattr(checkpoints, "SHIPPED", tmp_path)
-    checkpoints.shipped.cache_clear()
+    shipped_agents.forget()
     page = opened()
-    checkpoints.shipped.cache_clear()
+    shipped_agents.forget()
     assert "train one" in page.info[0].value
 
 

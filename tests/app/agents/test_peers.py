@@ -14,6 +14,7 @@ from laplace_core import InputError
 from laplace_core.acting.return_laws import return_laws, simulate_returns
 from laplace_core.acting.rollout import roll_out
 from laplace_core.agents.settings import SETTINGS, algorithm_title
+from laplace_core.experiments import shipped_agents
 from laplace_core.experiments.shipping import TrainingCurve
 from laplace_core.training.checkpoint import load_checkpoint, new_agent, save_checkpoint
 from tests.app.agents.test_page import opened, rolled_out, told, words
@@ -40,12 +41,9 @@ def shipped(tmp_path, monkeypatch):
     made(tmp_path, "qrdqn", "CartPole-v1")
     (tmp_path / "a_td.safetensors").write_bytes(b"opens on the page of worlds")
     monkeypatch.setattr(checkpoints, "SHIPPED", tmp_path)
-    caches = (checkpoints.shipped, checkpoints._shipped, checkpoints._shipped_curves)
-    for each in caches:
-        each.cache_clear()
+    shipped_agents.forget()
     yield tmp_path
-    for each in caches:
-        each.cache_clear()
+    shipped_agents.forget()
 
 
 def simulated(page: AppTest) -> AppTest:
@@ -184,8 +182,8 @@ def test_a_bad_link_to_a_peer_opens(shipped, query):
 
 def test_the_card_draws_how_the_score_came_about(shipped, monkeypatch):
     told = (TrainingCurve(1, (50.0, 100.0), (3.0, 21.5), (1.0, 1.0)), TrainingCurve(0, (50.0,), (2.0,), (1.0,)))
-    monkeypatch.setattr(checkpoints, "_shipped_curves", lambda name: told if name == f"c51_{WORLD}" else ())
-    monkeypatch.setattr(checkpoints._shipped_curves, "cache_clear", lambda: None, raising=False)
+    monkeypatch.setattr(shipped_agents, "curves", lambda folder, name: told if name == f"c51_{WORLD}" else ())
+    monkeypatch.setattr(shipped_agents.curves, "cache_clear", lambda: None, raising=False)
     drawn = charts(opened(checkpoint=f"c51_{WORLD}"))["card"]["data"]
     assert [trace["x"] for trace in drawn] == [[50.0], [50.0, 100.0], [100]]  # the shown seed over the others
     assert "card" not in charts(opened(checkpoint=f"dqn_{WORLD}"))

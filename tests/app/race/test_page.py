@@ -21,6 +21,7 @@ from laplace_core.acting.cost import StepCost
 from laplace_core.acting.race import FIRST_START, Entrant, Races, race
 from laplace_core.acting.race import races as races_of
 from laplace_core.agents import SETTINGS, LaplaceSettings
+from laplace_core.experiments import shipped_agents
 from laplace_core.figures.race import piles
 from laplace_core.payloads.track import payload
 from laplace_core.training.checkpoint import Loaded, load_checkpoint, new_agent, save_checkpoint
@@ -38,11 +39,9 @@ def shipped(tmp_path, monkeypatch):
         small = LaplaceSettings(environment=environment, hidden=8, features=4, gammas=5, thetas=9, theta_max=12.0)
         saved(tmp_path / f"laplace_{environment}.safetensors", small)
     monkeypatch.setattr(checkpoints, "SHIPPED", tmp_path)
-    for one in (checkpoints.shipped, checkpoints._shipped, checkpoints._shipped_curves):
-        one.cache_clear()
+    shipped_agents.forget()
     yield tmp_path
-    for one in (checkpoints.shipped, checkpoints._shipped, checkpoints._shipped_curves):
-        one.cache_clear()
+    shipped_agents.forget()
 
 
 def settled(page: AppTest) -> AppTest:
@@ -70,9 +69,9 @@ def told(page: AppTest) -> tuple[dict, bytes]:
 
 def test_without_an_agent_the_page_says_how_to_get_one(tmp_path, monkeypatch):
     monkeypatch.setattr(checkpoints, "SHIPPED", tmp_path)
-    checkpoints.shipped.cache_clear()
+    shipped_agents.forget()
     page = opened()
-    checkpoints.shipped.cache_clear()
+    shipped_agents.forget()
     assert "train one" in page.info[0].value
 
 
@@ -145,7 +144,7 @@ def test_cancel_leads_back_to_the_button(shipped, monkeypatch):
 def test_another_agent_can_be_the_left_side(shipped):
     other = LaplaceSettings(environment="CartPole-v1", hidden=8, features=4, gammas=3, thetas=5, theta_max=3.0, seed=1)
     saved(shipped / "laplace_CartPole-v1_other.safetensors", other)
-    checkpoints.shipped.cache_clear()
+    shipped_agents.forget()
     page = opened(checkpoint="laplace_CartPole-v1", d_T="30", d_gamma="0.5", d_at="2")
     gammas = load_checkpoint(shipped / "laplace_CartPole-v1.safetensors").agent.gammas
     assert told(page)[0]["names"][0] == f"greedy (γ {gammas[abs(gammas - 0.5).argmin()]:.3g})"
@@ -163,7 +162,7 @@ def test_another_agent_can_be_the_left_side(shipped):
 @pytest.mark.parametrize("algorithm", ["c51", "fixed_horizon"])
 def test_an_agent_without_a_gamma_space_races_on_either_side(shipped, algorithm):
     saved(shipped / f"{algorithm}_CartPole-v1.safetensors", SETTINGS[algorithm](hidden=8))
-    checkpoints.shipped.cache_clear()
+    shipped_agents.forget()
     name, rule = {"c51": ("C51", "greedy"), "fixed_horizon": ("Fixed-horizon DQN", "own")}[algorithm]
     page = opened(checkpoint="laplace_CartPole-v1", d_T="9", d_against=f"{algorithm}_CartPole-v1", d_left=rule)
     words = {"greedy": "greedy", "own": "learned values"}[rule]

@@ -8,8 +8,8 @@ from streamlit.testing.v1 import AppTest
 
 from app.catalogue import checkpoints, training_runs
 from app.train.schema import LINK, fields, wanted
-from app.worlds import learners
 from laplace_core.agents.settings import ENVIRONMENTS, SETTINGS
+from laplace_core.tabular import work
 from laplace_core.training.checkpoint import new_agent, save_checkpoint
 from laplace_core.training.defaults import settings_of
 from laplace_core.training.queue import Queue
@@ -162,7 +162,7 @@ def test_without_any_folder_that_can_be_written_every_page_opens(tmp_path, monke
     save_checkpoint(tmp_path / "mine.safetensors", new_agent(SMALL), 50, 9.0)
     monkeypatch.delenv(training_runs.VARIABLE)
     monkeypatch.setattr("os.access", lambda path, mode: False)
-    learners._room.cache_clear()
+    work._room.cache_clear()
     training_runs._temporary.cache_clear()
     with monkeypatch.context() as bare:
         bare.setattr("tempfile.tempdir", None)
