@@ -13,6 +13,7 @@ from app.agents import episode
 from app.catalogue import rules
 from app.race import schema, words
 from laplace_core.acting.continuations import steps_known
+from laplace_core.acting.deadlines import rules_of_race
 from laplace_core.acting.race import race
 from laplace_core.acting.rollout import roll_out
 from laplace_core.acting.rules import RULES, Rule, rules_of, suited
@@ -60,7 +61,7 @@ def test_a_rule_of_control(toy, tmp_path, capsys):
     save_checkpoint(tmp_path / "agent.safetensors", agent, 0, None)
     loaded = load_checkpoint(tmp_path / "agent.safetensors")
     control = schema.Control(loaded, "greedy", None, loaded, "last", 3)
-    assert "last" in schema.rules_of(agent)
+    assert "last" in rules_of_race(agent)
     assert words.sides(control) == ("greedy", "last action")
     assert race("two_branch", *control.entrants, 0, horizon=3).right.rule == "last"
 

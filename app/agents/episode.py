@@ -10,11 +10,10 @@ import numpy as np
 from app.agents.jobs import Control
 from app.catalogue.rules import for_deadline, rules_of
 from app.session.url import by_name
-from laplace_core.acting.rollout import MOST_SEED, MOST_STEPS, RANDOM, Rollout, longest
+from laplace_core.acting.rollout import MOST_SEED, MOST_STEPS, RANDOM, Rollout, length_of
 from laplace_core.acting.rules import RULES
 from laplace_core.agents.agent import Agent
 from laplace_core.agents.capabilities import HasDiscounts
-from laplace_core.environments import vector
 from laplace_core.parameters import Parameter
 from laplace_core.training.checkpoint import Loaded
 
@@ -56,8 +55,7 @@ def control_of(values: Mapping[str, Any], limit: int, usual: str = "greedy") -> 
 
 def limit_of(loaded: Loaded) -> int:
     """Steps after which an episode ends at the latest."""
-    most = longest(loaded.agent)
-    return min(most, vector.spec(loaded.environment).time_limit or most)
+    return length_of(loaded.agent, loaded.environment, None)
 
 
 def step_of(values: Mapping[str, Any], rollout: Rollout) -> int:

@@ -71,7 +71,7 @@ def trained() -> tuple[str, ...]:
         runs = training_runs.queue().runs()
     except InputError:  # the page of runs says so
         return ()
-    return tuple(RUN + run.name for run in runs if training_runs.best(run))
+    return tuple(RUN + run.name for run in runs if run.best)
 
 
 @cached(8)
@@ -109,7 +109,7 @@ def checkpoint(name: str) -> Loaded:
         return opened()[name]
     if name.startswith(RUN):
         run = training_runs.queue().get(name.removeprefix(RUN))
-        path = training_runs.best(run)
+        path = run.best
         if path is None:
             raise InputError(f"the run {run.name} has no checkpoint yet: it comes with the first evaluation.")
         return _trained(path, path.stat().st_mtime_ns)

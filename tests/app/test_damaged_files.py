@@ -13,7 +13,6 @@ from typing import Any
 import pytest
 
 from app.catalogue import checkpoints, tabular
-from app.train import schema
 from laplace_core import InputError
 from laplace_core.experiments import shipped_agents
 from laplace_core.experiments.shipping import MANIFEST, curves_of, damaged, manifest
@@ -192,8 +191,8 @@ def test_a_file_of_settings_that_is_damaged_is_one_sentence_on_the_page_of_train
     (tmp_path / "settings" / "laplace").mkdir(parents=True)
     (tmp_path / "settings" / "laplace" / "CartPole-v1.json").write_text(text)
     monkeypatch.setattr(defaults.resources, "files", lambda package: tmp_path)
-    schema._usual.cache_clear()
+    defaults.suited_settings.cache_clear()
     page = opened(screen="train")
-    schema._usual.cache_clear()
+    defaults.suited_settings.cache_clear()
     assert len(page.error) == 1
     assert_one_sentence(page.error[0].value)

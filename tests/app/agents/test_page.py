@@ -15,6 +15,7 @@ from app.catalogue import checkpoints
 from app.session import KEY
 from app.view import compute
 from laplace_core import InputError, Settings
+from laplace_core.acting import estimates
 from laplace_core.acting.continuations import continue_from
 from laplace_core.acting.cost import StepCost
 from laplace_core.acting.flags import flag_steps
@@ -339,7 +340,7 @@ def test_added_discounts_leave_what_was_simulated_in_its_place(shipped, few):
 
 
 def test_a_link_to_a_rollout_that_takes_long_says_how_long_and_waits_for_a_button(shipped, monkeypatch):
-    monkeypatch.setattr(jobs, "cost_of", lambda *given, **more: StepCost(0.0, 0.0, 0.3))  # 500 steps: 150 seconds
+    monkeypatch.setattr(estimates, "cost_of", lambda *given, **more: StepCost(0.0, 0.0, 0.3))  # 500 steps: 150 seconds
     page = opened(checkpoint="laplace_CartPole-v1", **{"r.shown": "yes", "r.seed": "77"})
     assert "This takes about 2 minutes." in words(page)
     assert not page.get("progress")
@@ -350,7 +351,7 @@ def test_a_link_to_a_rollout_that_takes_long_says_how_long_and_waits_for_a_butto
 
 
 def test_a_rollout_that_takes_longer_than_the_server_allows_cannot_be_begun(shipped, monkeypatch):
-    monkeypatch.setattr(jobs, "cost_of", lambda *given, **more: StepCost(0.0, 0.0, 60.0))  # 500 minutes
+    monkeypatch.setattr(estimates, "cost_of", lambda *given, **more: StepCost(0.0, 0.0, 60.0))  # 500 minutes
     page = opened(checkpoint="laplace_CartPole-v1", **{"r.shown": "yes", "r.seed": "78"})
     said = "This takes about 8 hours, and this server allows 10 minutes: lower T or choose a quicker rule."
     assert said in [warning.value for warning in page.warning]

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import time
+from functools import partial
 
 import numpy as np
 import pytest
 from streamlit.testing.v1 import AppTest
 
-from app.agents import jobs
 from app.catalogue import checkpoints
 from laplace_core import InputError
 from laplace_core.acting.return_laws import return_laws, simulate_returns
@@ -104,9 +104,8 @@ def test_without_a_rollout_a_state_is_edited(shipped):
 
 
 def test_what_comes_stands_beside_what_was_learned(shipped, monkeypatch):
-    monkeypatch.setattr(
-        jobs, "simulate_returns", lambda *given, progress: simulate_returns(*given, count=7, progress=progress)
-    )
+    seven = partial(simulate_returns, count=7)
+    monkeypatch.setattr("laplace_core.acting.return_laws.simulate_returns", seven)
     page = rolled_out(checkpoint=f"c51_{WORLD}", **{"r.shown": "yes", "r.action": "long"})
     heights = charts(page)["codes"]["layout"]["height"]
     page = simulated(page)
@@ -204,7 +203,7 @@ def test_a_cancelled_simulation_is_asked_for_anew(shipped, monkeypatch):
             progress(i, 10_000)
             time.sleep(0.01)
 
-    monkeypatch.setattr(jobs, "simulate_returns", slow)
+    monkeypatch.setattr("laplace_core.acting.return_laws.simulate_returns", slow)
     page = rolled_out(checkpoint=f"c51_{WORLD}", **{"r.shown": "yes"})
     page.button(key="simulate returns").click().run()
     page.button(key="cancel returns").click().run()

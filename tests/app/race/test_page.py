@@ -14,10 +14,12 @@ from streamlit.testing.v1 import AppTest
 
 from app.catalogue import checkpoints
 from app.components.track import COLOURS
-from app.race import jobs, schema, words
+from app.race import jobs, words
 from app.race.jobs import Control
 from laplace_core import figures
+from laplace_core.acting import estimates
 from laplace_core.acting.cost import StepCost
+from laplace_core.acting.deadlines import rules_of_race
 from laplace_core.acting.race import FIRST_START, Entrant, Races, race
 from laplace_core.acting.race import races as races_of
 from laplace_core.agents import SETTINGS, LaplaceSettings
@@ -208,7 +210,7 @@ def control(tmp_path) -> Control:
 
 def test_an_agent_of_fixed_horizons_has_one_rule(tmp_path):
     other = loaded(tmp_path, "b.safetensors", SETTINGS["fixed_horizon"](environment="two_branch", hidden=4))
-    assert schema.rules_of(other.agent) == ("own",)
+    assert rules_of_race(other.agent) == ("own",)
 
 
 def test_the_words_are_those_of_who_leads(control):
@@ -281,7 +283,7 @@ def test_dots_of_one_bin_are_piled_up_in_their_order():
 
 def slow_steps(monkeypatch, seconds: float) -> None:
     """Every step takes so long, as far as estimates go."""
-    monkeypatch.setattr(jobs, "cost_of", lambda *given, **more: StepCost(0.0, 0.0, seconds))
+    monkeypatch.setattr(estimates, "cost_of", lambda *given, **more: StepCost(0.0, 0.0, seconds))
 
 
 def captions(page: AppTest) -> str:
@@ -314,7 +316,7 @@ def test_races_that_take_longer_than_the_server_allows_are_refused_with_what_to_
 
 def test_the_estimate_counts_both_sides_and_groups_of_a_hundred(control, monkeypatch):
     """T = 3. One race: 2 x 3 steps of 1 + 2 + 10. Of 250 starts: groups of 100, 100 and 50; 2 x 3 x (3 + 250 x 12)."""
-    monkeypatch.setattr(jobs, "cost_of", lambda *given, pictures=False: StepCost(1.0, 2.0, 10.0))
+    monkeypatch.setattr(estimates, "cost_of", lambda *given, pictures=False: StepCost(1.0, 2.0, 10.0))
     assert jobs.racing(control, 0).estimate() == 2 * 3 * 13
     assert jobs.field(control, 250).estimate() == 2 * 3 * (3 + 250 * 12)
 
