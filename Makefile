@@ -52,6 +52,7 @@ verify: .venv/.verify
 	$(BIN)/python -m laplace_core report inverse-consistency --check
 	$(BIN)/python -m laplace_core report inverse-bumps --check
 	$(BIN)/python -m laplace_core report inverse-feasible --check
+	$(BIN)/python -m laplace_core report inverse-agents --check
 	$(BIN)/python -m pytest -m long
 	LENS_VIEWS=1000 $(BIN)/python -m pytest tests/test_js.py
 

@@ -17,6 +17,7 @@ import random
 import subprocess
 import sys
 import tempfile
+import threading
 import time
 from collections.abc import Awaitable, Callable, Iterator
 from dataclasses import dataclass, field
@@ -47,6 +48,7 @@ BUDGET = 2500
 """Megabytes that the server and all that it starts may take."""
 OLD = "674dbb3"
 """The commit of version 0.2.0, which sessions are compared with."""
+_PATIENCE = 1800.0  # seconds that trainings are given once everything else is over
 _LEAST = 3  # changes of a session, however slow the machine
 _WORLDS = ("two_branch", "two_decisions", "rise_and_fade", "double_chain", "gym:FrozenLake-v1", "cliff_grid")
 _CART, _LANDER = "laplace_CartPole-v1", "laplace_LunarLander-v3"
@@ -253,13 +255,55 @@ async def _crowd(server: Server, users: int, seconds: float, told: Told) -> None
     )
 
 
-def _train(folder: Path) -> list[subprocess.Popen[bytes]]:
+def _train(folder: Path, steps: int) -> list[subprocess.Popen[bytes]]:
     """Two trainings of low priority."""
-    command = [sys.executable, "-m", "laplace_core", "train", "dqn", "CartPole-v1", "--run"]
+    command = ["nice", "-n", "19", sys.executable, "-m", "laplace_core", "train", "dqn", "CartPole-v1"]
     return [
-        subprocess.Popen(["nice", "-n", "19", *command, str(folder / name)], cwd=ROOT, stdout=subprocess.DEVNULL)
+        subprocess.Popen(
+            [*command, "--steps", str(steps), "--run", str(folder / name)], cwd=ROOT, stdout=subprocess.DEVNULL
+        )
         for name in ("one", "two")
     ]
+
+
+async def _race(server: Server, starts: int, patience: float) -> bool:
+    """A race of many starts; whether its page shows the result in the end."""
+    query = {"checkpoint": _CART, "d.T": 200, "d.left": "decoded", "d.many": "yes", "d.starts": starts}
+    async with visit(server.address, patience=120) as visitor:
+        await visitor.open("race", urlencode(query))
+        if visitor.button("Race over") is not None:
+            await visitor.press("Race over")
+        return await _until_done(visitor, patience)
+
+
+async def _simulation(server: Server, agent: str, patience: float) -> bool:
+    """A rollout and the simulated continuations of one of its states; whether the page shows them in the end."""
+    async with visit(server.address, patience=120) as visitor:
+        await visitor.open("agents", urlencode({"checkpoint": agent}))
+        await visitor.press("Roll out")
+        if not await _until_done(visitor, patience):
+            return False
+        await visitor.press("Simulate")
+        return await _until_done(visitor, patience)
+
+
+def _beside(server: Server, finished: dict[str, bool], *, short: bool) -> threading.Thread:
+    """A race and a simulation in sessions of their own, begun now; what has finished is noted."""
+    agent, starts, patience = (_CART, 20, 60.0) if short else (_LANDER, 500, 1800.0)
+
+    async def both() -> None:
+        async def one(name: str, work: Awaitable[bool]) -> None:
+            try:
+                finished[name] = await work
+            except FAULTS as error:
+                finished[f"{name}: {type(error).__name__} {error}"] = False
+
+        race = one("race", _race(server, starts, patience))
+        await asyncio.gather(race, one("simulation", _simulation(server, agent, patience)))
+
+    thread = threading.Thread(target=lambda: asyncio.run(both()), daemon=True)
+    thread.start()
+    return thread
 
 
 def sessions(*, short: bool, minutes: float = 10.0) -> Iterator[Figure]:
@@ -267,25 +311,35 @@ def sessions(*, short: bool, minutes: float = 10.0) -> Iterator[Figure]:
     with tempfile.TemporaryDirectory() as folder, contextlib.ExitStack() as stack:
         new = stack.enter_context(serving(ROOT, BUDGET))
         old = stack.enter_context(serving(tree_of(OLD, Path(folder) / "old"), None))
-        trainings = _train(Path(folder))
-        told = {new: Told(), old: Told()}
-        spent, memory = dict.fromkeys(told, 0.0), []
+        trainings = _train(Path(folder), 2_000 if short else 60_000)
+        told, finished = {new: Told(), old: Told()}, {new: dict[str, bool](), old: dict[str, bool]()}
+        spent, memory, rounds_of = dict.fromkeys(told, 0.0), [], {new: list[str](), old: list[str]()}
         try:
             for server in told:  # warm up
                 asyncio.run(_crowd(server, len(_WORLDS), 0.0, Told()))
+            beside = [_beside(server, finished[server], short=short) for server in told]
             for turn in range(rounds):
                 for server in (new, old) if turn % 2 == 0 else (old, new):
-                    before = server.spent
+                    before, answered = server.spent, len(told[server].seconds)
                     asyncio.run(_crowd(server, users, seconds, told[server]))
                     spent[server] += server.spent - before
+                    rounds_of[server].append(f"{p95(told[server].seconds[answered:]):.2f}")
                     if server is new:
                         memory.append(server.memory)
+            beside[0].join()  # whether those of 0.2.0 ever finish is not ours
+            done = finished[new] | {f"training {i}": each.wait(_PATIENCE) == 0 for i, each in enumerate(trainings, 1)}
         finally:
             for training in trainings:
-                training.terminate()
-            for training in trainings:
+                training.kill()
                 training.wait()
-        sizes = f"{users} sessions, {rounds} x {seconds:.0f} s each, in turns with 0.2.0, beside two trainings"
+        sizes = (
+            f"{users} sessions, {rounds} x {seconds:.0f} s each, in turns with 0.2.0, "
+            "beside two trainings, a race and a simulation"
+        )
+        note = "; ".join(f"{name} {'finished' if well else 'did not finish'}" for name, well in done.items())
+        yield counted(
+            "Sessions", "background works that finished", sum(done.values()), Goal(">=", 4), sizes=sizes, note=note
+        )
         wrong = told[new].wrong
         yield counted("Sessions", "errors", len(wrong), Goal("<=", 0), sizes=sizes, note="; ".join(wrong[:5]))
         per = {server: 1e3 * spent[server] / max(len(told[server].seconds), 1) for server in told}
@@ -300,7 +354,8 @@ def sessions(*, short: bool, minutes: float = 10.0) -> Iterator[Figure]:
         )
         ends = {server: p95(told[server].seconds) for server in told}
         answers = " and ".join(str(len(told[server].seconds)) for server in (new, old))
-        note = f"{ends[new]:.2f} s against {ends[old]:.2f} s; {answers} answers"
+        each = " and ".join(", ".join(rounds_of[server]) for server in (new, old))
+        note = f"{ends[new]:.2f} s against {ends[old]:.2f} s; {answers} answers; by round {each} s"
         yield counted("Sessions", "p95 / that of 0.2.0", ends[new] / ends[old], Goal("<=", 0.5), sizes=sizes, note=note)
         if len(memory) > 1:
             rise = memory[-1] / memory[-2]

@@ -478,6 +478,10 @@ class Cached(Generic[Arguments, Value]):
         """Whether the value of a call is kept now; to ask is no use of it."""
         return _key(args, kwargs) in self._cache
 
+    def remember(self, value: Value, *args: Arguments.args, **kwargs: Arguments.kwargs) -> None:
+        """Keep the value of a call that was made elsewhere."""
+        self._cache.put(_key(args, kwargs), value)
+
     def recount(self, *args: Arguments.args, **kwargs: Arguments.kwargs) -> None:
         """Weigh the value of a call anew, if it is kept: it has grown since."""
         self._cache.recount(_key(args, kwargs))

@@ -42,7 +42,9 @@ def _view(*, running: bool) -> None:
         _refuse(error)
         return
     with turn(needed=large):
-        _pictures(view, base, watched, running=running)
+        drawn = _pictures(view, base, watched)
+    if drawn and not running:  # what is learned changes under the search
+        panels.explain(view)
     if learners.at_work() != running:  # learning began or ended: look oftener, or no more
         st.rerun()
 
@@ -52,13 +54,13 @@ def _refuse(error: InputError) -> None:
     st.button("Undo the last change", on_click=store.undo)
 
 
-def _pictures(view: View, base: View, watched: learners.Watched | None, *, running: bool) -> None:
-    """All that is computed of a view."""
+def _pictures(view: View, base: View, watched: learners.Watched | None) -> bool:
+    """All that is computed of a view, but for the search for causes; whether it could be drawn."""
     try:
         compute.study_for(view)
     except InputError as error:
         _refuse(error)
-        return
+        return False
     store.worked()
     learning.strip(view, watched)
     presets = presets_for(view) if view.world is not None else ()
@@ -68,8 +70,7 @@ def _pictures(view: View, base: View, watched: learners.Watched | None, *, runni
     export.footer(view)
     compare.comparison(view)
     bring.editor(view)
-    if not running:  # what is learned changes under the search
-        panels.explain(view)
+    return True
 
 
 page()

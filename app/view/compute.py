@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from app.session.jobs import is_there, session_id
 from laplace_core import InputError, Study, World, figures
 from laplace_core.caching import Cached, cached
 from laplace_core.payloads.lens import Simulated, payload, structure
@@ -14,12 +15,14 @@ from laplace_core.planning import greedy_policy
 from laplace_core.study.artefacts import Artefact, find_artefacts
 from laplace_core.study.compare import Space, difference, summary, value_difference
 from laplace_core.study.episodes import episode_regret_of
+from laplace_core.study.explanation import Explanation, explain, trials_of
 from laplace_core.study.pipeline import WorldStudy
 from laplace_core.study.settings import Resolved
 from laplace_core.study.size import largest_study, size_of
 from laplace_core.study.trials import Trials
 from laplace_core.study.verdict import Verdict, judge
 from laplace_core.subjects import Learner, Subject, View, state_in
+from laplace_core.supervise.aside import Aside
 from laplace_core.tabular import Bands, Learned, bands, return_distributions
 
 
@@ -57,22 +60,23 @@ def _graded(view: View) -> Verdict:
 
 
 @cached(128)
-def _explained_verdict(view: View) -> Verdict:
-    judged = judge(study_for(view), study_for(view).row, view.action, trials=_trials(view))
+def _listed(view: View, action: int) -> tuple[Artefact, ...]:
+    """The artefacts of an action as they are found without a search: none has a remedy."""
+    listed = find_artefacts(study_for(view), action, horizon_of(view), searching=False)
+    return tuple(replace(each, remedies=()) for each in listed)
+
+
+@cached(128)
+def _explained(view: View) -> Explanation:
+    made = explain(study_for(view), study_for(view).row, view.action, _trials(view))
     _trials.recount(view)  # they keep what they have tried
-    return judged
-
-
-def verdict_for(view: View) -> Verdict:
-    """The verdict with its cause, which may take seconds to find."""
-    return _explained_verdict(view)
+    return made
 
 
 @cached(8)
 def _trials(view: View) -> Trials | None:
-    """What single changes make of a view, for its verdict and its list of artefacts alike."""
     study = study_for(view)
-    return Trials(study, study.row, view.action) if isinstance(study, WorldStudy) else None
+    return trials_of(study, study.row, view.action)
 
 
 AT_ONCE = 5e6
@@ -83,51 +87,70 @@ MOST_SEARCHED = 32
 """Actions that are searched for artefacts beside the one that is shown: each costs in proportion to all of them."""
 
 
-def is_explained(view: View) -> bool:
-    """Whether the cause is known, needs no search, or is found at once."""
-    graded = _graded(view)
-    if graded.searched or _explained_verdict.known(view):  # found, not only begun: nobody is to wait for pictures
+def is_explained(view: View, *, alone: bool = True) -> bool:
+    """Whether the cause and the remedies are known, need no search, or are to be found before the pictures are drawn.
+
+    Args:
+        alone: whether nobody else waits for this server; otherwise no search is made before the pictures.
+    """
+    if _explained.known(view):  # found, not only begun: nobody is to wait for pictures
         return True
     trials = _trials(view)
-    return trials is None or trials.work <= AT_ONCE
+    if trials is None or (_graded(view).searched and not _listed(view, view.action)):
+        return True
+    return alone and trials.work <= AT_ONCE
 
 
-def verdict_at_once(view: View) -> tuple[Verdict, bool]:
-    """The verdict, and whether its cause was searched for; where that takes long, only what is wrong, without why."""
-    explained = is_explained(view)
-    return verdict_for(view) if explained else _graded(view), explained
+def verdict_for(view: View, *, explained: bool = True) -> Verdict:
+    """The verdict with its cause, which may take seconds to find; or only what is wrong, without why."""
+    return _explained(view).verdict if explained else _graded(view)
 
 
-@cached(128)
-def _artefacts(view: View, action: int, *, searching: bool) -> tuple[Artefact, ...]:
-    trials = _trials(view) if searching and action == view.action else None
-    listed = find_artefacts(study_for(view), action, horizon_of(view), searching=searching, trials=trials)
-    _trials.recount(view)
-    return tuple(listed if searching else (replace(each, remedies=()) for each in listed))
-
-
-def artefacts_for(view: View, action: int | None = None) -> tuple[Artefact, ...]:
-    """Artefacts in the tau-space of the shown action, or of another.
-
-    Those of the shown action have their remedies once the cause is known: to try them is part of the same search.
-    """
-    other = action is not None and action != view.action
-    return _artefacts(view, view.action if action is None else action, searching=not other and is_explained(view))
+def artefacts_for(view: View, *, explained: bool = True) -> tuple[Artefact, ...]:
+    """Artefacts in the tau-space of the shown action, with their remedies once the cause is known: to try them is part
+    of the same search."""
+    return _explained(view).artefacts if explained else _listed(view, view.action)
 
 
 def artefacts_elsewhere(view: View) -> str:
     """One line that names artefacts which only other actions have; of very many actions, the first are searched."""
-    here = {artefact.name for artefact in artefacts_for(view)}
+    here = {artefact.name for artefact in _listed(view, view.action)}
     lines: dict[str, list[str]] = {}
     names = study_for(view).action_names
     for other, name in enumerate(names[:MOST_SEARCHED]):
-        for artefact in artefacts_for(view, other) if other != view.action else ():
+        for artefact in _listed(view, other) if other != view.action else ():
             if artefact.name not in here:
                 lines.setdefault(artefact.name, []).append(name)
     found = [f"Also {name}, in {', '.join(actions)}." for name, actions in lines.items()]
     if len(names) > MOST_SEARCHED:
         found.append(f"Of the other actions, only the first {MOST_SEARCHED} were searched.")
     return " ".join(found)
+
+
+def _lost(view: View, error: Exception) -> None:
+    graded = _graded(view)
+    words = f"{graded.sentence} Its cause was not found: {str(error).rstrip('.')}."
+    _explained.remember(Explanation(replace(graded, sentence=words), _listed(view, view.action)), view)
+
+
+_aside: Aside[View, Explanation] = Aside(lambda view, made: _explained.remember(made, view), _lost, is_there)
+
+
+def search_aside(view: View) -> None:
+    """Let a process of low priority find the cause and the remedies, in place of what this session wanted before."""
+    if not _explained.known(view):
+        study, trials = study_for(view), _trials(view)
+        is_large = trials is not None and trials.work > AT_ONCE
+        _aside.ask(session_id(), view, explain, study, study.row, view.action, is_large=is_large)
+
+
+def is_searched(view: View, *, wait: float = 0.0) -> bool:
+    """Whether the search of :func:`search_aside` is over.
+
+    Args:
+        wait: seconds to give it.
+    """
+    return _explained.known(view) or _aside.is_over(view, wait)
 
 
 @cached(32)

@@ -11,8 +11,8 @@ import streamlit as st
 
 from app import session
 from app.components.lens import Graph, Pin, Preset, Released, Said, lens
-from app.components.waiting import attempt
-from app.session import store
+from app.components.waiting import LOOK_EVERY, attempt
+from app.session import crowd, store
 from app.session.typed import in_markdown
 from app.view import compute
 from app.view.schema import PARAM
@@ -30,8 +30,17 @@ _ROWS = {"steps", "time_step"}
 
 @dataclass
 class _Search:
-    """The search for the cause of a verdict: whether it is due, and the values that it was last made for."""
+    """The search for the cause of a verdict and for remedies.
 
+    Attributes:
+        alone: whether no other session is at work.
+        explained: whether the page shows what is found.
+        due: whether it is still to be made.
+        done_for: the values that it was last made for.
+    """
+
+    alone: bool = True
+    explained: bool = True
     due: bool = False
     done_for: dict[str, Any] | None = None
 
@@ -52,7 +61,10 @@ def pictures(
     look = str(store.chosen().get("look", "heatmap"))
     horizon, added = compute.horizon_of(view), view.subject.added
     shown = state_of(view.settings, horizon, action=view.action, look=look, added=added)
-    judged, explained = compute.verdict_at_once(view)
+    search = session.part(_Search)
+    search.alone = crowd.alone()
+    search.explained = explained = compute.is_explained(view, alone=search.alone)
+    judged = compute.verdict_for(view, explained=explained)
 
     def release(released: Released) -> None:
         if released.preset is not None:
@@ -106,18 +118,33 @@ def _sentence(judged: Verdict, view: View, *, explained: bool) -> str:
     """
     search = session.part(_Search)
     search.due = due = not explained and search.done_for != dict(store.chosen())
-    return f"{judged.sentence} The cause is being searched for." if due and view.learned is None else judged.sentence
+    if due and view.learned is None and not judged.searched:
+        return f"{judged.sentence} The cause is being searched for."
+    return judged.sentence
 
 
 def explain(view: View) -> None:
-    """Find the cause that the lens does not show yet, once everything else is on the page, and draw the page with it.
+    """Let the cause be found that the lens does not show yet, once everything else is on the page.
 
     What the lens shows counts, not what is known by now: another visitor's search may have ended meanwhile.
     """
     search = session.part(_Search)
-    if search.due:
-        compute.verdict_for(view)
-        search.done_for = dict(store.chosen())
+    if not search.due:
+        return
+    compute.search_aside(view)
+    if search.alone:
+        place = st.empty()
+        while not compute.is_searched(view, wait=0.05):
+            place.empty()  # where Streamlit ends a run that nobody awaits
+        _searched(view)
+    else:  # this run ends, so that what was changed meanwhile is not kept waiting
+        st.fragment(_searched, run_every=LOOK_EVERY)(view)
+
+
+def _searched(view: View) -> None:
+    """Draw the page with the cause once the search is over; as it is, where what was found could not be kept."""
+    if compute.is_searched(view):
+        session.part(_Search).done_for = dict(store.chosen())
         st.rerun()
 
 
@@ -148,7 +175,8 @@ def artefacts(view: View) -> None:
     if view.subject.added:
         st.caption("Interpolated discounts share the errors of their neighbours: noise is louder than it looks.")
     name = compute.study_for(view).action_names[view.action]
-    listed, others = compute.artefacts_for(view), compute.artefacts_elsewhere(view)
+    listed = compute.artefacts_for(view, explained=session.part(_Search).explained)
+    others = compute.artefacts_elsewhere(view)
     st.html(f'<div class="panel-title">artefacts in the tau-space of {escape(name)}</div>')
     with st.container(key="artefacts"):
         if not listed:

@@ -113,6 +113,7 @@ INVERSE_REPORTS = {
     "inverse-consistency": ("alarms", 1000, "alarms of the test of consistency, on spaces that are and that are not"),
     "inverse-bumps": ("bumps", 400, "probabilities of bumps against how often they are real"),
     "inverse-feasible": ("timelines", 5, "feasible timelines against Tikhonov with its best alpha, on every preset"),
+    "inverse-agents": ("agent_states", 20, "timelines of trained agents' states against simulated continuations"),
 }
 """Name of the report: its module in ``laplace_core.experiments.inverse``, how many cases it takes, what it says."""
 

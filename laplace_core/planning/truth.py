@@ -15,13 +15,14 @@ def reward_timeline(world: World, state: int, policy: np.ndarray, steps: int) ->
     """
     pairs = slice(state * world.n_actions, (state + 1) * world.n_actions)
     pi = selection(world, policy)
-    moves, rewards = pi @ world.transition_matrix, pi @ world.reward_probabilities
-    timeline = np.zeros((world.n_actions, steps, rewards.shape[1]))
+    # Turned once: a dense matrix times a sparse one turns the sparse one at every product.
+    moves, rewards = ((pi @ matrix).T.tocsr() for matrix in (world.transition_matrix, world.reward_probabilities))
+    timeline = np.zeros((world.n_actions, steps, rewards.shape[0]))
     timeline[:, 0] = world.reward_probabilities[pairs].toarray()
-    distribution = world.transition_matrix[pairs].toarray()
+    distribution = world.transition_matrix[pairs].toarray().T
     for tau in range(1, steps):
-        timeline[:, tau] = distribution @ rewards
-        distribution = distribution @ moves
+        timeline[:, tau] = (rewards @ distribution).T
+        distribution = moves @ distribution
     return timeline
 
 

@@ -84,7 +84,7 @@ def _in_processes(
         call = delayed(_Job(function, os.getpid()))
         pool = Parallel(n_jobs=min(processes, len(left)), return_as="generator_unordered", batch_size=1)
         try:
-            with _without_interrupt():
+            with without_interrupt():
                 results = pool([call(i, argument) for i, argument in left.items()])
             for i, result in results:
                 del left[i]
@@ -106,7 +106,7 @@ def _in_processes(
 
 
 @contextmanager
-def _without_interrupt() -> Iterator[None]:
+def without_interrupt() -> Iterator[None]:
     """Hold Ctrl-C back for a moment: processes and threads that start within it do not get it at all."""
     if not hasattr(signal, "pthread_sigmask"):
         yield
@@ -125,14 +125,14 @@ class _Job:
         self._function, self._parent = function, parent
 
     def __call__(self, index: int, argument: object) -> tuple[int, Any]:
-        _end_with(self._parent)
+        end_with(self._parent)
         return index, self._function(argument)
 
 
 _watched: set[int] = set()
 
 
-def _end_with(parent: int) -> None:
+def end_with(parent: int) -> None:
     """Let this process end when its parent does: a worker whose parent was killed would wait for ever."""
     if parent in _watched or os.getpid() == parent:
         return

@@ -70,7 +70,7 @@ def test_many_views_stay_within_the_budget(budget):
     world, most = load_world("two_branch"), 0
     for alpha in np.geomspace(1e-4, 1.0, 8):
         shown = view(world, float(alpha), thetas=300, steps=200)
-        compute.verdict_at_once(shown)
+        compute.verdict_for(shown)
         compute.artefacts_for(shown)
         compute.lens_payload(shown)
         compute.comparison(view(world, 0.5, thetas=300, steps=200), shown, "tau_space")
@@ -109,10 +109,10 @@ def test_the_process_grows_by_no_more_than_its_budget():
         world, resident = load_world("two_branch"), psutil.Process().memory_info
         def shown(alpha):
             return View(Exact(world), resolve(Settings(alpha=alpha, thetas=1001, steps=500), world), 0)
-        compute.verdict_at_once(shown(0.5))
+        compute.verdict_for(shown(0.5))
         before = resident().rss
         for i in range(16):
-            compute.verdict_at_once(shown(0.5 + 0.01 * i))
+            compute.verdict_for(shown(0.5 + 0.01 * i))
             assert BUDGET.bytes <= BUDGET.limit == 50_000_000
         print((resident().rss - before) // 1_000_000)
         """

@@ -5,11 +5,12 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from app.session import crowd
 from app.view import compute, panels
-from laplace_core import Settings, load_world, study
+from laplace_core import InputError, Settings, load_world, study
 from laplace_core.payloads.lens import payload, structure
 from laplace_core.study.settings import resolve
-from tests.support.pages import choose, handed, link, opened, pin, press
+from tests.support.pages import choose, handed, link, opened, pin, press, run, shown
 
 
 @pytest.mark.parametrize("world", ["two_branch", "rise_and_fade", "gym:FrozenLake-v1"])
@@ -87,9 +88,34 @@ def test_a_search_that_another_visitor_ends_meanwhile_is_shown(monkeypatch):
 def test_a_cause_that_was_forgotten_is_found_again(monkeypatch):
     monkeypatch.setattr(compute, "AT_ONCE", 0.0)
     query = {"world": "two_branch", "normalise": "paper"}
-    for forgotten in (compute.forget, compute._explained_verdict.cache_clear):
+    for forgotten in (compute.forget, compute._explained.cache_clear):
         forgotten()
         assert "Cause: repeated reward" in handed(opened(**query))[0]["said"]["sentence"]
+
+
+def test_while_others_are_at_work_the_pictures_come_first(monkeypatch):
+    compute.forget()
+    monkeypatch.setattr(crowd, "_seen", {})
+    with monkeypatch.context() as other:
+        other.setattr(crowd, "session_id", lambda: "another")
+        crowd.alone()
+    page = opened(world="two_branch", alpha="0.02", horizon="1", shift="yes", thetas="20")
+    assert handed(page)[0]["said"]["sentence"].endswith("The cause is being searched for.")
+    assert "fix shifted index Undo the shift of the index" not in [button.key for button in page.button]
+    assert compute.is_searched(shown(page), wait=60)
+    page = run(page)
+    assert "Cause: shifted index" in handed(page)[0]["said"]["sentence"]
+    assert "fix shifted index Undo the shift of the index" in [button.key for button in page.button]
+
+
+def test_a_search_that_fails_leaves_its_reason():
+    """The verdict stays, and nobody waits for a cause."""
+    compute.forget()
+    view = shown(opened(world="two_branch", normalise="paper"))
+    compute._explained.cache_clear()
+    compute._lost(view, InputError("the process of this search died 3 times."))
+    sentence = handed(opened(world="two_branch", normalise="paper"))[0]["said"]["sentence"]
+    assert sentence.endswith("Its cause was not found: the process of this search died 3 times.")
 
 
 def test_a_remedy_leaves_no_switch_that_is_off_in_the_link():

@@ -1,0 +1,41 @@
+"""Everything about a view that takes a search: the cause in its verdict, and the remedies of its artefacts."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from laplace_core.study.artefacts import Artefact, find_artefacts
+from laplace_core.study.pipeline import Study, WorldStudy
+from laplace_core.study.trials import Trials
+from laplace_core.study.verdict import Verdict, judge
+
+
+@dataclass(frozen=True)
+class Explanation:
+    """A verdict with its cause, and the artefacts of the action that is looked at, with remedies that were tried."""
+
+    verdict: Verdict
+    artefacts: tuple[Artefact, ...]
+
+
+def trials_of(study: Study, row: int, action: int) -> Trials | None:
+    """What single changes make of a view; None without a world, where nothing can be tried."""
+    return Trials(study, row, action) if isinstance(study, WorldStudy) else None
+
+
+def explain(study: Study, row: int, action: int, trials: Trials | None = None) -> Explanation:
+    """Search for the cause and the remedies of a view; a change that both try is tried once.
+
+    Args:
+        row: of the horizon, ``study.horizons[row]``.
+        action: whose timeline is graded and whose artefacts are listed.
+        trials: of this very view, where they are there already.
+
+    Raises:
+        InputError: a row or an action that the study does not have.
+    """
+    study.check_view(row, action)
+    trials = trials or trials_of(study, row, action)
+    verdict = judge(study, row, action, trials=trials)
+    horizon = float(study.horizons[row])
+    return Explanation(verdict, tuple(find_artefacts(study, action, horizon, trials=trials)))
