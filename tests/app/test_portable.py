@@ -66,8 +66,8 @@ from tests.support.quick_runs import SMALL, until
 from laplace_core.training.curves import Reader
 from laplace_core import load_world
 from laplace_core.tabular import LearnSettings, start
-from app.catalogue import training_runs
-assert training_runs._temporary().is_dir()
+from laplace_core.files.folders import temporary
+assert temporary("laplace_runs").is_dir()
 runs = Queue(sys.argv[1])
 name = runs.add(SMALL)
 while (process := read_process(runs.folder / name)) is None:

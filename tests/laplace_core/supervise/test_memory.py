@@ -12,7 +12,7 @@ import pytest
 _PROGRAM = """
 import resource, sys
 import torch
-from laplace_core.training import memory
+from laplace_core.supervise import memory
 if sys.argv[1] == "kept":
     memory.keep()
 for _ in range(20):
