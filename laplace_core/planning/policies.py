@@ -144,10 +144,14 @@ def greedy_policy(world: World, gamma: float, warm_start: np.ndarray | None = No
     raise ArithmeticError(f"policy iteration on {world.name!r} at gamma={gamma:g} did not converge")
 
 
-def _swept_policy(world: World, gamma: float, sweeps: int = 1_000) -> np.ndarray:
+_SMALL = 200
+"""States of a world in which a factorisation costs no more than some twenty products."""
+
+
+def _swept_policy(world: World, gamma: float) -> np.ndarray:
     """A first guess by value iteration: a sweep is a product, a step of policy iteration a factorisation."""
     values = np.zeros(world.n_states)
-    for _ in range(sweeps):
+    for _ in range(1_000 if world.n_states > _SMALL else 50):
         q = action_values(world, values, gamma)
         change = np.abs(q.max(axis=1) - values).max()
         values = q.max(axis=1)
