@@ -1,5 +1,6 @@
 """What all tests share: one hypothesis profile, the same examples on every run and no time limits."""
 
+import gc
 import os
 import tempfile
 from functools import cache, partial
@@ -24,6 +25,12 @@ manifest_scanner.scan_component_manifests = cache(manifest_scanner.scan_componen
 
 # And it compiles the scripts of the app anew, which a server does once.
 app_test.ScriptCache = local_script_runner.ScriptCache = partial(lambda shared: shared, ScriptCache())
+
+
+def pytest_collection_finish():
+    """What is imported by now stays: the collector of garbage need not go through it again and again."""
+    gc.collect()
+    gc.freeze()
 
 
 @pytest.fixture(autouse=True)
