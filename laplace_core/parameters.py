@@ -10,6 +10,7 @@ import re
 from collections.abc import Mapping
 from dataclasses import Field, dataclass, field, fields, replace
 from functools import cache
+from math import inf
 from typing import Any, get_args, get_type_hints
 
 from laplace_core.errors import InputError
@@ -52,12 +53,18 @@ class Parameter:
             raise TypeError(f"{self.name} has no range.")
         return self.low, self.high
 
+    def _holds(self, number: float) -> bool:
+        """Whether a number of the right type needs no further look."""
+        return self.type is bool or (self.bounds[0] <= number <= self.bounds[1] and abs(number) < inf)
+
     def parse(self, value: object) -> bool | int | float | str:
         """The value in the parameter's own type, from text or a number.
 
         Raises:
             InputError: wrong type or out of range.
         """
+        if isinstance(value, bool | int | float) and type(value) is self.type and self._holds(value):
+            return value  # as most do: settings are made of settings
         text = str(value)
         if self.type is str and not self.choices:
             return text

@@ -47,7 +47,11 @@ for code in ("import fcntl", "import resource", "import pwd", "import os; os.get
 """
 
 PAGES = """
+import functools
+from streamlit.components.v2 import manifest_scanner
 from streamlit.testing.v1 import AppTest
+scan = manifest_scanner.scan_component_manifests
+manifest_scanner.scan_component_manifests = functools.cache(scan)  # as in tests/conftest.py
 for screen in sys.argv[1].split(","):
     page = AppTest.from_file("app/main.py", default_timeout=120)
     if screen != "worlds":

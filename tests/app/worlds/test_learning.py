@@ -48,6 +48,7 @@ from tests.support.pages import (
     verdict,
     wait,
 )
+from tests.support.quick_runs import until
 
 QUICK = {"world": "two_branch", "source": "learned", "l.episodes": "60"}
 ENDLESS = {"world": "two_branch", "p.slip": "0.1", "source": "learned", "l.episodes": "1000000"}
@@ -155,6 +156,7 @@ def test_cancel_ends_the_process_and_keeps_what_was_learned():
     wait(page, lambda page: "curve" in pictures(page))
     watched = runs_of(page)[link(page)["run"]]
     assert watched.running
+    until(lambda: watched._work._run)  # the curve may be that of a run before it, which ends first
     process = watched._work._run
     press(page, "Cancel")
     assert not watched.running
