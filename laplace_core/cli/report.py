@@ -39,7 +39,7 @@ def add_report(verbs: argparse._SubParsersAction[argparse.ArgumentParser]) -> No
     verdicts.set_defaults(run=_verdicts)
 
     auto = kinds.add_parser("auto", help="fit the coefficients of the selector auto to random worlds")
-    auto.add_argument("--worlds", default="240", metavar="N", help="random worlds (default: 240)")
+    auto.add_argument("--worlds", default="1000", metavar="N", help="random worlds (default: 1000)")
     auto.add_argument("--jobs", default="1", metavar="N", help="processes at a time (default: 1)")
     auto.add_argument("--out", metavar="FILE.json", help="write the coefficients there")
     auto.add_argument("--json", action="store_true", help="print JSON")
