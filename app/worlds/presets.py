@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from functools import cache
 from typing import Any
 
 from app.components.lens import Preset
@@ -27,14 +29,20 @@ PRESETS: dict[str, dict[str, Any]] = {
 """Values of a page by the name of the view."""
 
 
-def presets_for(view: View) -> list[Preset]:
-    presets = []
+@cache
+def _views() -> dict[str, tuple[object, Mapping[str, Any]]]:
+    """By name: what of the view does not move in the browser, and the state of its lens; the same for everybody."""
+    views: dict[str, tuple[object, Mapping[str, Any]]] = {}
     for name, values in PRESETS.items():
-        other = view_of(values)
-        last = other.settings.steps * other.settings.time_step
-        horizon = other.settings.horizon or last + (1.0 - other.settings.time_step) / 2.0
-        exact = view.world is not None and view.learned is None
-        same = exact and structure(view.settings, view.world) == structure(other.settings, other.world)
-        state = state_of(other.settings, horizon, action=other.action, look=str(values.get("look", "heatmap")))
-        presets.append(Preset(name, values, same, state))
-    return presets
+        view = view_of(values)
+        s = view.settings
+        horizon = s.horizon or s.steps * s.time_step + (1.0 - s.time_step) / 2.0
+        state = state_of(s, horizon, action=view.action, look=str(values.get("look", "heatmap")))
+        views[name] = structure(s, view.world), state
+    return views
+
+
+def presets_for(view: View) -> list[Preset]:
+    exact = view.world is not None and view.learned is None
+    here = structure(view.settings, view.world) if exact else None
+    return [Preset(name, PRESETS[name], exact and here == there, state) for name, (there, state) in _views().items()]
