@@ -18,6 +18,8 @@ from laplace_core.figures.paper import Spread
 from laplace_core.figures.theme import Figure, action_colour
 from laplace_core.figures.training import Band, shipped_curves
 
+CANNOT_DRAW = (LookupError, TypeError, ValueError, AttributeError, ArithmeticError)
+"""What drawing raises where a file holds something else than was written."""
 _COMPARED = ("laplace", "c51", "qrdqn", "dqn")
 _CHANCE = 0.5
 

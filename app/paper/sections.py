@@ -10,26 +10,29 @@ import streamlit as st
 
 from app.components.chart import chart
 from app.components.widgets import download
-from app.paper.pictures import Picture, picture
-from laplace_core import InputError
+from app.paper.pictures import CANNOT_DRAW, Picture, picture
 from laplace_core.experiments.paper.claims import STATES, Found
 
-_CANNOT_READ = (LookupError, TypeError, ValueError, AttributeError, ArithmeticError)
-"""What drawing raises where a file holds something else than was written."""
-_FEW = 8
+_FEW = 12
 """Lines of a table that are shown beside the picture; longer tables unfold."""
 
 
 def overview(found: Sequence[Found]) -> None:
     """The state of each, a line each, which leads to its section."""
     rows = "".join(
-        f'<li><a href="#paper-{each.entry.name}">{_pill(each.state)}<b>{escape(each.entry.place)}</b> '
-        f"<span>{escape(each.entry.title)}{escape(_so_far(each))}</span></a></li>"
+        f'<li><a href="#paper-{each.entry.name}">{_pill(each.state)}<span><b>{escape(each.entry.place)}</b> '
+        f"{escape(each.entry.title)}{escape(_so_far(each))}</span></a></li>"
         for each in found
     )
     st.html(f'<ul class="paper-states">{rows}</ul>')
     used = {each.state for each in found}
     st.caption("; ".join(f"**{state}**: {words}" for state, words in STATES.items() if state in used) + ".")
+
+
+def contents(found: Sequence[Found]) -> None:
+    """What the page has, in the sidebar, which stays in sight."""
+    rows = "".join(f'<li><a href="#paper-{each.entry.name}">{escape(each.entry.place)}</a></li>' for each in found)
+    st.html(f'<ul class="paper-contents">{rows}</ul>')
 
 
 def section(found: Found) -> None:
@@ -67,18 +70,17 @@ def _claims(found: Found) -> str:
         return f'<p class="paper-trouble">{escape(found.trouble)}</p>'
     rows = []
     for index, (claim, finding) in enumerate(zip(found.entry.claims, found.findings, strict=True)):
-        state = "not measured" if finding is None else finding.state
-        rows.append(
-            f'<li class="{state.replace(" ", "-")}"><q>{escape(claim.says)}</q> <b>{state.capitalize()}.</b> '
-            f"{escape(found.sentence(index))}</li>"
-        )
+        state = "" if finding is None else finding.state
+        told = f"<b>{state.capitalize()}.</b> " if state else ""
+        told += escape(found.sentence(index))
+        rows.append(f'<li class="{state.replace(" ", "-")}"><q>{escape(claim.says)}</q> {told}</li>')
     return f'<ul class="paper-claims">{"".join(rows)}</ul>'
 
 
 def _picture(found: Found) -> Picture | None:
     try:
         return picture(found)
-    except (InputError, *_CANNOT_READ):
+    except CANNOT_DRAW:
         st.warning(f"{found.results.path.name} cannot be drawn: it holds something else than results.")
         return None
 

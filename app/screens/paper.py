@@ -17,6 +17,8 @@ def page() -> None:
         "beside ours, from the raw results that come with the workbench."
     )
     found = results.found()
+    with st.sidebar:
+        sections.contents(found)
     sections.overview(found)
     for each in found:
         sections.section(each)

@@ -128,7 +128,7 @@ def _unchanged(results: Results) -> Finding | None:
         low, high = fading["interval"]
         same.append(low <= greedy["mean"] <= high)
         words.append(
-            f"{environment} at T = {horizon} {number(greedy['mean'])} greedy and {number(fading['mean'])} fading"
+            f"{environment} at T = {horizon}: {number(greedy['mean'])} greedy, {number(fading['mean'])} fading"
         )
     if not words:
         return None

@@ -174,14 +174,14 @@ def look(entry: Entry, folder: Path, agents: Path) -> Found:
         folder: of the results.
         agents: the folder of the agents that ship.
     """
-    path = result_file(folder, entry.name)
+    path = agents / "manifest.json" if entry.read else result_file(folder, entry.name)
     try:
         results = entry.read(agents) if entry.read else _results(entry.name, path)
         return Found(entry, results, entry.lines(results), [claim.judge(results) for claim in entry.claims])
     except InputError as error:
         trouble = str(error)
     except _WRONG_CONTENT:
-        trouble = f"{path.name} holds something else than results: move it away, and make it again by {entry.makes}."
+        trouble = f"{path.name} holds something else than results, and nothing of it is shown."
     nothing = Results(path)
     return Found(entry, nothing, entry.lines(nothing), [None] * len(entry.claims), trouble)
 

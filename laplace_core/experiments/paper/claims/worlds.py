@@ -70,7 +70,7 @@ FIG1_5 = Entry(
     title="Codes of one return",
     claims=[Claim("Categorical, quantile and expectile codes each approximate the distribution.", _codes_hold_it)],
     lines=_codes_lines,
-    view=View("worlds", {"world": "fig6_chain", "source": "learned", "l.peers": "yes"}),
+    view=View("worlds", {"world": "fig6_chain", "source": "learned", "l.peers": "true"}),
 )  # fmt: skip
 
 
