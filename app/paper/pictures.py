@@ -83,7 +83,7 @@ def _aliasing(found: Found) -> Picture:
 
 def _deadlines(found: Found) -> Picture:
     rows = [
-        Spread(title, f"T = {horizon}", column[name]["mean"], column[name]["interval"], of_paper(name, horizon))
+        Spread(title, f"T {horizon}", column[name]["mean"], column[name]["interval"], of_paper(name, horizon))
         for horizon, column in columns(found.results).items()
         for name, title in TITLES.items()
         if name in column

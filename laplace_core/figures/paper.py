@@ -113,33 +113,35 @@ class Spread:
 
 
 def spreads(title: str, rows: Sequence[Spread], unit: str) -> Figure:
-    """A dot a row with its interval, the first row on top; a colour a group; the paper's numbers as open diamonds."""
+    """A dot a row with its interval, the first row on top; a colour a group; open diamonds for the paper's numbers."""
     names = list(dict.fromkeys(in_plotly(row.name) for row in rows))
     groups = list(dict.fromkeys(row.group for row in rows))
     traces: list[Trace] = []
     for i, group in enumerate(groups):
         mine = [row for row in rows if row.group == group]
+        told, colour = [row for row in mine if row.paper is not None], ACTION_COLOURS[i % len(ACTION_COLOURS)]
+        common = {"type": "scatter", "mode": "markers", "orientation": "h", "offsetgroup": group}
         traces.append({
-            "type": "scatter", "mode": "markers", "name": in_plotly(group), "x": [row.mean for row in mine],
-            "y": [in_plotly(row.name) for row in mine], "marker": {"size": 8, "color": ACTION_COLOURS[i % 8]},
+            **common, "name": in_plotly(group), "x": [row.mean for row in mine],
+            "y": [in_plotly(row.name) for row in mine], "marker": {"size": 8, "color": colour},
             "error_x": {"type": "data", "array": [row.interval[1] - row.mean for row in mine], "symmetric": False,
                         "arrayminus": [row.mean - row.interval[0] for row in mine], "thickness": 1.4, "width": 4},
             "hovertemplate": f"%{{y}}, {in_plotly(group)}<br>%{{x:.1f}}<extra></extra>",
         })  # fmt: skip
-    told = [row for row in rows if row.paper is not None]
-    if told:
-        traces.append({
-            "type": "scatter", "mode": "markers", "name": "the paper", "x": [row.paper for row in told],
-            "y": [in_plotly(row.name) for row in told],
-            "marker": {"size": 10, "symbol": "diamond-open", "color": _PAPER, "line": {"width": 2}},
-            "hovertemplate": "%{y}, the paper<br>%{x:.1f}<extra></extra>",
-        })  # fmt: skip
+        if told:
+            traces.append({
+                **common, "name": "the paper", "x": [row.paper for row in told], "showlegend": i == 0,
+                "y": [in_plotly(row.name) for row in told],
+                "marker": {"size": 10, "symbol": "diamond-open", "color": colour, "line": {"width": 2}},
+                "hovertemplate": f"%{{y}}, {in_plotly(group)}, the paper<br>%{{x:.1f}}<extra></extra>",
+            })  # fmt: skip
     return build(
         title,
         traces,
-        margin={"l": 8, "t": 58},
-        height=max(220, 110 + 30 * len(names)),
+        margin={"l": 8, "t": 80},  # in a narrow window the legend has two lines
+        height=max(220, 130 + (22 + 8 * len(groups)) * len(names)),
         hovermode="closest",
+        scattermode="group",  # rows of one name lie beneath each other
         xaxis=axis(unit, zeroline=True),
         yaxis=axis("", automargin=True, categoryorder="array", categoryarray=names[::-1]),
     )

@@ -55,7 +55,7 @@ def test_there_is_a_picture_of_all_that_is_measured_and_plotly_takes_it():
         go.Figure(figure)
     rescaled = [numbers(trace["y"]) for trace in drawn["paper fig4"]["data"][:2]]
     assert rescaled[0] == pytest.approx([5.0, 5.0, 5.0], abs=0.01)
-    assert [trace["name"] for trace in drawn["paper table1"]["data"]][-1] == "the paper"
+    assert "the paper" in [trace["name"] for trace in drawn["paper table1"]["data"]]
 
 
 def test_acting_through_tau_space_is_drawn():

@@ -161,7 +161,7 @@ def test_a_deadline_that_a_peer_acts_better_for_agrees_with_the_paper():
 
     found = changed("table1", better)
     assert found.findings[0].state == AGREES
-    assert "DQN, 60.0" in found.sentence(0)
+    assert "best peer DQN, 60.0" in found.sentence(0)
 
 
 @pytest.mark.parametrize(

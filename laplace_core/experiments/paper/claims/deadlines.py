@@ -17,7 +17,7 @@ from laplace_core.experiments.paper.claims.entry import (
     Results,
     View,
 )
-from laplace_core.experiments.paper.claims.words import capital, listed, number, within
+from laplace_core.experiments.paper.claims.words import listed, number, within
 
 PAPER = {
     "c51": {"50": 26.51, "100": 67.28, "200": 121.47, "full": 161.63},
@@ -75,8 +75,8 @@ def _counted(row: Mapping[str, Any]) -> str:
     return f"{row['agents']} agent{'s' if row['agents'] > 1 else ''} x {row['episodes']}"
 
 
-def _at(words: list[str]) -> str:
-    return "; ".join(words)
+def _when(horizon: str) -> str:
+    return "in full" if horizon == "full" else f"at T = {horizon}"
 
 
 def _adapts(results: Results) -> Finding | None:
@@ -89,14 +89,12 @@ def _adapts(results: Results) -> Finding | None:
             continue
         best = max(peers, key=lambda name: column[name]["mean"])
         above.append(mine["interval"][0] > column[best]["mean"])
-        words.append(
-            f"at T = {horizon} Laplace DQN scores {within(mine['mean'], mine['interval'])} by the rule fading and the "
-            f"best peer, {TITLES[best]}, {number(column[best]['mean'])}"
-        )
+        best_peer = f"best peer {TITLES[best]}, {number(column[best]['mean'])}"
+        words.append(f"{within(mine['mean'], mine['interval'])} {_when(horizon)} ({best_peer})")
     if not words:
         return None
     state = DIFFERS if all(above) else IN_PART if any(above) else AGREES
-    return Finding(state, f"{capital(_at(words))}.")
+    return Finding(state, f"By the rule fading Laplace DQN scores {listed(words)}.")
 
 
 def _decoded_as_in_the_paper(results: Results) -> Finding | None:
@@ -106,33 +104,34 @@ def _decoded_as_in_the_paper(results: Results) -> Finding | None:
         if decoded is None or greedy is None:
             continue
         gains.append(decoded["interval"][0] > greedy["mean"])
-        words.append(
-            f"at T = {horizon} it scores {within(decoded['mean'], decoded['interval'])} and greedy "
-            f"{number(greedy['mean'])}"
-        )
+        score = within(decoded["mean"], decoded["interval"])
+        words.append(f"{score} {_when(horizon)} (greedy {number(greedy['mean'])})")
     if not words:
         return None
     state = DIFFERS if all(gains) else IN_PART if any(gains) else AGREES
-    return Finding(state, f"Decoded as in the paper, {_at(words)}.")
+    return Finding(state, f"Decoded as in the paper it scores {listed(words)}.")
 
 
 def _unchanged(results: Results) -> Finding | None:
     """Elsewhere no rule scores otherwise than greedy, as a policy that does not depend on T would."""
-    words, same = [], []
+    same: dict[str, list[str]] = {}
+    other = []
     for name, column in results.summary.items():
         environment, _, horizon = name.partition(", T ")
-        rules = {rule: column.get(f"laplace, {rule}") for rule in ("greedy", "fading")}
-        if name.startswith(_LANDER) or None in rules.values():
+        greedy, fading = column.get("laplace, greedy"), column.get("laplace, fading")
+        if name.startswith(_LANDER) or greedy is None or fading is None:
             continue
-        greedy, fading = rules["greedy"], rules["fading"]
         low, high = fading["interval"]
-        same.append(low <= greedy["mean"] <= high)
-        words.append(
-            f"{environment} at T = {horizon}: {number(greedy['mean'])} greedy, {number(fading['mean'])} fading"
-        )
-    if not words:
+        if low <= greedy["mean"] <= high:
+            same.setdefault(environment, []).append(f"{number(fading['mean'])} {_when(horizon)}")
+        else:
+            score = within(fading["mean"], fading["interval"])
+            other.append(f"{environment} {number(greedy['mean'])} greedy and {score} fading {_when(horizon)}")
+    words = [f"the same by greedy and fading on {environment} ({listed(each)})" for environment, each in same.items()]
+    if not words and not other:
         return None
-    return Finding(AGREES if all(same) else IN_PART if any(same) else DIFFERS, f"{capital(_at(words))}.")
+    state = AGREES if not other else IN_PART if words else DIFFERS
+    return Finding(state, f"Returns are {listed([*words, *other])}.")
 
 
 def _repairs(results: Results) -> Finding | None:
@@ -143,11 +142,12 @@ def _repairs(results: Results) -> Finding | None:
         if not worth or first is None or last is None:
             continue
         most = max(worth, key=lambda fault: worth[fault]["mean"])
+        gain = within(worth[most]["mean"], worth[most]["interval"])
         words.append(
-            f"at T = {horizon} from {number(first['mean'])} to {number(last['mean'])} with all six; the most of it, "
-            f"{within(worth[most]['mean'], worth[most]['interval'])}, by {_FAULTS[most]}"
+            f"from {number(first['mean'])} to {number(last['mean'])} {_when(horizon)} ({_FAULTS[most]}: {gain})"
         )
-    return Finding(NEW, f"Mended one after another, the return goes {_at(words)}.") if words else None
+    told = "Six faults mended one after another take the return"
+    return Finding(NEW, f"{told} {listed(words)}; in brackets what is worth most.") if words else None
 
 
 TABLE1 = Entry(
@@ -193,11 +193,11 @@ def _through_tau_space(against: str, rest: str) -> Any:
                 continue
             best = max(known, key=lambda rule: known[rule]["mean"])
             gains.append(known[best]["interval"][0] > 0)
-            words.append(f"{within(known[best]['mean'], known[best]['interval'])} at T = {horizon} ({best})")
+            words.append(f"{within(known[best]['mean'], known[best]['interval'])} {_when(horizon)} ({best})")
         if not words:
             return None
         state = AGREES if all(gains) else IN_PART if any(gains) else DIFFERS
-        return Finding(state, f"The best solver's difference from {against} is {listed(words)}{rest}.")
+        return Finding(state, f"The best solver's difference from {against}{rest} is {listed(words)}.")
 
     return judge
 
@@ -210,7 +210,7 @@ ACTING = Entry(
         Claim("Tau-space lets an agent act for a shorter time at once.", _through_tau_space("greedy", "")),
         Claim(
             "It is what an agent needs for that: no other rule does as well (not measured in the paper).",
-            _through_tau_space("fading", ", a rule that decodes nothing"),
+            _through_tau_space("fading", ", which decodes nothing,"),
         ),
     ],
     lines=_acting_lines,

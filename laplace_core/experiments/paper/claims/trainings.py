@@ -79,6 +79,18 @@ def _higher(better: str, worse: str, told: str) -> Any:
     return judge
 
 
+def _beside(one: str, other: str, told: str) -> Any:
+    """Says how two cells score, where the paper has nothing of it; ``told`` has both, as ``{one}`` and ``{other}``."""
+
+    def judge(results: Results) -> Finding | None:
+        found = _cells(results)
+        if one not in found or other not in found:
+            return None
+        return Finding(NEW, told.format(one=spread(found[one]), other=spread(found[other])))
+
+    return judge
+
+
 # ---- figure 3
 
 _COMPARED = {"laplace": "Laplace DQN", "c51": "C51", "qrdqn": "QR-DQN", "dqn": "DQN"}
@@ -239,19 +251,12 @@ MULTIPLEXER = Entry(
         ),
         Claim(
             "A shared trunk with heads of its own for each discount (not in the paper).",
-            lambda results: _beside(results, "trunk", "multiplexer"),
+            _beside("trunk", "multiplexer", "The trunk scores {one}, the multiplexer {other}."),
         ),
     ],
     lines=_lines("multiplexer", {"network": "unstable", "multiplexer": "188.45"}),
     view=View("train", {"algorithm": "laplace", "environment": "LunarLander-v3", "t.network": "multiplexer"}),
 )
-
-
-def _beside(results: Results, one: str, other: str) -> Finding | None:
-    found = _cells(results)
-    if one not in found or other not in found:
-        return None
-    return Finding(NEW, f"The {one} scores {spread(found[one])}, the {other} {spread(found[other])}.")
 
 
 INTERPOLATION = Entry(
@@ -307,7 +312,7 @@ TERMINATION = Entry(
         ),
         Claim(
             "States that pay 0 for ever, which is what a value of 0 behind the end means (not in the paper).",
-            lambda results: _beside(results, "absorbing", "plain"),
+            _beside("absorbing", "plain", "Agents with such states score {one}, without {other}."),
         ),
     ],
     lines=_lines("termination", {}),
