@@ -15,7 +15,10 @@ INSTALL = $(BIN)/python -m pip install --quiet --require-hashes --no-deps
 app: .venv/.app
 	$(BIN)/streamlit run app/main.py --server.port $(PORT)
 
-test: lint unit browser
+# Side by side: a browser waits for long, and in that time unit tests have the machine.
+test: lint
+	@echo "Unit tests and browser tests run side by side; each tells what it found when it has ended."
+	$(MAKE) --no-print-directory --jobs 2 --output-sync=target unit browser
 
 unit: .venv/.dev
 	$(BIN)/python -m pytest --ignore=tests/browser -n 2 --dist worksteal

@@ -13,7 +13,6 @@ from time import perf_counter, process_time
 import numpy as np
 import torch
 
-from app.components.player.payload import payload
 from bench.browser import opening
 from bench.lens import memory_of
 from bench.report import Figure, Goal
@@ -21,6 +20,7 @@ from bench.timing import Spread, interleaved, spread
 from bench.users import _GO
 from laplace_core.acting.rollout import roll_out
 from laplace_core.inverse import decode
+from laplace_core.payloads.player import payload
 from laplace_core.training.checkpoint import Loaded, load_checkpoint
 from tests.browser.support import FLAGS, MAIN, ROOT, find_chromium, module_of, served
 

@@ -30,13 +30,13 @@ import numpy as np
 import psutil
 from websockets.exceptions import WebSocketException
 
-from app.session.link import pack
 from bench.__main__ import show
 from bench.report import Figure, Goal, tally
 from bench.serving import ROOT, Server, serving, tree_of
 from bench.timing import Spread
 from bench.visitor import Broken, Visitor, visit
 from laplace_core import InputError
+from laplace_core.files.packed_text import pack
 from laplace_core.files.tensor_file import read_tensors
 from laplace_core.tabular.files import read_learned
 from laplace_core.training.run_folder import MAX_RESUME_BYTES

@@ -15,8 +15,8 @@ from pathlib import Path
 import numpy as np
 import plotly
 
-from app.components.lens.payload import payload, structure
 from laplace_core import PRESETS, Settings, load_world, study
+from laplace_core.payloads.lens import payload, structure
 from tests.browser.support import DEMO, FLAGS, find_chromium, grab, runs_of_demo, served
 from tests.support.lens_agreement import FULL, compared_in, fixture, network, payloads, random_cases
 

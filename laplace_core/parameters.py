@@ -7,8 +7,10 @@ A dataclass of settings states each of them once, as a field made by :func:`sett
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 from dataclasses import Field, dataclass, field, fields, replace
 from functools import cache
+from math import inf
 from typing import Any, get_args, get_type_hints
 
 from laplace_core.errors import InputError
@@ -51,12 +53,18 @@ class Parameter:
             raise TypeError(f"{self.name} has no range.")
         return self.low, self.high
 
+    def _holds(self, number: float) -> bool:
+        """Whether a number of the right type needs no further look."""
+        return self.type is bool or (self.bounds[0] <= number <= self.bounds[1] and abs(number) < inf)
+
     def parse(self, value: object) -> bool | int | float | str:
         """The value in the parameter's own type, from text or a number.
 
         Raises:
             InputError: wrong type or out of range.
         """
+        if isinstance(value, bool | int | float) and type(value) is self.type and self._holds(value):
+            return value  # as most do: settings are made of settings
         text = str(value)
         if self.type is str and not self.choices:
             return text
@@ -171,6 +179,26 @@ def parse_named(
             listed = ", ".join(known) or "none"
             raise InputError(f"{owner} has no parameter {str(name)[:40]!r}; it has: {listed}.")
     return {name: known[name].parse(value) for name, value in given.items()}
+
+
+def from_variables(owner: type, variables: Mapping[str, str], prefix: str) -> dict[str, Any]:
+    """Settings of a dataclass, by name, that variables of the process state.
+
+    Args:
+        prefix: the name of a variable is this and then the name of the setting, in capitals.
+
+    Raises:
+        InputError: a value out of range, naming the variable.
+    """
+    given: dict[str, Any] = {}
+    for parameter in schema_of(owner):
+        variable = prefix + parameter.name.upper()
+        if variables.get(variable, "").strip():
+            try:
+                given[parameter.name] = parameter.parse(variables[variable])
+            except InputError as error:
+                raise InputError(f"environment variable {variable}: {error}") from None
+    return given
 
 
 def as_text(value: object) -> str:

@@ -1,8 +1,9 @@
 """What all tests share: one hypothesis profile, the same examples on every run and no time limits."""
 
+import gc
 import os
 import tempfile
-from functools import cache
+from functools import cache, partial
 
 # A worker has one core. Threads of BLAS that wait for each other on a busy machine took some tests ten times as long.
 # NumPy reads it when it is imported: this stands above the imports.
@@ -11,6 +12,8 @@ os.environ["OMP_NUM_THREADS"] = os.environ["OPENBLAS_NUM_THREADS"] = os.environ[
 import pytest
 from hypothesis import settings
 from streamlit.components.v2 import manifest_scanner
+from streamlit.runtime.scriptrunner.script_cache import ScriptCache
+from streamlit.testing.v1 import app_test, local_script_runner
 
 os.environ["LAPLACE_RUNS"] = tempfile.mkdtemp(prefix="laplace_runs_")  # a page of a test resumes nobody's training
 
@@ -19,6 +22,15 @@ settings.load_profile("suite")
 
 # Every run of an AppTest reads the metadata of all installed packages, ten times the work of the page: once is enough.
 manifest_scanner.scan_component_manifests = cache(manifest_scanner.scan_component_manifests)
+
+# And it compiles the scripts of the app anew, which a server does once.
+app_test.ScriptCache = local_script_runner.ScriptCache = partial(lambda shared: shared, ScriptCache())
+
+
+def pytest_collection_finish():
+    """What is imported by now stays: the collector of garbage need not go through it again and again."""
+    gc.collect()
+    gc.freeze()
 
 
 @pytest.fixture(autouse=True)

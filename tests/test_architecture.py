@@ -167,9 +167,9 @@ def test_a_circle_is_noticed():
 
 
 def test_imports_within_functions_count():
-    assert imported("def f():\n    from laplace_core.study import pipeline\n    import app.session.link") == {
+    assert imported("def f():\n    from laplace_core.study import pipeline\n    import app.session.url") == {
         "laplace_core.study.pipeline",
-        "app.session.link",
+        "app.session.url",
     }
     assert imported("from laplace_core.study.pipeline import study") == {"laplace_core.study.pipeline"}
 

@@ -15,11 +15,6 @@ import numpy as np
 import pytest
 
 from app.agents.episode import followed
-from app.components.lens.payload import payload as lens_payload
-from app.components.lens.payload import structure
-from app.components.lens.state import state_of
-from app.components.player.payload import payload as player_payload
-from app.components.player.payload import rounded
 from laplace_core import GammaSpace, Settings, load_world, study, study_of_gamma_space
 from laplace_core.acting.return_laws import ReturnLaw
 from laplace_core.acting.rollout import Rollout
@@ -27,6 +22,11 @@ from laplace_core.code.gamma_space import bin_differences
 from laplace_core.code.interpolation import left_out
 from laplace_core.code.noise import normal_noise
 from laplace_core.figures import returns_of_actions
+from laplace_core.payloads.lens import payload as lens_payload
+from laplace_core.payloads.lens import structure
+from laplace_core.payloads.player import payload as player_payload
+from laplace_core.payloads.player import rounded
+from laplace_core.payloads.state import state_of
 from tests.support.lens_agreement import fixture, network, packed, payloads, random_cases, verdicts
 from tests.support.lens_reference import seen, unpacked
 

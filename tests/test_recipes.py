@@ -10,11 +10,11 @@ import numpy as np
 import pytest
 
 from app.agents import episode
-from app.catalogue import rules
 from app.race import schema, words
 from laplace_core.acting.continuations import steps_known
+from laplace_core.acting.deadlines import rules_of_race
 from laplace_core.acting.race import race
-from laplace_core.acting.rollout import roll_out
+from laplace_core.acting.rollout import roll_out, titles_of
 from laplace_core.acting.rules import RULES, Rule, rules_of, suited
 from laplace_core.agents import SETTINGS, LaplaceSettings
 from laplace_core.agents.peer_settings import C51Settings
@@ -34,11 +34,14 @@ def last_action(agent, length, options):
     return lambda observations, time: np.tile(wanted * (length - time), (len(observations), 1))
 
 
+TITLE = "for T: always the last action"
+
+
 @pytest.fixture
 def toy(monkeypatch):
-    """The recipe of ``laplace_core.acting.rules``: a function, its entry, and a row of words."""
-    monkeypatch.setitem(RULES, "last", Rule(last_action, lambda agent: agent.n_actions > 1))
-    monkeypatch.setitem(rules.TITLES, "last", ("for T: always the last action", "last action"))
+    """The recipe of ``laplace_core.acting.rules``: a function and its entry."""
+    entry = Rule(last_action, lambda agent: agent.n_actions > 1, title=TITLE, words="last action")
+    monkeypatch.setitem(RULES, "last", entry)
 
 
 def laplace():
@@ -54,13 +57,13 @@ def test_a_rule_of_control(toy, tmp_path, capsys):
     assert steps_known(agent, rollout, 1, 50, own=True) == 2  # it acts for T = 3, and says nothing after it
 
     # The forms, the links and the words of the pages.
-    assert rules.rules_of(agent)["last"] == "for T: always the last action"
+    assert titles_of(agent)["last"] == TITLE
     assert episode.parameters(agent)[episode.RULE].parse("last") == "last"
     assert episode.control_of({episode.RULE: "last"}, 9).horizon == 9
     save_checkpoint(tmp_path / "agent.safetensors", agent, 0, None)
     loaded = load_checkpoint(tmp_path / "agent.safetensors")
     control = schema.Control(loaded, "greedy", None, loaded, "last", 3)
-    assert "last" in schema.rules_of(agent)
+    assert "last" in rules_of_race(agent)
     assert words.sides(control) == ("greedy", "last action")
     assert race("two_branch", *control.entrants, 0, horizon=3).right.rule == "last"
 
@@ -96,16 +99,17 @@ def test_every_path_of_the_recipes_is_there():
         assert list(ROOT.glob(re.sub("NAME|ALGORITHM|ENVIRONMENT", "*", path))), path
 
 
-LAST_ENTRY = '    "last": Rule(last_action, lambda agent: agent.n_actions > 1),\n'
-LAST_WORDS = '    "last": ("for T: always the last action", "last action"),\n'
+LAST_ENTRY = f'''    "last": Rule(
+        last_action, lambda agent: agent.n_actions > 1, title="{TITLE}", words="last action"
+    ),
+'''
 
 
-def test_a_rule_of_control_in_its_two_files(workshop):
+def test_a_rule_of_control_in_its_file(workshop):
     rules = "laplace_core/acting/rules.py"
     workshop.insert(rules, "@dataclass(frozen=True)\nclass Rule:", f"{inspect.getsource(last_action)}\n\n")
     workshop.insert(rules, '    "own": Rule(', LAST_ENTRY)
-    workshop.insert("app/catalogue/rules.py", '    "random": (', LAST_WORDS)
-    assert workshop.touched() == ["app/catalogue/rules.py", rules]
+    assert workshop.touched() == [rules]
     assert_in_the_recipe("A control rule", workshop.touched())
 
     (workshop.root / "checkpoints").mkdir()
@@ -119,7 +123,7 @@ def test_a_rule_of_control_in_its_two_files(workshop):
         ],
     )
     assert json.loads(said)["rule"] == "last"
-    assert "for T: always the last action" in episode["options"]["r.rule"]
+    assert TITLE in episode["options"]["r.rule"]
     assert any("player" in name for name in episode["components"])
     assert any("last action" in words for words in race["verdict"])
 

@@ -8,13 +8,11 @@ from typing import Any
 import numpy as np
 
 from app.agents.jobs import Control
-from app.catalogue.rules import for_deadline, rules_of
 from app.session.url import by_name
-from laplace_core.acting.rollout import MOST_SEED, MOST_STEPS, RANDOM, Rollout, longest
-from laplace_core.acting.rules import RULES
+from laplace_core.acting.rollout import MOST_SEED, MOST_STEPS, RANDOM, Rollout, length_of, titles_of
+from laplace_core.acting.rules import RULES, for_deadline
 from laplace_core.agents.agent import Agent
 from laplace_core.agents.capabilities import HasDiscounts
-from laplace_core.environments import vector
 from laplace_core.parameters import Parameter
 from laplace_core.training.checkpoint import Loaded
 
@@ -34,7 +32,7 @@ PARAMETERS = by_name(
 
 def parameters(agent: Agent) -> dict[str, Parameter]:
     """What a link may say of a rollout of this agent."""
-    rules = tuple(rules_of(agent))
+    rules = tuple(titles_of(agent))
     own = Parameter(RULE, rules[0], help="Control rule.", kind=str, choices=rules)
     kept = {name: one for name, one in PARAMETERS.items() if name != GAMMA or isinstance(agent, HasDiscounts)}
     shown = Parameter(ACTION, TAKEN, help="Action that is shown of an agent without a lens.", kind=str)
@@ -56,8 +54,7 @@ def control_of(values: Mapping[str, Any], limit: int, usual: str = "greedy") -> 
 
 def limit_of(loaded: Loaded) -> int:
     """Steps after which an episode ends at the latest."""
-    most = longest(loaded.agent)
-    return min(most, vector.spec(loaded.environment).time_limit or most)
+    return length_of(loaded.agent, loaded.environment, None)
 
 
 def step_of(values: Mapping[str, Any], rollout: Rollout) -> int:

@@ -10,16 +10,16 @@ from dataclasses import asdict, dataclass, replace
 
 import numpy as np
 
-from app.catalogue.costs import cost_of
-from app.components.player.payload import payload
-from app.session.jobs import Job, Kind, Progress, Wish
-from app.view.subjects import View
+from app.session.jobs import Wish, background
+from laplace_core.acting import estimates
 from laplace_core.acting.continuations import Continuations, Outcomes, continue_from, outcomes_of_states
 from laplace_core.acting.flags import Flags, flag_steps
-from laplace_core.acting.return_laws import COUNT as RETURNS
-from laplace_core.acting.return_laws import SimulatedReturns, outputs_along, simulate_returns, steps_until_cut
-from laplace_core.acting.rollout import Rollout, acting_gamma, length_of, roll_out
+from laplace_core.acting.return_laws import SimulatedReturns, outputs_along, simulate_returns_of
+from laplace_core.acting.rollout import Rollout, roll_out
 from laplace_core.environments import GYMNASIUM_ENVIRONMENTS, vector
+from laplace_core.payloads.player import payload
+from laplace_core.subjects import View
+from laplace_core.supervise.jobs import Job, Kind, Progress
 from laplace_core.training.checkpoint import Loaded
 
 MOST_KEPT = 16
@@ -55,10 +55,10 @@ class RolledOut:
 
 Rolling = Job[RolledOut]
 
-_rollouts: Kind[RolledOut] = Kind("rollouts", MOST_KEPT)
-_artefacts: Kind[Flags] = Kind("artefacts along rollouts", MOST_KEPT)
-_truths: Kind[Continuations | Outcomes] = Kind("simulated continuations", 8)
-_returns: Kind[tuple[SimulatedReturns, ...]] = Kind("simulated returns", MOST_KEPT)
+_rollouts: Kind[RolledOut] = Kind("rollouts", MOST_KEPT, line=background)
+_artefacts: Kind[Flags] = Kind("artefacts along rollouts", MOST_KEPT, line=background)
+_truths: Kind[Continuations | Outcomes] = Kind("simulated continuations", 8, line=background)
+_returns: Kind[tuple[SimulatedReturns, ...]] = Kind("simulated returns", MOST_KEPT, line=background)
 
 
 def rolling(loaded: Loaded, control: Control) -> Wish[RolledOut]:
@@ -72,8 +72,7 @@ def rolling(loaded: Loaded, control: Control) -> Wish[RolledOut]:
         return RolledOut(rollout, payload(rollout, along), along)
 
     def estimate() -> float:
-        steps = length_of(agent, environment, control.horizon)
-        return steps * cost_of(agent, environment, control.rule, control.horizon, pictures=pictures).of()
+        return estimates.of_rollout(agent, environment, control.rule, control.horizon, pictures=pictures)
 
     lower = "lower T or choose a quicker rule"
     return Wish(_rollouts, (agent, control), make, estimate, slot="rollout", lower=lower)
@@ -109,9 +108,9 @@ def truth(loaded: Loaded, rollout: Rollout, step: int, action: int, *, own: bool
         )
 
     def estimate() -> float:
-        acted = rollout.rule.replace("decoded", "readout") if own else "greedy"
-        cost = cost_of(agent, environment, acted, rollout.horizon)
-        return step * COUNT * cost.step + STEPS * cost.of(COUNT) if chance else EPISODES * 2 * STEPS * cost.of()
+        if chance:
+            return estimates.of_continuations(agent, rollout, step, COUNT, steps=STEPS, own=own)
+        return estimates.of_outcomes(agent, rollout, EPISODES, steps=STEPS, own=own)
 
     rule = (rollout.rule, rollout.horizon, rollout.gamma) if own else None
     key = (agent, rollout, step, action, own) if chance else (agent, rule)
@@ -122,20 +121,10 @@ def returns(agents: Sequence[Loaded], rollout: Rollout, step: int, action: int) 
     """Returns of several agents from this state and first action: each goes on by its own greedy policy."""
 
     def make(progress: Progress) -> tuple[SimulatedReturns, ...]:
-        """Progress is a thousandth of the whole; agents count alike."""
-
-        def of(i: int) -> Progress:
-            return lambda done, steps: progress(round(1000 * (i + done / steps)), 1000 * len(agents))
-
-        return tuple(
-            simulate_returns(each.agent, rollout, step, action, progress=of(i)) for i, each in enumerate(agents)
-        )
+        return simulate_returns_of([each.agent for each in agents], rollout, step, action, progress=progress)
 
     def estimate() -> float:
-        count = RETURNS if vector.chance(rollout.environment) else 1
-        costs = [(each.agent, cost_of(each.agent, rollout.environment)) for each in agents]
-        past = step * count * sum(cost.step for _, cost in costs)
-        return past + sum(steps_until_cut(acting_gamma(agent)) * cost.of(count) for agent, cost in costs)
+        return estimates.of_returns([each.agent for each in agents], rollout, step)
 
     key = (*(each.agent for each in agents), rollout, step, action)
     return Wish(_returns, key, make, estimate, slot="returns", by_itself=0.0)

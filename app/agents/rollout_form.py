@@ -11,20 +11,19 @@ from app.agents import episode, jobs
 from app.agents.episode import AT, GAMMA, HORIZON, PARAMETERS, RULE, SEED, SHOWN
 from app.agents.jobs import Control, RolledOut, Rolling
 from app.agents.schema import OBSERVED
-from app.catalogue import rules
 from app.components.player import player
 from app.components.waiting import offer, progress
 from app.components.widgets import discount, download, field, select
 from app.session import store
 from app.session.jobs import Wish
 from app.session.message import name_of
-from app.view.subjects import View
 from laplace_core.acting.flags import Flags
 from laplace_core.acting.frames import animation
-from laplace_core.acting.rollout import Rollout
+from laplace_core.acting.rollout import Rollout, titles_of
 from laplace_core.acting.rollout_file import rollout_npz
 from laplace_core.agents.capabilities import HasDiscounts
 from laplace_core.environments import Environment, environment_of
+from laplace_core.subjects import View
 from laplace_core.training.checkpoint import Loaded
 
 _SLOWEST = 0.05  # seconds for a step on the screen, where life is faster
@@ -32,7 +31,7 @@ _SLOWEST = 0.05  # seconds for a step on the screen, where life is faster
 
 def form(loaded: Loaded) -> None:
     """What is rolled out; a change counts at once while a rollout is shown."""
-    control, titles = _control(loaded), rules.rules_of(loaded.agent)
+    control, titles = _control(loaded), titles_of(loaded.agent)
     select("Control rule", list(titles), store.put(RULE, control.rule), titles, keep=_keep)
     left, right = st.columns(2, gap="small")
     field(PARAMETERS[SEED], control.seed, "Start seed", keep=_keep, place=left, help=None)
@@ -72,7 +71,7 @@ def asked(loaded: Loaded) -> Wish[RolledOut] | None:
 
 
 def _control(loaded: Loaded) -> Control:
-    return episode.control_of(store.chosen(), episode.limit_of(loaded), next(iter(rules.rules_of(loaded.agent))))
+    return episode.control_of(store.chosen(), episode.limit_of(loaded), next(iter(titles_of(loaded.agent))))
 
 
 def beside(rolling: Rolling | None, scene: Environment) -> None:

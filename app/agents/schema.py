@@ -3,24 +3,24 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from functools import cache
 from typing import Any
 
 import numpy as np
 
 from app.agents import episode
 from app.catalogue import checkpoints
-from app.components.lens.state import ADDED
 from app.session.url import Check, Entries, Old, Schema, Values
 from app.view.schema import ACTION, DRAWN, LOOK, OLD_SWITCHES, check_reached
-from app.view.subjects import Observed, View
-from laplace_core import InputError, Settings, load_world
+from laplace_core import InputError, Settings
+from laplace_core.acting.deadlines import suited_steps
 from laplace_core.agents.capabilities import HasGammaSpace
 from laplace_core.caching import cached
 from laplace_core.code.interpolation import with_added
-from laplace_core.environments import GYMNASIUM_ENVIRONMENTS, Environment, environment_of
+from laplace_core.environments import Environment, environment_of
 from laplace_core.parameters import Parameter
-from laplace_core.study.settings import ENCODING_NAMES, Resolved, resolve, resolve_for_gamma_space
+from laplace_core.payloads.state import ADDED
+from laplace_core.study.settings import ENCODING_NAMES, Resolved, resolve_for_gamma_space
+from laplace_core.subjects import Observed, View
 from laplace_core.training.checkpoint import Loaded
 
 OBSERVED = "o."  # prefix of the components of an observation
@@ -146,14 +146,6 @@ def view_of(
 
 def _settings_of(loaded: Loaded, values: Mapping[str, Any]) -> Resolved:
     given = {name: value for name, value in values.items() if name in _READING}
-    usual = DEFAULTS | _steps(loaded.environment)
+    steps = suited_steps(loaded.environment)  # as on the page of worlds; elsewhere it has the usual length
+    usual = DEFAULTS | ({} if steps is None else {"steps": steps})
     return resolve_for_gamma_space(Settings(world=loaded.environment, **(usual | given)), loaded.settings.discounts())
-
-
-@cache
-def _steps(environment: str) -> dict[str, int]:
-    """How long the timeline of a tabular world is, as on its own page; others have the usual length."""
-    if environment in GYMNASIUM_ENVIRONMENTS:
-        return {}
-    world = load_world(environment)
-    return {"steps": resolve(Settings(world=environment), world).steps}

@@ -7,20 +7,20 @@ import streamlit as st
 from app.agents import jobs
 from app.agents.episode import AFTER
 from app.agents.jobs import COUNT, EACH, EPISODES, STEPS
-from app.catalogue import rules
 from app.components.chart import chart
-from app.components.lens.payload import Simulated
 from app.components.waiting import attempt, offer, progress
 from app.components.widgets import select
 from app.session import store
-from app.view.subjects import Subject, View
 from laplace_core import figures
 from laplace_core.acting.continuations import Continuations, Outcomes, steps_known
 from laplace_core.acting.rollout import Rollout
+from laplace_core.acting.rules import title_of
 from laplace_core.acting.simulated_truth import Confronted, confront, confront_states, empirical
 from laplace_core.agents.agent import Agent
 from laplace_core.caching import cached
 from laplace_core.environments import vector
+from laplace_core.payloads.lens import Simulated
+from laplace_core.subjects import Subject, View
 from laplace_core.training.checkpoint import Loaded
 
 _HELP = "Compare the decoded timeline with simulated continuations."
@@ -78,7 +78,7 @@ def _own(rollout: Rollout) -> bool:
 
 
 def _titles(rollout: Rollout) -> dict[str, str]:
-    rule = rules.title_of(rollout.rule).split(" (")[0].removeprefix("for T: ")
+    rule = title_of(rollout.rule).split(" (")[0].removeprefix("for T: ")
     if rollout.gamma:
         rule = f"greedy at γ {rollout.gamma:.4g}"
     return {"values": f"greedy at γ {rollout.acting_gamma:.4g}", "rule": f"as rolled out: {rule}"}

@@ -1,1 +1,1 @@
-"""Every agent there is, whatever page shows it, and what worlds, rules and observations are called."""
+"""Every agent there is, whatever page shows it, and what worlds are called."""

@@ -3,18 +3,17 @@ of one observation."""
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping
-from functools import cache
 from pathlib import Path
 
 from app import session
 from app.catalogue import training_runs
 from app.session.url import Entries, by_name, check_of
 from laplace_core import InputError
-from laplace_core.agents.settings import ENVIRONMENTS, SETTINGS, algorithm_title
 from laplace_core.caching import cached
-from laplace_core.experiments.shipping import TABULAR, TrainingCurve, curves_of, damaged, manifest
+from laplace_core.experiments import shipped_agents
+from laplace_core.experiments.shipped_agents import plain
+from laplace_core.experiments.shipping import TrainingCurve
 from laplace_core.parameters import Parameter
 from laplace_core.training.checkpoint import Loaded, load_checkpoint, parse_checkpoint
 
@@ -22,37 +21,14 @@ SHIPPED = Path(__file__).resolve().parents[2] / "checkpoints"
 RUN = "run:"  # prefix of the names of those that were trained here
 
 
-@cache
 def shipped() -> tuple[str, ...]:
-    """Names of the checkpoints that come with the workbench, ``ALGORITHM_ENVIRONMENT``: those with many discounts
-    first, then by environment. Tabular ones open on the page of worlds; damaged ones are left out."""
-    files = [path for path in SHIPPED.glob("*.safetensors") if not path.stem.endswith(TABULAR)]
-    stems = [path.stem for path in files if path.name not in _damaged(SHIPPED)]
-    return tuple(sorted(stems, key=lambda name: (not name.startswith("laplace_"), *_place(name))))
-
-
-@cached(1, fixed=True)
-def _damaged(folder: Path) -> dict[str, str]:
-    return damaged(folder)
+    """Names of the checkpoints that come with the workbench; tabular ones open on the page of worlds."""
+    return shipped_agents.names(SHIPPED)
 
 
 def left_out() -> tuple[str, ...]:
     """What cannot be used of the files that come with the workbench, a sentence each."""
-    return tuple(_damaged(SHIPPED).values())
-
-
-def _place(name: str) -> tuple[int, int, str]:
-    """Environment and algorithm by their places in the lists of the library."""
-    algorithm, environment = _parts(name)
-    listed, algorithms = [each.replace(":", "-") for each in ENVIRONMENTS], list(SETTINGS)
-    at = listed.index(environment) if environment in listed else len(listed)
-    return at, algorithms.index(algorithm) if algorithm in algorithms else len(algorithms), name
-
-
-def _parts(name: str) -> tuple[str, str]:
-    # The longest, because the name of one algorithm may begin with that of another.
-    algorithm = max((each for each in SETTINGS if name.startswith(f"{each}_")), key=len, default="")
-    return algorithm, name.removeprefix(f"{algorithm}_")
+    return shipped_agents.left_out(SHIPPED)
 
 
 def title(name: str) -> str:
@@ -61,17 +37,11 @@ def title(name: str) -> str:
         return f"opened file: {titled(opened()[name])}"
     if name.startswith(RUN):
         return f"run: {name.removeprefix(RUN).replace('_', ' ')}"
-    algorithm, environment = _parts(name)
-    return f"{plain(environment)} · {algorithm_title(algorithm)}"
+    return shipped_agents.title(name)
 
 
 def titled(loaded: Loaded) -> str:
     return f"{plain(loaded.environment)} · {loaded.settings.TITLE}"
-
-
-def plain(environment: str) -> str:
-    """An environment's name without its version."""
-    return re.sub(r"-v\d+$", "", environment).removeprefix("gym:")
 
 
 def curves(name: str) -> tuple[TrainingCurve, ...]:
@@ -82,38 +52,17 @@ def curves(name: str) -> tuple[TrainingCurve, ...]:
         c = training_runs.curves(training_runs.queue().get(name.removeprefix(RUN)))
         points = (tuple(part.tolist()) for part in (c.steps, c.scores, c.errors))
         return (TrainingCurve(checkpoint(name).seed, *points),) if len(c.steps) else ()
-    return _shipped_curves(name)
-
-
-@cached(32, fixed=True)
-def _shipped_curves(name: str) -> tuple[TrainingCurve, ...]:
-    try:
-        for entry in manifest(SHIPPED):
-            if entry["file"] == f"{name}.safetensors":
-                return tuple(sorted(curves_of(SHIPPED, entry), key=lambda curve: curve.seed != entry.get("seed")))
-    except InputError:  # which is among those that are left out
-        pass
-    return ()
+    return shipped_agents.curves(SHIPPED, name)
 
 
 def shipped_curves(environment: str) -> dict[str, tuple[TrainingCurve, ...]]:
     """Evaluations while training of the agents that ship for an environment, by algorithm, those of several seeds."""
-    curves = {_parts(name)[0]: _shipped_curves(name) for name in _shipped_for(environment)}
-    return {algorithm: seeds for algorithm, seeds in curves.items() if len(seeds) > 1}
+    return shipped_agents.curves_for(SHIPPED, environment)
 
 
 def same_environment(loaded: Loaded) -> list[Loaded]:
     """Agents that ship, of this environment."""
-    return [_shipped(name) for name in _shipped_for(loaded.environment)]
-
-
-def _shipped_for(environment: str) -> list[str]:
-    return [name for name in shipped() if _parts(name)[1] == environment.replace(":", "-")]
-
-
-@cached(16, fixed=True)
-def _shipped(name: str) -> Loaded:
-    return load_checkpoint(SHIPPED / f"{name}.safetensors")
+    return [shipped_agents.load(SHIPPED, name) for name in shipped_agents.names_for(SHIPPED, loaded.environment)]
 
 
 def trained() -> tuple[str, ...]:
@@ -122,7 +71,7 @@ def trained() -> tuple[str, ...]:
         runs = training_runs.queue().runs()
     except InputError:  # the page of runs says so
         return ()
-    return tuple(RUN + run.name for run in runs if training_runs.best(run))
+    return tuple(RUN + run.name for run in runs if run.best)
 
 
 @cached(8)
@@ -160,14 +109,11 @@ def checkpoint(name: str) -> Loaded:
         return opened()[name]
     if name.startswith(RUN):
         run = training_runs.queue().get(name.removeprefix(RUN))
-        path = training_runs.best(run)
+        path = run.best
         if path is None:
             raise InputError(f"the run {run.name} has no checkpoint yet: it comes with the first evaluation.")
         return _trained(path, path.stat().st_mtime_ns)
-    if name not in shipped():
-        listed = ", ".join(shipped()) or "none"
-        raise InputError(f"no checkpoint {name[:40]!r} comes with the workbench; there are: {listed}.")
-    return _shipped(name)
+    return shipped_agents.load(SHIPPED, name)
 
 
 NAMED = (

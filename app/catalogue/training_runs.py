@@ -2,18 +2,16 @@
 
 from __future__ import annotations
 
-import contextlib
 import os
-import stat
-import tempfile
 import threading
-from functools import cache, lru_cache
+from functools import lru_cache
 from pathlib import Path
 
 from app.session import owner
 from app.session.limits import Limits, limits, may_train
 from laplace_core import InputError
 from laplace_core.agents.settings import LoopSettings
+from laplace_core.files.folders import writable
 from laplace_core.training.curves import Curves, Reader
 from laplace_core.training.job import owner_of
 from laplace_core.training.queue import Queue, Run
@@ -36,24 +34,11 @@ def folder() -> Path:
         return Path(os.environ[VARIABLE]).resolve()
     wanted = _ROOT / "runs"
     try:
-        return wanted if os.access(wanted if wanted.exists() else _ROOT, os.W_OK) else _temporary()
+        return writable(wanted, "laplace_runs")
     except OSError:  # there is no temporary folder either
         raise InputError(
             f"no folder for training runs can be written, neither {wanted} nor a temporary one: set {VARIABLE}."
         ) from None
-
-
-@cache
-def _temporary() -> Path:
-    """The same after a restart of the server, unless somebody else has taken its name."""
-    user = os.getuid() if hasattr(os, "getuid") else 0  # where users have no numbers, each has a folder of their own
-    wanted = Path(tempfile.gettempdir()) / f"laplace_runs_{user}"
-    with contextlib.suppress(OSError):
-        wanted.mkdir(mode=0o700, exist_ok=True)
-        status = wanted.lstat()
-        if stat.S_ISDIR(status.st_mode) and status.st_uid == user:
-            return wanted
-    return Path(tempfile.mkdtemp(prefix="laplace_runs_"))
 
 
 def queue() -> Queue:
@@ -126,12 +111,6 @@ def change(what: str, name: str) -> None:
 @lru_cache(maxsize=64)
 def _reader(path: Path) -> Reader:
     return Reader(path)
-
-
-def best(run: Run) -> Path | None:
-    """The checkpoint of the best evaluation so far; None before the first."""
-    path = run.folder / "best.safetensors"
-    return path if path.is_file() and not path.is_symlink() else None
 
 
 def settings_of(run: Run) -> LoopSettings:

@@ -7,10 +7,6 @@ system everything is put there beforehand: ``python -m app.components.assets``.
 
 from __future__ import annotations
 
-import hashlib
-import os
-import shutil
-import tempfile
 from collections.abc import Callable
 from functools import cache
 from pathlib import Path
@@ -19,10 +15,10 @@ import plotly
 import streamlit as st
 
 from laplace_core.files.atomic import atomic_write
+from laplace_core.files.folders import name_by_content, publish
 
 _HERE = Path(__file__).resolve().parents[1]
 _STATIC, _TREE = _HERE / "static", _HERE / "js"
-_NAME_LENGTH = 12
 _STUB = """
 let loading;
 
@@ -44,7 +40,7 @@ def plotly_js() -> str:
         _STATIC.mkdir(exist_ok=True)
         with atomic_write(path) as file:
             file.write(content)
-    return f"app/static/{path.name}?{_name_of(content)}"
+    return f"app/static/{path.name}?{name_by_content(content)}"
 
 
 def module(name: str) -> str:
@@ -77,33 +73,10 @@ def offline_page() -> str:
 
 @cache
 def _tree() -> Path:
-    """The served folder of all modules; made whole, or by another server at the same moment."""
+    """The served folder of all modules."""
     content = {path.relative_to(_TREE).as_posix(): path.read_bytes() for path in sorted(_TREE.rglob("*.js"))}
     content["lens/offline.html"] = offline_page().encode()
-    folder = _STATIC / "js" / _name_of(*(part for pair in content.items() for part in (pair[0].encode(), pair[1])))
-    if folder.is_dir():
-        return folder
-    folder.parent.mkdir(parents=True, exist_ok=True)
-    made = Path(tempfile.mkdtemp(prefix=".", dir=folder.parent))
-    try:
-        for name, data in content.items():
-            (made / name).parent.mkdir(parents=True, exist_ok=True)
-            (made / name).write_bytes(data)
-        made.chmod(0o755)
-        os.rename(made, folder)
-    except OSError:
-        if not folder.is_dir():
-            raise
-    finally:
-        shutil.rmtree(made, ignore_errors=True)
-    return folder
-
-
-def _name_of(*parts: bytes) -> str:
-    digest = hashlib.sha256()
-    for part in parts:
-        digest.update(hashlib.sha256(part).digest())
-    return digest.hexdigest()[:_NAME_LENGTH]
+    return publish(_STATIC / "js", content)
 
 
 if __name__ == "__main__":

@@ -3,7 +3,7 @@
 // usable singular values. An array of shape (n, m) is a Float64Array in row-major order. A row is `time_step` steps of
 // the world long. Values and rewards are in units of reward; horizons and steps are in steps of the world.
 
-/** What stands before the arrays of a payload: app/components/lens/payload.py. */
+/** What stands before the arrays of a payload: laplace_core/payloads/lens.py. */
 export interface Header {
   /** Interpolated discounts between any two that were trained. */
   added: number;
@@ -22,7 +22,7 @@ export interface Header {
   arrays: Record<string, ['f8' | 'f4' | 'u2', number, number[]]>;
 }
 
-/** Arrays of a payload, by the names of app/components/lens/payload.py; those of the transforms are in `Grid`. */
+/** Arrays of a payload, by the names of laplace_core/payloads/lens.py; those of the transforms are in `Grid`. */
 export interface Arrays {
   /** Sensitivities, (H,), in reward. */
   thetas: Float64Array;
@@ -45,7 +45,7 @@ export interface Arrays {
   /** What was simulated, (N, B+1) and (5, N), where `Header.simulated` says that there is something. */
   simulated_tails?: Float64Array;
   simulated_lines?: Float64Array;
-  /** Parts of the transforms and bases of rewards: app/components/lens/payload.py. */
+  /** Parts of the transforms and bases of rewards: laplace_core/payloads/lens.py. */
   [name: string]: any;
 }
 
@@ -133,7 +133,7 @@ export interface Model {
   id?: string;
 }
 
-/** What the controls hold: app/components/lens/state.py. */
+/** What the controls hold: laplace_core/payloads/state.py. */
 export interface State {
   /** Regularisation of the inverse, in singular values. */
   alpha: number;
@@ -596,7 +596,7 @@ export type ChartBox = HTMLElement & {
   on: (event: string, heard: (event: any) => void) => void;
 };
 
-/** An episode, as app/components/player/payload.py packs it: N steps, A actions, O numbers in an observation. */
+/** An episode, as laplace_core/payloads/player.py packs it: N steps, A actions, O numbers in an observation. */
 export interface Reel {
   id: string;
   steps: number;

@@ -8,7 +8,6 @@ from html import escape
 import streamlit as st
 
 from app.catalogue import checkpoints
-from app.catalogue.rules import title_of
 from app.components.track import track
 from app.components.waiting import attempt, offer, progress
 from app.components.widgets import discount, download, field, select
@@ -18,6 +17,7 @@ from app.race.schema import AGAINST, AGENT, AT, COUNT, GAMMA, HORIZON, LEFT, RIG
 from app.session import store
 from laplace_core.acting.race import FIRST_START, Race
 from laplace_core.acting.race_file import race_gif, race_npz
+from laplace_core.acting.rules import title_of
 from laplace_core.agents.capabilities import HasDiscounts
 from laplace_core.environments import environment_of
 

@@ -5,12 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from app.catalogue.costs import cost_of
-from app.components.track.payload import payload
-from app.session.jobs import Kind, Progress, Wish
-from laplace_core.acting.evaluation import AT_ONCE
+from app.session.jobs import Wish, background
+from laplace_core.acting import estimates
 from laplace_core.acting.race import Entrant, Race, Races, race, races
 from laplace_core.environments import GYMNASIUM_ENVIRONMENTS
+from laplace_core.payloads.track import payload
+from laplace_core.supervise.jobs import Kind, Progress
 from laplace_core.training.checkpoint import Loaded
 
 MOST_KEPT = 12
@@ -38,8 +38,8 @@ class Control:
         return left, Entrant(self.right.agent, self.right_rule)
 
 
-_racing: Kind[tuple[Race, bytes]] = Kind("races", MOST_KEPT)
-_fields: Kind[tuple[Races, dict[str, Any]]] = Kind("races from many starts", MOST_KEPT)
+_racing: Kind[tuple[Race, bytes]] = Kind("races", MOST_KEPT, line=background)
+_fields: Kind[tuple[Races, dict[str, Any]]] = Kind("races from many starts", MOST_KEPT, line=background)
 
 
 def racing(control: Control, start: int) -> Wish[tuple[Race, bytes]]:
@@ -51,7 +51,7 @@ def racing(control: Control, start: int) -> Wish[tuple[Race, bytes]]:
         return run, payload(run)
 
     def estimate() -> float:
-        return _seconds(control, [1], pictures=pictures)
+        return estimates.of_races(control.environment, control.entrants, horizon, pictures=pictures)
 
     return Wish(_racing, (control, start), make, estimate, slot="race", lower="lower T or choose quicker rules")
 
@@ -64,16 +64,7 @@ def field(control: Control, count: int) -> Wish[tuple[Races, dict[str, Any]]]:
         return runs, runs.summary()
 
     def estimate() -> float:
-        return _seconds(control, [min(AT_ONCE, count - first) for first in range(0, count, AT_ONCE)])
+        return estimates.of_races(control.environment, control.entrants, control.horizon, count)
 
     lower = "lower T or the number of starts, or choose quicker rules"
     return Wish(_fields, (control, count), make, estimate, slot="field", lower=lower)
-
-
-def _seconds(control: Control, groups: list[int], *, pictures: bool = False) -> float:
-    """Seconds until both sides have run groups of so many episodes side by side, all of full length."""
-    costs = [
-        cost_of(one.agent, control.environment, one.rule, control.horizon, pictures=pictures)
-        for one in control.entrants
-    ]
-    return sum(control.horizon * cost.of(count) for cost in costs for count in groups)

@@ -8,18 +8,12 @@ from typing import Any
 from app.catalogue import checkpoints, training_runs
 from app.race.jobs import Control
 from app.session.url import Check, Entries, Schema, Values, by_name
-from laplace_core import InputError, Settings
-from laplace_core.acting import rules
+from laplace_core import InputError
+from laplace_core.acting.deadlines import longest_horizon, rules_of_race, trained_discount, usual_horizon
 from laplace_core.acting.race import MOST_RACES, MOST_START
-from laplace_core.acting.rollout import longest
 from laplace_core.acting.rules import suited
-from laplace_core.agents.agent import Agent
-from laplace_core.agents.capabilities import HasDiscounts
-from laplace_core.environments import GYMNASIUM_ENVIRONMENTS, vector
 from laplace_core.parameters import Parameter
-from laplace_core.study.settings import resolve
 from laplace_core.training.checkpoint import Loaded
-from laplace_core.worlds import load_world
 
 AGENT, AGAINST = "checkpoint", "d.against"
 HORIZON, START, LEFT, GAMMA, RIGHT, AT, MANY, COUNT = (
@@ -27,7 +21,7 @@ HORIZON, START, LEFT, GAMMA, RIGHT, AT, MANY, COUNT = (
 )  # fmt: skip
 FIRST_AGENT = "laplace_LunarLander-v3"
 """What a visitor without a link sees: an environment in which a deadline matters."""
-USUAL_HORIZON, USUAL_COUNT = 50, 100
+USUAL_COUNT = 100
 _STOPPED = "Both episodes are stopped after so many steps."
 _HELD_OUT = "No agent was trained or chosen on any of these starts."
 _RIGHT_HELP = "The rule by which the agent acts for the time to go."
@@ -53,45 +47,21 @@ def _environment(name: str) -> str | None:
     return checkpoints.checkpoint(name).environment
 
 
-def rules_of(agent: Agent) -> tuple[str, ...]:
-    """Rules that an agent can act by; one that takes the time to go has no reason for another."""
-    names = rules.rules_of(agent)
-    return names[:1] if names[0] == "own" else names
-
-
-def longest_horizon(loaded: Loaded) -> int:
-    """Where an episode ends at the latest; in a tabular world, some times the length that suits it."""
-    limit = min(longest(loaded.agent), vector.spec(loaded.environment).time_limit or longest(loaded.agent))
-    if loaded.environment in GYMNASIUM_ENVIRONMENTS:
-        return limit
-    return min(limit, 4 * _suited_steps(loaded.environment))
-
-
-def _suited_steps(environment: str) -> int:
-    return resolve(Settings(world=environment), load_world(environment)).steps
-
-
-def usual_horizon(loaded: Loaded) -> int:
-    if loaded.environment in GYMNASIUM_ENVIRONMENTS:
-        return min(USUAL_HORIZON, longest_horizon(loaded))
-    return min(_suited_steps(loaded.environment), longest_horizon(loaded))
-
-
 def horizons(loaded: Loaded, shown: int) -> list[int]:
     """Stops of the slider of T, denser where it is short; with the one that is shown."""
-    limit = longest_horizon(loaded)
+    limit = longest_horizon(loaded.agent, loaded.environment)
     return sorted({*(stop for stop in _STOPS if stop < limit), limit, shown})
 
 
 def parameters(loaded: Loaded, other: Loaded | None = None) -> dict[str, Parameter]:
     """What a link may hold besides the agents."""
-    left = rules_of((other or loaded).agent)
+    left, played = rules_of_race((other or loaded).agent), (loaded.agent, loaded.environment)
     return by_name(
-        Parameter(HORIZON, usual_horizon(loaded), 1, longest_horizon(loaded), _STOPPED),
+        Parameter(HORIZON, usual_horizon(*played), 1, longest_horizon(*played), _STOPPED),
         Parameter(START, 0, 0, MOST_START, f"Both sides begin from it. {_HELD_OUT}"),
         Parameter(LEFT, None, help="The rule that the right side is compared with.", kind=str, choices=left),
         Parameter(GAMMA, None, 1e-6, 0.999999, "It takes the best action at this discount.", float),
-        Parameter(RIGHT, None, help=_RIGHT_HELP, kind=str, choices=rules_of(loaded.agent)),
+        Parameter(RIGHT, None, help=_RIGHT_HELP, kind=str, choices=rules_of_race(loaded.agent)),
         Parameter(AT, None, 0, 10_000, "Steps that are over under the cursor.", int),
         Parameter(MANY, "no", help="Whether many starts are raced over.", choices=("no", "yes")),
         Parameter(COUNT, USUAL_COUNT, 2, MOST_RACES, "From start 0 on; more starts make the interval narrower."),
@@ -134,16 +104,9 @@ def control_of(values: Mapping[str, Any]) -> Control:
     """
     right = checkpoints.checkpoint(str(values[AGENT]))
     left = checkpoints.checkpoint(str(values[AGAINST])) if AGAINST in values else right
-    horizon = min(int(values.get(HORIZON, usual_horizon(right))), longest_horizon(right))
-    left_rule = str(values.get(LEFT, rules_of(left.agent)[0]))
+    played = right.agent, right.environment
+    horizon = min(int(values.get(HORIZON, usual_horizon(*played))), longest_horizon(*played))
+    left_rule = str(values.get(LEFT, rules_of_race(left.agent)[0]))
     right_rule = str(values.get(RIGHT, suited(right.agent, horizon)))
-    gamma = _trained_discount(left.agent, values.get(GAMMA)) if left_rule == "greedy" else None
+    gamma = trained_discount(left.agent, values.get(GAMMA)) if left_rule == "greedy" else None
     return Control(left, left_rule, gamma, right, right_rule, horizon)
-
-
-def _trained_discount(agent: Agent, gamma: float | None) -> float | None:
-    """The nearest one that the agent has learned; None for the acting one, or where there is no choice."""
-    if gamma is None or not isinstance(agent, HasDiscounts):
-        return None
-    head = int(abs(agent.gammas - float(gamma)).argmin())
-    return None if head == agent.acting_head else float(agent.gammas[head])

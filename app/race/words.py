@@ -7,15 +7,15 @@ from typing import Any
 
 from app.catalogue import checkpoints
 from app.catalogue.names import capital
-from app.catalogue.rules import name_of
 from app.race.jobs import Control
 from app.race.schema import AGAINST, AGENT
 from laplace_core.acting.race import Race
+from laplace_core.acting.rules import words_of
 
 
 def sides(control: Control) -> tuple[str, str]:
     """Names of the left and the right side, that tell them apart."""
-    left, right = name_of(control.left_rule), name_of(control.right_rule)
+    left, right = words_of(control.left_rule), words_of(control.right_rule)
     if control.gamma is not None:
         left += f" (γ {control.gamma:.3g})"
     if control.left is control.right:

@@ -9,7 +9,6 @@ from app.agents.card import card
 from app.agents.jobs import Rolling
 from app.agents.schema import LINK, OBSERVED, observation_of, view_of
 from app.catalogue import checkpoints
-from app.components.lens.state import LIVE
 from app.components.waiting import attempt
 from app.components.widgets import left_out, select, upload
 from app.session import store
@@ -18,6 +17,7 @@ from app.view import compute, export, panels
 from laplace_core import InputError
 from laplace_core.agents.capabilities import HasGammaSpace
 from laplace_core.environments import Environment, environment_of
+from laplace_core.payloads.state import LIVE
 from laplace_core.training.checkpoint import Loaded
 
 

@@ -4,16 +4,16 @@ from __future__ import annotations
 
 import streamlit as st
 
-from app.components.lens.state import LIVE
 from app.components.waiting import turn
 from app.session import store
 from app.session.typed import in_markdown
 from app.view import compute, panels
-from app.view.subjects import View
 from app.worlds import bring, compare, export, learners, learning, sidebar, sources
 from app.worlds.presets import presets_for
 from app.worlds.schema import LINK
 from laplace_core import InputError
+from laplace_core.payloads.state import LIVE
+from laplace_core.subjects import View
 
 LOOK_EVERY = 0.7  # seconds between two looks at a learner
 

@@ -6,17 +6,15 @@ such as ``LAPLACE_MEMORY=2000``.
 
 from __future__ import annotations
 
-import ctypes
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache
-from typing import Any
 
-from laplace_core import InputError
 from laplace_core.caching import BUDGET
-from laplace_core.parameters import schema_of, setting, switch
+from laplace_core.parameters import from_variables, setting, switch
 from laplace_core.study.size import set_largest_study
+from laplace_core.supervise.memory import return_large
 
 
 @dataclass(frozen=True)
@@ -49,23 +47,6 @@ ENVIRONMENTS = "LAPLACE_ENVIRONMENTS"
 """Variable that lists the environments which may be trained on, by commas; all of them where it is not set."""
 
 
-def limits_of(variables: Mapping[str, str]) -> Limits:
-    """The limits that variables of the process state; a default where they do not.
-
-    Raises:
-        InputError: a value out of range, naming the variable.
-    """
-    given: dict[str, Any] = {}
-    for parameter in schema_of(Limits):
-        variable = f"LAPLACE_{parameter.name.upper()}"
-        if variables.get(variable, "").strip():
-            try:
-                given[parameter.name] = parameter.parse(variables[variable])
-            except InputError as error:
-                raise InputError(f"environment variable {variable}: {error}") from None
-    return Limits(**given)
-
-
 @cache
 def limits() -> Limits:
     """The limits of this server.
@@ -73,24 +54,7 @@ def limits() -> Limits:
     Raises:
         InputError: a variable that states no limit.
     """
-    return limits_of(os.environ)
-
-
-_MMAP_THRESHOLD, _OWN_PAGES = -3, 1_000_000  # of mallopt in glibc
-
-
-@cache
-def _return_memory() -> None:
-    """Let arrays of a megabyte and more go back to the system when they are dropped.
-
-    The C library would raise that size to 32 MB by itself, and keep what is freed below it in a heap of each thread:
-    a server then holds twice what its caches count.
-    """
-    try:
-        mallopt = ctypes.CDLL(None).mallopt
-    except (OSError, AttributeError, TypeError):  # no glibc: nothing to be told
-        return
-    mallopt(_MMAP_THRESHOLD, _OWN_PAGES)
+    return Limits(**from_variables(Limits, os.environ, "LAPLACE_"))
 
 
 def enforce() -> None:
@@ -99,7 +63,7 @@ def enforce() -> None:
     Raises:
         InputError: a variable that states no limit.
     """
-    _return_memory()
+    return_large()
     BUDGET.limit = limits().memory * 1_000_000
     set_largest_study(limits().largest_study)
 

@@ -21,9 +21,7 @@ What is seen has two owners, the server and the hand in the browser, and this is
 from __future__ import annotations
 
 import hashlib
-import json
-import struct
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -31,27 +29,6 @@ from typing import Any
 def name_of(data: bytes) -> str:
     """What the browser knows a payload by."""
     return hashlib.sha256(data).hexdigest()[:16]
-
-
-def pack(header: Mapping[str, Any], data: bytes) -> bytes:
-    """A length, JSON and the payload, which begins on a multiple of 8 bytes."""
-    text = json.dumps(header).encode()
-    text += b" " * (-(len(text) + 4) % 8)
-    return struct.pack("<I", len(text)) + text + data
-
-
-def packed_blocks(blocks: Iterable[tuple[str, str, bytes, Any]]) -> tuple[dict[str, list], bytes]:
-    """Blocks given by name, kind, content and size, each put on a multiple of 8 bytes.
-
-    Returns:
-        Kind, place and size of each block by its name, and all contents as one.
-    """
-    table, contents, at = {}, [], 0
-    for name, kind, content, size in blocks:
-        table[name] = [kind, at, size]
-        contents.append(content + b"\0" * (-len(content) % 8))
-        at += len(contents[-1])
-    return table, b"".join(contents)
 
 
 @dataclass

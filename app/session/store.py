@@ -13,10 +13,9 @@ from typing import Any
 import streamlit as st
 
 from app import session
-from app.session import link
 from app.session.echoes import Shown, touches
 from app.session.typed import in_markdown
-from app.session.url import Schema, query_of
+from app.session.url import Schema, fits, query_of
 
 
 def page_name() -> str:
@@ -147,7 +146,7 @@ def clamp(name: str, last: int) -> None:
 def write_url() -> None:
     """Make the address bar a link to what is seen, or leave it empty where that would be too long for a link."""
     query, record = query_of(chosen()), session.current()
-    if not link.fits(query):
+    if not fits(query):
         query = {}
     if dict(st.query_params) != query:
         st.query_params.from_dict(query)

@@ -22,6 +22,8 @@ Known = Mapping[str, Parameter]
 
 LEFT_OUT = "Left out of the link: "
 _UNKNOWN = "The link has an entry {!r} that means nothing here."
+LONGEST = 7_000
+"""Characters of a link's values; proxies and chat programs cut much longer ones off."""
 _MOST_QUOTED = 40  # characters of a name that a note repeats
 
 
@@ -153,3 +155,8 @@ class Schema:
 def query_of(values: Mapping[str, Any]) -> dict[str, str]:
     """Values as a link writes them; :meth:`Schema.read` reads them back."""
     return {name: as_text(value) for name, value in values.items()}
+
+
+def fits(query: Mapping[str, str]) -> bool:
+    """Whether a link can hold these entries."""
+    return sum(map(len, query.values())) <= LONGEST

@@ -23,12 +23,12 @@ from app.session.limits import limits
 from app.session.typed import in_markdown
 from app.train import form
 from app.train.pictures import colour_of
-from app.train.schema import changed
 from laplace_core import InputError
 from laplace_core.agents.settings import algorithm_title
 from laplace_core.figures.theme import NEUTRAL
+from laplace_core.supervise.jobs import duration
 from laplace_core.training.curves import Curves, metrics_csv
-from laplace_core.training.defaults import command_of
+from laplace_core.training.defaults import changed, command_of
 from laplace_core.training.progress import Progress, read_progress
 from laplace_core.training.queue import FAILED, FINISHED, STOPPED, STOPPING, TRAINING, WAITING, Run
 
@@ -102,7 +102,7 @@ def _card(runs: Sequence[Run], run: Run, *, looked: bool) -> None:
     _head(run, title, colour_of(runs, run), looked=looked)
     share, words = _progress(run, progress, curves)
     st.progress(share, words)
-    st.html(f'<div class="run-note">{escape(_numbers(curves))}<br>{escape(_different(run))}</div>')
+    st.html(f'<div class="run-note">{escape(curves.in_words)}<br>{escape(_different(run))}</div>')
     if run.error:
         st.html(f'<div class="run-error">{escape(capital(run.error or "it failed."))}</div>')
     with st.container(horizontal=True, gap="small"):
@@ -146,26 +146,8 @@ def _progress(run: Run, progress: Progress | None, curves: Curves) -> tuple[floa
     if run.state == TRAINING and progress and progress.steps_per_second:
         words.append(f"{progress.steps_per_second:,.0f} steps/s")
         if progress.seconds_left is not None:
-            words.append(f"{_duration(progress.seconds_left)} left")
+            words.append(f"{duration(progress.seconds_left)} left")
     return min(1.0, step / of), " · ".join(words)
-
-
-def _duration(seconds: float) -> str:
-    for size, unit in ((86_400, "days"), (3_600, "h"), (60, "min")):
-        if seconds >= 2 * size:
-            return f"{seconds / size:.0f} {unit}"
-    return f"{seconds:.0f} s"
-
-
-def _numbers(curves: Curves) -> str:
-    words = []
-    if curves.episodes:
-        words.append(f"return now {curves.smooth[-1]:,.4g} over {curves.episodes:,} episodes")
-    if curves.best is not None:
-        at = curves.best
-        error = f" ± {curves.errors[at]:.2g}" if curves.errors[at] else ""
-        words.append(f"best evaluation {curves.scores[at]:,.4g}{error} at step {curves.steps[at]:,}")
-    return " · ".join(words) or "no episode has ended yet"
 
 
 def _different(run: Run) -> str:
@@ -184,7 +166,7 @@ def _do(what: str, name: str) -> None:
 
 def _open(run: Run) -> None:
     """The other page, on the best checkpoint so far."""
-    why = None if training_runs.best(run) else "After the first evaluation."
+    why = None if run.best else "After the first evaluation."
     st.button(
         "Open in Trained agents", key=f"open {run.name}", disabled=why is not None, help=why, on_click=_wish_to_open,
         args=(run.name,),

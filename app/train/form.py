@@ -15,10 +15,11 @@ from app.session import store
 from app.session.limits import limits, may_train
 from app.session.typed import in_markdown
 from app.session.url import by_name
-from app.train.schema import FORM, OPENING, TRAIN, fields, suited, wanted
+from app.train.schema import FORM, OPENING, TRAIN, suited, wanted
 from laplace_core import InputError
 from laplace_core.agents.settings import ENVIRONMENTS, LOOP_SCHEMA, SETTINGS, LoopSettings, algorithm_title
 from laplace_core.parameters import Parameter
+from laplace_core.training.defaults import fields
 
 _FORM = "training"  # what refusals of this form go by
 _NAMES = {"gammas": "Discounts", "thetas": "Sensitivities", "spacing": "Spacing"}

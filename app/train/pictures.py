@@ -14,7 +14,7 @@ from app.components.chart import chart
 from app.session import store
 from app.session.typed import in_markdown
 from app.train.schema import MOST_AT_ONCE, NOTHING, names_in
-from app.view import explain
+from app.view.explain import TRAINING, explain
 from laplace_core.agents.settings import SETTINGS, algorithm_title
 from laplace_core.figures import training as figures
 from laplace_core.figures.theme import ACTION_COLOURS, action_colour
@@ -122,9 +122,7 @@ def _beside(same: Sequence[Run], run: Run) -> tuple[list[Run], list[Band]]:
             "Agents that ship", list(curves), selection_mode="multi", key=store.put("ships", ships),
             format_func=algorithm_title, on_change=_pick, args=("ships",),
         )  # fmt: skip
-    popover = words.popover("How to read this", width="stretch", on_change="rerun", key="reading")
-    if popover.open:
-        popover.markdown(explain.TRAINING)
+    explain(words, TRAINING)
     bands = [
         Band.of(f"shipped {algorithm_title(algorithm)}, {len(curves[algorithm])} seeds", shipped_colour(algorithm),
                 curves[algorithm])

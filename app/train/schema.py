@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from functools import lru_cache
 from typing import Any
 
 from app.session.url import Check, Entries, Schema, Values, by_name
 from laplace_core import InputError
-from laplace_core.agents.settings import ENVIRONMENTS, LOOP_SCHEMA, SETTINGS, LoopSettings
+from laplace_core.agents.settings import ENVIRONMENTS, SETTINGS, LoopSettings
 from laplace_core.parameters import Parameter
-from laplace_core.training.defaults import settings_of
+from laplace_core.training.defaults import suited_settings, with_looks
 from laplace_core.training.run_folder import RUN_NAME
 
 TRAIN = "t."
@@ -19,8 +18,6 @@ OPENING = {"algorithm": "laplace", "environment": "CartPole-v1"}
 MOST_AT_ONCE = 8
 NOTHING = "none"
 """In a link, in the place of the runs that are drawn beside the one that is looked at."""
-LOOKS = 20
-"""Evaluations in a run, at least: a curve of fewer points says little."""
 
 FORM = (
     Parameter("algorithm", OPENING["algorithm"], help="What learns.", kind=str, choices=tuple(SETTINGS)),
@@ -30,27 +27,11 @@ FORM = (
     Parameter("beside", None, help="Names of the runs that are drawn beside it.", kind=str),
     Parameter("ships", None, help="Algorithms whose shipped agents are drawn behind it.", kind=str),
 )
-_SHOWN_OWN = 8  # settings that only this algorithm has, the grids first: what a run is about
-_SHOWN_LOOP = ("steps", "learning_rate")
-
-
-def fields(algorithm: str) -> tuple[list[Parameter], list[Parameter]]:
-    """The settings of an algorithm: the handful that matter, and all others; seed and environment in neither."""
-    schema = [p for p in SETTINGS[algorithm].SCHEMA if p.name not in ("environment", "seed")]
-    common = {parameter.name for parameter in LOOP_SCHEMA}
-    own = [parameter for parameter in schema if parameter.name not in common]
-    first = [p for p in schema if p.name in _SHOWN_LOOP] + own[:_SHOWN_OWN]
-    return first, [*own[_SHOWN_OWN:], *(p for p in schema if p.name in common and p.name not in _SHOWN_LOOP)]
 
 
 def suited(values: Mapping[str, Any]) -> LoopSettings:
     """What the settings are where nothing is set by hand."""
-    return _usual(_word("algorithm", values), _word("environment", values))
-
-
-@lru_cache(maxsize=256)
-def _usual(algorithm: str, environment: str) -> LoopSettings:
-    return settings_of(algorithm, environment, {})
+    return suited_settings(_word("algorithm", values), _word("environment", values))
 
 
 def wanted(values: Mapping[str, Any]) -> LoopSettings:
@@ -60,11 +41,7 @@ def wanted(values: Mapping[str, Any]) -> LoopSettings:
         InputError: values that do not fit each other.
     """
     given = {name.removeprefix(TRAIN): value for name, value in values.items() if name.startswith(TRAIN)}
-    usual = suited(values)
-    if "evaluate_every" not in given:
-        steps = int(given.get("steps", usual.steps))
-        given["evaluate_every"] = min(usual.evaluate_every, max(1, steps // LOOKS))
-    return usual.parse(usual.as_dict() | given)
+    return with_looks(suited(values), given)
 
 
 def _word(name: str, values: Mapping[str, Any]) -> str:
@@ -104,17 +81,3 @@ LINK = Schema(
 def names_in(word: object) -> list[str]:
     """Names of runs or algorithms, as the link joins them."""
     return [] if word in (None, NOTHING) else str(word).split(",")[:MOST_AT_ONCE]
-
-
-def changed(settings: LoopSettings) -> list[str]:
-    """What a run's settings have that the suited ones have not, in words; nothing where those cannot be read."""
-    try:
-        usual = _usual(settings.ALGORITHM, settings.environment)
-    except InputError:
-        return []
-    names = [p.name for p in settings.SCHEMA if p.name not in ("seed", "evaluate_every")]
-    return [
-        f"{name} {getattr(settings, name):g}" if isinstance(getattr(settings, name), float)
-        else f"{name} {getattr(settings, name)}"
-        for name in names if getattr(settings, name) != getattr(usual, name)
-    ]  # fmt: skip

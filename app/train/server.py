@@ -51,7 +51,7 @@ def _of_runs(runs: Sequence[Run]) -> list[Use]:
 
 
 def _of_sessions() -> list[Use]:
-    granted, (background, learners) = limits(), jobs.usage()
+    granted, background, learners = limits(), jobs.background().usage(), jobs.learners().usage()
     return [
         Use("Caches and opened files together", BUDGET.bytes / 1e6, granted.memory, "MB", "LAPLACE_MEMORY"),
         Use("Background jobs that wait", background.waiting, granted.jobs_in_line, "", "LAPLACE_JOBS_IN_LINE"),

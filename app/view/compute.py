@@ -7,11 +7,10 @@ from typing import Any
 
 import numpy as np
 
-from app.components.lens.payload import Simulated, payload, structure
 from app.session.jobs import is_there, session_id
-from app.view.subjects import Learner, Subject, View, state_in
 from laplace_core import InputError, Study, World, figures
 from laplace_core.caching import Cached, cached
+from laplace_core.payloads.lens import Simulated, payload, structure
 from laplace_core.planning import greedy_policy
 from laplace_core.study.artefacts import Artefact, find_artefacts
 from laplace_core.study.compare import Space, difference, summary, value_difference
@@ -22,6 +21,7 @@ from laplace_core.study.settings import Resolved
 from laplace_core.study.size import largest_study, size_of
 from laplace_core.study.trials import Trials
 from laplace_core.study.verdict import Verdict, judge
+from laplace_core.subjects import Learner, Subject, View, state_in
 from laplace_core.supervise.aside import Aside
 from laplace_core.tabular import Bands, Learned, bands, return_distributions
 

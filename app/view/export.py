@@ -10,12 +10,12 @@ import streamlit as st
 from streamlit.delta_generator import DeltaGenerator
 
 from app.components.widgets import download
-from app.view import compute, explain, subjects
-from app.view.subjects import View
+from app.view import compute
+from app.view.explain import explain
 from laplace_core import Study
 from laplace_core.study.npz import npz_bytes
-from laplace_core.study.settings import Resolved
 from laplace_core.study.tables import gamma_space_csv, rewards_csv, tau_space_csv, values_csv
+from laplace_core.subjects import View
 
 MOST_LINES = 1_000_000
 """Of a table; spreadsheets open little more."""
@@ -30,31 +30,15 @@ _TABLES = {
 def agent_footer(view: View) -> None:
     """The same for a trained agent, whose gamma-space no command computes anew."""
     _, words, download = st.columns([3.8, 1, 0.9], vertical_alignment="center")
-    reading(words)
+    explain(words)
     downloads(download, view)
-
-
-def reading(place: DeltaGenerator) -> None:
-    """What lies in a closed popover is left out: formulas bring a large script along."""
-    words = place.popover("How to read this", width="stretch", on_change="rerun", key="reading")
-    if words.open:
-        words.markdown(explain.READING)
-
-
-def settings_on_disk(view: View) -> Resolved:
-    """The settings by which the command line repeats a view: what was learned is read from its file."""
-    if view.learner is None:
-        return view.settings
-    shown = view.learner.index
-    file = f"{subjects.plain_name(view.learner.world)}_td.safetensors"
-    return replace(view.settings, world=file, params=() if shown is None else (("seed_index", shown),))
 
 
 def downloads(place: DeltaGenerator, view: View) -> None:
     box = place.popover("Download", width="stretch", on_change="rerun", key="downloading")
     if not box.open:
         return
-    settings, shown = settings_on_disk(view), compute.study_for(view)
+    settings, shown = view.settings_on_disk, compute.study_for(view)
 
     def study() -> Study:
         """Looked up when it is wanted, so that a button keeps no arrays."""

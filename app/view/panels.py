@@ -11,16 +11,17 @@ import streamlit as st
 
 from app import session
 from app.components.lens import Graph, Pin, Preset, Released, Said, lens
-from app.components.lens.payload import Simulated
-from app.components.lens.state import checked, state_of, values_of
 from app.components.waiting import LOOK_EVERY, attempt
 from app.session import crowd, store
 from app.session.typed import in_markdown
 from app.view import compute
-from app.view.subjects import PARAM, View
+from app.view.schema import PARAM
+from laplace_core.payloads.lens import Simulated
+from laplace_core.payloads.state import checked, state_of, values_of
 from laplace_core.study.artefacts import Artefact
 from laplace_core.study.settings import BY_NAME, SWITCHES
 from laplace_core.study.verdict import Verdict
+from laplace_core.subjects import View
 
 TONES = {"lucky": "warn", "wrong": "bad", "unknown": "unknown"}
 _ACROSS = 3  # artefacts side by side

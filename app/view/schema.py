@@ -25,6 +25,11 @@ DRAWN: Known = {
 }
 """Settings of a study that a page can show: the lens computes the inverse in the browser, and knows one solver."""
 
+PARAM = "p."
+"""Prefix of the parameters of a world, in the session and in the URL."""
+
+Values = Mapping[str, Any]
+
 YES_NO = {"yes": "true", "no": "false"}
 
 

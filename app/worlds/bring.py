@@ -12,19 +12,18 @@ from app.catalogue import tabular
 from app.components.widgets import download, left_out, upload
 from app.session import store
 from app.session.typed import in_markdown
-from app.view.subjects import View
 from app.worlds import sources
 from app.worlds.actions import edit_world, go_to, world_name
 from laplace_core import InputError, World
-from laplace_core.parameters import NUMBER, as_text
+from laplace_core.subjects import View
 from laplace_core.worlds import (
     dump_world,
     parse_world_bytes,
     rescaled,
     timeline_world,
-    world_from_rows,
     world_rows,
 )
+from laplace_core.worlds.table import as_cells, from_cells, with_rows
 
 MOST_ROWS = 2_000
 _CONTENTS = (
@@ -41,7 +40,7 @@ def open_group(world: World | None) -> None:
     with box:
         kinds = "World (.json), gamma-space (.npz) or learned agent (.safetensors)"
         upload(kinds, ("json", "npz", "safetensors"), "upload", _open, help=_CONTENTS)
-        agents = tabular.shipped_agents()
+        agents = tabular.learners()
         for name in (name for name, refusal in agents.items() if refusal is None):
             title = in_markdown(name.removesuffix("_td").replace("_", " "))
             st.button(f"Open the learned {title}", on_click=_open_agent, args=(name,), width="stretch")
@@ -129,7 +128,7 @@ def _world_table(world: World) -> None:
     key = _version(word, sources.OWN)
     base = sources.own_world(_table(sources.OWN).base)
     rows = st.data_editor(
-        _cells(world_rows(base)), key=key, num_rows="dynamic", height=260, width="stretch", hide_index=True,
+        as_cells(world_rows(base)), key=key, num_rows="dynamic", height=260, width="stretch", hide_index=True,
         column_config={
             "probability": st.column_config.TextColumn(default="1"),
             "reward": st.column_config.TextColumn(default="0"),
@@ -140,7 +139,7 @@ def _world_table(world: World) -> None:
     with left:
         _download(world)
     try:
-        made = _made(rows, base)
+        made = with_rows(base, rows)
     except InputError as error:
         st.warning(f"Not taken over yet: {in_markdown(error)}")
         _offer_rescale(right, rows, base)
@@ -148,34 +147,10 @@ def _world_table(world: World) -> None:
     _edited(sources.OWN, word, sources.word_of(made))
 
 
-def _cells(rows: list[dict]) -> list[dict]:
-    """Rows as a table holds them, every cell a text.
-
-    Streamlit's own cells of numbers leave out what they cannot read: 2,5 becomes 25 and 1.5 steps become 15. What is
-    typed into a text comes as it is, and the library refuses what is no number.
-    """
-    return [{name: None if value is None else as_text(value) for name, value in row.items()} for row in rows]
-
-
-def _numbers(row: dict) -> dict:
-    """A row of a table with its numbers as numbers; of a blank row nothing is left."""
-    texts = {name: str(value).strip() for name, value in row.items() if value is not None}
-    return {
-        name: (int if name == "tau" else float)(float(text)) if NUMBER.fullmatch(text) and name != "action" else text
-        for name, text in texts.items()
-    }
-
-
-def _made(rows: list[dict], base: World) -> World:
-    """The world of the rows of a table that was opened with another one."""
-    kept = ("name", "states", "actions", "start", "suggested", "positions")
-    return world_from_rows(rows, **{name: getattr(base, name) for name in kept})
-
-
 def _offer_rescale(place: DeltaGenerator, rows: list[dict], base: World) -> None:
     """One click for the commonest slip: probabilities that do not sum to 1."""
     try:
-        made = _made(rescaled(rows), base)
+        made = with_rows(base, rescaled(rows))
     except InputError:
         return
     place.button("Rescale probabilities to 1", on_click=_take_over, args=(sources.word_of(made),))
@@ -205,7 +180,7 @@ def _timeline_table(world: World) -> None:
         st.caption("Each action is a line of its own; a row more is typed at the foot of the table.")
     with table:
         rows = st.data_editor(
-            _cells(base), key=key, num_rows="dynamic", height=230, width="stretch", hide_index=True,
+            as_cells(base), key=key, num_rows="dynamic", height=230, width="stretch", hide_index=True,
             column_config={
                 "action": st.column_config.TextColumn(default="now"),
                 "tau": st.column_config.TextColumn("tau (steps)", default="0"),
@@ -218,4 +193,4 @@ def _timeline_table(world: World) -> None:
     except InputError as error:
         beside.warning(f"Not taken over yet: {in_markdown(error)}")
         return
-    _edited(sources.TIMELINE, word, sources.packed_timeline([_numbers(row) for row in rows], chosen_rest))
+    _edited(sources.TIMELINE, word, sources.packed_timeline([from_cells(row) for row in rows], chosen_rest))

@@ -10,11 +10,11 @@ from app.catalogue.names import world_title
 from app.components.widgets import field, select
 from app.session import store
 from app.session.typed import in_markdown
-from app.view import subjects
-from app.view.subjects import PARAM
+from app.view.schema import PARAM
 from app.worlds import actions, sources
 from laplace_core import PRESETS, World
 from laplace_core.study.settings import BY_NAME, Resolved
+from laplace_core.subjects import state_in
 from laplace_core.worlds import parameters_of
 
 _TITLES = {
@@ -55,7 +55,7 @@ def state_group(world: World, settings: Resolved) -> None:
     if world.n_states <= _MOST_NAMES:
         select("State", world.states, store.show("state", settings.state), help=BY_NAME["state"].help)
         return
-    _state_index(world.state_index(subjects.state_in(settings)), world.states)
+    _state_index(world.state_index(state_in(settings)), world.states)
     st.caption(in_markdown(settings.state))
 
 

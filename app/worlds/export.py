@@ -10,10 +10,11 @@ from app.components.copy import copy_button
 from app.session import store
 from app.session.typed import in_markdown
 from app.view import compute
-from app.view.export import downloads, reading, settings_on_disk
-from app.view.subjects import View
+from app.view.explain import explain
+from app.view.export import downloads
 from app.worlds import sources
 from app.worlds.actions import world_name
+from laplace_core.subjects import View
 
 TOO_LONG = "This view is too long for a link; download the world to keep it."
 FILE_ONLY = "The link of this view does not hold your file: keep the file."
@@ -23,7 +24,7 @@ def footer(view: View) -> None:
     regret, words, copying, download = st.columns([3, 1, 0.8, 0.9], vertical_alignment="center")
     lacking = FILE_ONLY if view.world is None else TOO_LONG
     regret.caption(_loss(view) if sources.in_link(store.chosen()) else lacking)
-    reading(words)
+    explain(words)
     _copying(copying, view)
     downloads(download, view)
 
@@ -45,35 +46,12 @@ def _copying(place: DeltaGenerator, view: View) -> None:
     if not box.open:
         return
     with box:
-        file = settings_on_disk(view).world
-        copy_button("Copy as command", settings_on_disk(view).to_command("view.npz"), "command")
-        copy_button("Copy as Python", python_of(view), "python")
+        file = view.settings_on_disk.world
+        copy_button("Copy as command", view.settings_on_disk.to_command("view.npz"), "command")
+        brought = world_name() in sources.BROUGHT and view.world is not None
+        copy_button("Copy as Python", view.to_python(from_file=brought), "python")
         if view.learner is not None:
             mean = " The command shows the first learner, not the mean of all." if view.learner.index is None else ""
             st.caption(f"Both read {in_markdown(file)}: Download agent saves it.{mean}")
         elif world_name() in sources.BROUGHT:
             st.caption(f"Both read {in_markdown(file)}, so download or keep that file beside them.")
-
-
-def python_of(view: View) -> str:
-    """A script that repeats a view."""
-    if view.learner is None:
-        brought = world_name() in sources.BROUGHT and view.world is not None
-        return view.settings.to_python(f'read_world("{view.settings.world}")' if brought else None)
-    settings = view.settings.to_python().partition("settings = Settings(")[2]
-    imports, line = "Settings", f"result = study_of(learned, settings, {view.learner.index})"
-    if view.learner.index is None:
-        imports = "Settings, study"
-        line = (
-            "tables = learned.basis[:, learned.world.state_index(settings.state)]  # a table a seed\n"
-            "result = study(learned.world, settings, learned=tables.astype(float).mean(axis=0))"
-        )
-    return "\n".join(
-        [
-            f"from laplace_core import {imports}",
-            f"from laplace_core.tabular import read_learned{'' if view.learner.index is None else ', study_of'}",
-            "",
-            f'learned = read_learned("{settings_on_disk(view).world}")',
-            "settings = Settings(" + settings.replace("result = study(world, settings)", line),
-        ]
-    )

@@ -1,131 +1,21 @@
-"""Learners at work: each in a process of its own, watched through its files, a few at a time on a server.
-
-A run belongs to what it learns and not to a session: a page that is loaded again finds it at work.
-"""
+"""Learners at work, a few at a time on a server: which a session has begun or looks at."""
 
 from __future__ import annotations
 
-import atexit
-import shutil
-import sys
-import tempfile
-import time
-from dataclasses import dataclass, field
-from functools import cache, lru_cache
-from pathlib import Path
-from typing import Any
-from weakref import WeakValueDictionary
+from functools import lru_cache
 
 from app import session
-from app.session.jobs import WAITING, Job, Kind, Progress, Wish, too_large
+from app.session.jobs import Wish
 from app.session.jobs import learners as line
-from laplace_core import InputError
-from laplace_core.caching import BUDGET, Cache
-from laplace_core.tabular import Learned, LearnSettings, seconds_to_learn
-from laplace_core.tabular.process import Run, start
+from laplace_core.supervise.jobs import Kind
+from laplace_core.tabular import LearnSettings, seconds_to_learn
+from laplace_core.tabular.work import MOST_KEPT, Runs, Watched, Work
 from laplace_core.worlds import World
 
-MOST_KEPT = 4
-"""Runs that a session keeps, and the server of those that are at their end; the oldest leaves first."""
 BY_ITSELF = 1.0
 """Seconds of estimate below which a link learns without a button."""
-_LOOK_EVERY = 0.2  # seconds between two looks at a process
-
-
-@cache
-def _room() -> Path:
-    """A folder for the files of all runs of this server, gone with it."""
-    room = Path(tempfile.mkdtemp(prefix="laplace_runs_"))
-
-    def clear() -> None:
-        for work in list(_at_work.values()):
-            work.stop()
-        shutil.rmtree(room, ignore_errors=True)
-
-    atexit.register(clear)
-    return room
-
-
-class Work:
-    """What one job does: it starts a process, looks at it until it ends, and keeps what it has learned.
-
-    That counts in the memory of the server for its caches, and leaves with what was used least recently there.
-    """
-
-    def __init__(self, key: str, world: World, settings: LearnSettings):
-        self._key, self._world, self._settings = key, world, settings
-        self._run: Run | None = None
-        self._last: dict[str, Any] | None = None
-        self._has_learned, self._too_large = False, ""
-        self._place = object()  # the key of its own in the cache
-
-    def learn(self, progress: Progress) -> Work:
-        """The work.
-
-        Raises:
-            InputError: the process cannot start, or ended by itself without finishing; or what was learned takes more
-                memory than the server has for its caches.
-        """
-        _at_work[self._key] = self
-        try:
-            folder = Path(tempfile.mkdtemp(dir=_room()))
-        except OSError:
-            raise InputError(
-                "this server has no temporary folder for what is learned: its owner may set TMPDIR to one."
-            ) from None
-        try:
-            run = self._run = start(self._world, self._settings, folder)
-            while not run.finished:
-                said: dict[str, Any] = run.progress() or {}
-                progress(int(said.get("episodes", 0)), int(said.get("of", 0)))
-                time.sleep(_LOOK_EVERY)
-            if run.error:
-                raise InputError(run.error)
-        finally:
-            self.stop()
-            shutil.rmtree(folder, ignore_errors=True)
-        if self._too_large:
-            raise InputError(self._too_large)
-        return self
-
-    def stop(self) -> None:
-        """End the process, within a second, and keep what it has written last."""
-        run = self._run
-        if run is None:
-            return
-        run.cancel()
-        self._last, learned = run.progress(), run.snapshot()
-        if learned is not None and _learned.put(self._place, learned):
-            BUDGET.drop_with_owner(self, _learned, self._place)
-            self._has_learned = True
-        elif learned is not None:
-            self._too_large = too_large(learned, BUDGET, "lower the number of learners, discounts or thetas")
-        self._run = None  # it holds the snapshot too
-
-    def progress(self) -> dict[str, Any] | None:
-        """The last line of progress, None before the first."""
-        run = self._run
-        return run.progress() if run else self._last
-
-    def learned(self) -> Learned | None:
-        """The last snapshot; the same object until there is a new one. None before the first, and once it has left."""
-        run = self._run
-        return run.snapshot() if run else _learned.get(self._place)
-
-    @property
-    def lost(self) -> bool:
-        """Whether what was learned had to make room."""
-        return self._run is None and self._has_learned and self._place not in _learned
-
-
-_learned: Cache[Learned] = Cache("learned gamma-spaces", sys.maxsize)
 _jobs: Kind[Work] = Kind("learners", MOST_KEPT, line=line)
-_at_work: WeakValueDictionary[str, Work] = WeakValueDictionary()
-
-
-@lru_cache(maxsize=32)
-def _seconds(world: World, settings: LearnSettings) -> float:
-    return seconds_to_learn(world, settings)
+_seconds = lru_cache(maxsize=32)(seconds_to_learn)
 
 
 def learning(key: str, world: World, settings: LearnSettings, *, slot: str, linked: bool) -> Wish[Work]:
@@ -133,7 +23,7 @@ def learning(key: str, world: World, settings: LearnSettings, *, slot: str, link
 
     Args:
         key: of what it learns.
-        slot: of the session, see :class:`app.session.jobs.Wish`.
+        slot: of the session, see :class:`laplace_core.supervise.jobs.Wish`.
         linked: whether a link asks for it, so that it starts by itself if it is short.
     """
     work, lower = Work(key, world, settings), "lower the number of episodes or of learners"
@@ -141,90 +31,19 @@ def learning(key: str, world: World, settings: LearnSettings, *, slot: str, link
     return Wish(_jobs, key, work.learn, lambda: _seconds(world, settings), slot, lower, by_itself)
 
 
-def forget(key: str) -> None:
+def forget(wish: Wish[Work]) -> None:
     """Drop a run that is at its end, so that it may begin anew."""
-    _jobs.drop(key)
-    session.part(_Runs).watched.pop(key, None)
-
-
-class Watched:
-    """A run as one session sees it: waiting for a place, learning, or at its end with what it has learned."""
-
-    def __init__(self, key: str, job: Job[Work]):
-        self._key, self._job, self._work, self._left = key, job, _at_work.get(key), False
-
-    def look(self, job: Job[Work] | None) -> None:
-        """Another look at it; a job is there unless the session has left it or it has ended."""
-        if job is not None:
-            self._job, self._left = job, False
-        self._work = _at_work.get(self._key) or self._work
-
-    @property
-    def running(self) -> bool:
-        """Whether it waits or learns."""
-        return self._job.going and not self._left
-
-    @property
-    def waiting(self) -> bool:
-        """Whether it still waits for a place."""
-        return self.running and self._job.state == WAITING
-
-    @property
-    def before(self) -> int:
-        """Runs before it, while it waits."""
-        return self._job.before
-
-    @property
-    def error(self) -> str | None:
-        """One sentence if it ended by itself without finishing."""
-        if self._job.why:
-            return f"{self._job.why}; what was learned until then stays."
-        return self._job.refusal
-
-    @property
-    def lost(self) -> bool:
-        """Whether what was learned had to make room, so that it has to be learned anew."""
-        return self._work is not None and not self.running and self._work.lost
-
-    def progress(self) -> dict[str, Any] | None:
-        return self._work.progress() if self._work else None
-
-    def learned(self) -> Learned | None:
-        """The last snapshot; the same object until there is a new one."""
-        return self._work.learned() if self._work else None
-
-    def cancel(self, wish: Wish[Work]) -> None:
-        """Leave it: unless another session waits for it, it ends within a second. What was learned so far stays."""
-        self._left = True
-        wish.cancel()
-        if self._job.gone:
-            self._job.wait(5.0)
-            self.look(None)
-
-
-@dataclass
-class _Runs:
-    """The runs that a session has looked at last."""
-
-    watched: dict[str, Watched] = field(default_factory=dict)
+    session.part(Runs).forget(wish)
 
 
 def watch(wish: Wish[Work]) -> Watched | None:
     """The run of a wish, if this session has begun or seen it, or its link asks for it."""
-    mine, key = session.part(_Runs).watched, str(wish.key)
-    job = wish.look() if key in mine or wish.by_itself else None
-    if job is not None:
-        one = mine.pop(key, None) or Watched(key, job)
-        mine[key] = one  # the latest is the last
-        while len(mine) > MOST_KEPT:
-            mine.pop(next(iter(mine)))
-    if key in mine:
-        mine[key].look(job)
-        if mine[key].lost:
-            forget(key)
-    return mine.get(key)
+    return session.part(Runs).watch(wish)
 
 
 def at_work() -> bool:
     """Whether a run that this session has begun or looked at is going on."""
-    return any(run.running for run in session.part(_Runs).watched.values())
+    return session.part(Runs).at_work()
+
+
+__all__ = ["Watched", "at_work", "forget", "learning", "watch"]

@@ -13,16 +13,19 @@ from app.components.chart import chart
 from app.components.waiting import attempt, place_in_line
 from app.components.widgets import download, field, select
 from app.session import store
-from app.session.jobs import Wish, duration
+from app.session.jobs import Wish
 from app.session.typed import in_markdown
 from app.session.url import by_name
-from app.view import compute, subjects
-from app.view.subjects import View
+from app.view import compute
+from app.view.schema import Values
 from app.worlds import learners, sources
 from app.worlds.sources import LEARN
 from laplace_core import InputError, World, load_world
+from laplace_core.subjects import View, learned_file
+from laplace_core.supervise.jobs import duration
 from laplace_core.tabular import LEARN_SCHEMA, Learned, LearnSettings, learned_bytes, resolve_learning
 from laplace_core.tabular.settings import DECIDED_NAMES, ResolvedLearning
+from laplace_core.tabular.work import Watched, Work
 
 _SHOWN = {
     "episodes": "Episodes",
@@ -76,7 +79,7 @@ def agent_title(agent: str) -> str:
     return "the file that you opened" if agent in tabular.opened_agents() else agent.replace("_", " ")
 
 
-def learning_of(world: World, values: subjects.Values | None = None) -> ResolvedLearning:
+def learning_of(world: World, values: Values | None = None) -> ResolvedLearning:
     """What would be learned in a view, by default the present one: the learner's settings, its discounts and policy.
 
     Raises:
@@ -93,8 +96,8 @@ _IN_LINK = 10
 
 
 def _wish(
-    world: World, wanted: LearnSettings, values: subjects.Values | None = None, *, slot: str = "learner"
-) -> Wish[learners.Work]:  # fmt: skip
+    world: World, wanted: LearnSettings, values: Values | None = None, *, slot: str = "learner"
+) -> Wish[Work]:  # fmt: skip
     """The run of settings in a view, by default the present one; a link names it."""
     values = store.chosen() if values is None else values
     what = (world.source, world.params, values.get("own"), values.get("timeline"), wanted)
@@ -108,12 +111,12 @@ def _begin(world: World) -> None:
         wish = _wish(world, learning_of(world))
     except InputError:  # said beside the button already
         return
-    learners.forget(str(wish.key))
+    learners.forget(wish)
     wish.begin()
     store.choose("run", str(wish.key)[:_IN_LINK])
 
 
-def current(world: World) -> tuple[Learned | None, learners.Watched | None]:
+def current(world: World) -> tuple[Learned | None, Watched | None]:
     """What was learned, or is being learned, for what the page shows; nothing under an exact gamma-space."""
     values = store.chosen()
     if values.get("source") != "learned":
@@ -135,13 +138,13 @@ def current(world: World) -> tuple[Learned | None, learners.Watched | None]:
     return None if learned is None else sources.about(learned, world), watched
 
 
-def _opened(values: subjects.Values, world: World) -> Learned | None:
+def _opened(values: Values, world: World) -> Learned | None:
     """What the agent of a view has learned, if it learned this world."""
     learned = tabular.agent(str(values["agent"]))
     return sources.about(learned, world) if sources.fits(learned, world) else None
 
 
-def learned_in(values: subjects.Values, world: World) -> tuple[Learned | None, bool]:
+def learned_in(values: Values, world: World) -> tuple[Learned | None, bool]:
     """What was learned for a pinned view, and whether it is still to come.
 
     A run that is not here any more is learned again, from its seed, if that is short.
@@ -166,7 +169,7 @@ def learned_in(values: subjects.Values, world: World) -> tuple[Learned | None, b
     return (None, True) if learned is None else (sources.about(learned, world), False)
 
 
-def strip(view: View, watched: learners.Watched | None) -> None:
+def strip(view: View, watched: Watched | None) -> None:
     """Between the verdict and the pictures: how far learning is."""
     if store.chosen().get("source") != "learned":
         return
@@ -186,11 +189,11 @@ def strip(view: View, watched: learners.Watched | None) -> None:
         if len(learner.learned.basis) > 1:
             _which(learner.learned, seed)
         if watched is None or not watched.running:
-            file = f"{subjects.plain_name(learner.world)}_td.safetensors"
+            file = learned_file(learner.world)
             download("Download agent", lambda: learned_bytes(learner.learned), file, place=save, width="stretch")
 
 
-def _present(view: View) -> Wish[learners.Work] | None:
+def _present(view: View) -> Wish[Work] | None:
     """The run of a view; none where its settings do not fit, which is said beside them."""
     try:
         return None if view.world is None else _wish(view.world, learning_of(view.world))
@@ -198,20 +201,20 @@ def _present(view: View) -> Wish[learners.Work] | None:
         return None
 
 
-def _cost(wish: Wish[learners.Work] | None) -> str:
+def _cost(wish: Wish[Work] | None) -> str:
     if wish is None:
         return ""
     return capital(wish.notice or f"learning takes about {duration(wish.estimate())}.")
 
 
-def _cancel(watched: learners.Watched, wish: Wish[learners.Work] | None) -> None:
+def _cancel(watched: Watched, wish: Wish[Work] | None) -> None:
     """Callback: stop; a link no longer asks for the whole run."""
     if wish is not None:
         watched.cancel(wish)
     store.choose("run", None)
 
 
-def _progress(view: View, watched: learners.Watched | None) -> None:
+def _progress(view: View, watched: Watched | None) -> None:
     if watched is None:
         if view.learned is None:
             st.info(f"Nothing is learned with these settings yet: the pictures are exact. {_cost(_present(view))}")

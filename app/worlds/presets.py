@@ -5,10 +5,10 @@ from __future__ import annotations
 from typing import Any
 
 from app.components.lens import Preset
-from app.components.lens.payload import structure
-from app.components.lens.state import state_of
-from app.view.subjects import View
 from app.worlds.sources import view_of
+from laplace_core.payloads.lens import structure
+from laplace_core.payloads.state import state_of
+from laplace_core.subjects import View
 
 PRESETS: dict[str, dict[str, Any]] = {
     "Fig. 4b": {"world": "two_branch", "normalise": "paper", "action": "long"},

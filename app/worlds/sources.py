@@ -5,18 +5,18 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 from app import session
-from app.session import link
-from app.session.link import MOST, pack, unpack
+from app.session.url import fits as fits_in_link
 from app.session.url import query_of
-from app.view.subjects import PARAM, Exact, FromFile, Learner, Subject, Values, View, plain_name
+from app.view.schema import PARAM, Values
 from laplace_core import PRESETS, InputError, Settings, World, load_world
 from laplace_core.caching import cached
-from laplace_core.study.npz import read_gamma_space, states_of
+from laplace_core.files.packed_text import MOST, pack, unpack
 from laplace_core.study.settings import BY_NAME, ENCODING_NAMES, Resolved, resolve, resolve_for_gamma_space
+from laplace_core.subjects import Exact, GammaSpaceFile, Learner, Subject, View, plain_name
 from laplace_core.tabular import Learned
 from laplace_core.tabular.reading import study_settings
 from laplace_core.worlds import TOY_TEXT, dump_world, parse_world, timeline_world
@@ -105,26 +105,6 @@ def world_of(values: Values) -> World | None:
     return load_world(name, {key.removeprefix(PARAM): v for key, v in values.items() if key.startswith(PARAM)})
 
 
-@dataclass(eq=False)
-class GammaSpaceFile:
-    """An uploaded ``.npz``, checked, how many states it holds, and the state of it that was looked at last."""
-
-    name: str
-    data: bytes
-    states: int
-    shown: tuple[str | None, FromFile]
-
-    def at(self, state: str | None) -> FromFile:
-        """The gamma-space of a state; the same object while no other state is looked at.
-
-        Raises:
-            InputError: no such state.
-        """
-        if self.shown[0] != state:
-            self.shown = state, FromFile(read_gamma_space(self.data, state))
-        return self.shown[1]
-
-
 def gamma_space_files() -> Mapping[str, GammaSpaceFile]:
     """The gamma-space that this session has opened, by digest; one at a time."""
     return session.opened(GammaSpaceFile)
@@ -136,14 +116,13 @@ def open_gamma_space(name: str, data: bytes) -> str:
     Raises:
         InputError: not such a file.
     """
-    first = FromFile(read_gamma_space(data, name=name))
-    return session.keep_opened(GammaSpaceFile(name, data, states_of(data, name=name), (None, first)), data)
+    return session.keep_opened(GammaSpaceFile.opened(name, data), data)
 
 
 def in_link(values: Values) -> bool:
     """Whether the link of a view holds all of it: neither too long nor with a file that only this session has."""
     kept = values.get("data") if values.get("world") == DATA else values.get(OWN)
-    return link.fits(query_of(values)) and not _DIGEST.fullmatch(str(kept))
+    return fits_in_link(query_of(values)) and not _DIGEST.fullmatch(str(kept))
 
 
 def world_values(world: World) -> dict[str, Any]:

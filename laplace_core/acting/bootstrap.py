@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
-from scipy.stats import norm, t
+from scipy.special import ndtri, stdtrit
 
 DRAWS = 20_000
 _AT_ONCE = 1_000  # draws: their numbers take some 4 MB for 500 episodes
@@ -22,7 +22,7 @@ def interval(differences: np.ndarray, draws: int = DRAWS, seed: int = 0) -> list
     means = starts.mean() + _off_the_mean(starts, draws, rng)
     if len(agents) > 1:
         degrees = len(agents) - 1
-        stretch = t.ppf(0.975, degrees) / norm.ppf(0.975) * np.sqrt(len(agents) / degrees)
+        stretch = stdtrit(degrees, 0.975) / ndtri(0.975) * np.sqrt(len(agents) / degrees)
         means += stretch * _off_the_mean(agents, draws, rng)
     return np.quantile(means, [0.025, 0.975]).tolist()
 

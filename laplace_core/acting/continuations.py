@@ -14,8 +14,8 @@ from typing import Any
 
 import numpy as np
 
-from laplace_core.acting.rollout import RANDOM, Rollout, judge_of, length_of, one_thread, roll_out
-from laplace_core.acting.rules import RULES, Choose, Judge, Options
+from laplace_core.acting.rollout import Rollout, judge_of, length_of, one_thread, roll_out
+from laplace_core.acting.rules import Choose, Judge, Options, for_deadline
 from laplace_core.agents.agent import Agent
 from laplace_core.code.ties import greedy_action
 from laplace_core.environments import vector
@@ -60,13 +60,9 @@ def standard_error(values: np.ndarray) -> np.ndarray:
     return values.std(axis=0, ddof=1) / np.sqrt(count) if count > 1 else np.zeros(values.shape[1:])
 
 
-def _for_deadline(rule: str) -> bool:
-    return rule != RANDOM and RULES[rule].for_deadline
-
-
 def steps_known(agent: Agent, rollout: Rollout, step: int, steps: int, *, own: bool) -> int:
     """How many of the next ``steps`` steps a rule decides: one for a deadline T is not defined after T."""
-    if not own or not _for_deadline(rollout.rule):
+    if not own or not for_deadline(rollout.rule):
         return steps
     return min(steps, length_of(agent, rollout.environment, rollout.horizon) - step)
 
@@ -198,7 +194,7 @@ def outcomes_of_states(
     rule, gamma, length = "greedy", None, min(2 * steps, MOST)
     if like is not None:
         rule, gamma = "readout" if like.rule == "decoded" else like.rule, like.gamma
-        if _for_deadline(rule):
+        if for_deadline(rule):
             length = length_of(agent, environment, like.horizon)
             steps = min(steps, (length + 1) // 2)
     parts: list[tuple[Any, ...]] = []

@@ -9,6 +9,7 @@ import time
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
+from weakref import WeakKeyDictionary
 
 import numpy as np
 
@@ -17,6 +18,7 @@ from laplace_core.acting.rollout import RANDOM, judge_of, length_of, one_thread
 from laplace_core.agents.agent import Agent
 from laplace_core.code.ties import greedy_action
 from laplace_core.environments import vector
+from laplace_core.errors import InputError
 
 FEW = 3
 """Observations in the larger of two batches: what one more costs is a third of what they cost above the smaller."""
@@ -90,3 +92,20 @@ def _least(work: Callable[[], object], clock: Clock) -> float:
         work()
         took.append(clock() - began)
     return float(np.min(took))
+
+
+_known: WeakKeyDictionary[Agent, dict[tuple[str, str, bool], StepCost]] = WeakKeyDictionary()
+_NOTHING = StepCost(0.0, 0.0, 0.0)
+
+
+def cost_of(
+    agent: Agent, environment: str, rule: str = "greedy", horizon: int | None = None, *, pictures: bool = False
+) -> StepCost:  # fmt: skip
+    """The same, measured once; nothing for a rule that does not suit the agent, which the work itself refuses."""
+    known, key = _known.setdefault(agent, {}), (environment, rule, pictures)
+    if key not in known:
+        try:
+            known[key] = step_cost(agent, environment, rule, horizon=horizon, pictures=pictures)
+        except InputError:
+            return _NOTHING
+    return known[key]

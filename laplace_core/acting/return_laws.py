@@ -204,6 +204,17 @@ def simulate_returns(
     return SimulatedReturns(sample.rewards @ gamma ** np.arange(steps), gamma, steps, running, missing)
 
 
+def simulate_returns_of(
+    agents: Sequence[Agent], rollout: Rollout, step: int, action: int, *, progress: Callable[[int, int], None]
+) -> tuple[SimulatedReturns, ...]:
+    """The same of several agents; progress counts in thousandths of the whole, and agents alike."""
+
+    def of(i: int) -> Callable[[int, int], None]:
+        return lambda done, steps: progress(round(1000 * (i + done / steps)), 1000 * len(agents))
+
+    return tuple(simulate_returns(each, rollout, step, action, progress=of(i)) for i, each in enumerate(agents))
+
+
 def laws_npz(
     names: Sequence[str], laws: Sequence[ReturnLaw], observed: Sequence[SimulatedReturns] | None = None
 ) -> bytes:

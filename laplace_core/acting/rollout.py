@@ -18,9 +18,9 @@ import numpy as np
 import torch
 
 from laplace_core.acting.frames import picture_of
-from laplace_core.acting.rules import RULES, Judge, Options
+from laplace_core.acting.rules import RULES, Judge, Options, rules_of, title_of
 from laplace_core.agents.agent import Agent
-from laplace_core.agents.capabilities import HasDiscounts, HasGammaSpace
+from laplace_core.agents.capabilities import HasDiscounts, HasGammaSpace, HasTimeToGo
 from laplace_core.code.gamma_space import GammaSpace
 from laplace_core.code.ties import greedy_action
 from laplace_core.environments import vector
@@ -165,6 +165,17 @@ def length_of(agent: Agent, environment: str, horizon: int | None) -> int:
     """T of an episode: the horizon, or the environment's own limit as far as :func:`longest` allows it."""
     most = longest(agent)
     return horizon or min(most, vector.spec(environment).time_limit or most)
+
+
+def titles_of(agent: Agent) -> dict[str, str]:
+    """Rules that an agent can act by with nothing given, the first one by default, and what a form calls them."""
+    suitable = (name for name in rules_of(agent) if not RULES[name].needs)
+    titles = {name: title_of(name) for name in (*suitable, RANDOM)}
+    if isinstance(agent, HasTimeToGo):
+        titles["greedy"] = "greedy for the longest T"
+    elif not isinstance(agent, HasDiscounts):
+        titles["greedy"] = "greedy"
+    return titles
 
 
 def judge_of(

@@ -4,8 +4,8 @@ A rule is a function of the agent, of the length of the episode and of :class:`O
 every step: a function from observations ``(B, O)`` and the step t, from 0, to the values of all actions ``(B, A)``, the
 best of which is taken. T - t steps are to go.
 
-To add a rule, write one more such function and its entry in ``RULES``; the command line, rollouts, races and
-evaluations follow. What the page calls it is a row of ``app.agents.episode.TITLES``.
+To add a rule, write one more such function and its entry in ``RULES``; the command line, rollouts, races,
+evaluations and pages follow.
 """
 
 from __future__ import annotations
@@ -182,6 +182,8 @@ class Rule:
         for_deadline: whether it acts for the T of an episode; else T changes nothing.
         options: names of the :class:`Options` that it uses, besides ``steps`` and ``head``.
         needs: those of them that have to be given.
+        title: what a form calls it, where that is not its name in ``RULES``.
+        words: what a sentence calls it, where that is not its name either.
     """
 
     values: Callable[[Agent, int | None, Options], Judge]
@@ -189,6 +191,8 @@ class Rule:
     for_deadline: bool = True
     options: tuple[str, ...] = ()
     needs: tuple[str, ...] = ()
+    title: str = ""
+    words: str = ""
 
     def __call__(self, agent: Agent, length: int | None, options: Options) -> Choose:
         judge = self.values(agent, length, options)
@@ -208,13 +212,27 @@ def _has_time_to_go(agent: Agent) -> bool:
 
 
 RULES: dict[str, Rule] = {
-    "greedy": Rule(greedy, lambda agent: True, for_deadline=False),
-    "matched": Rule(matched, _has_discounts),
-    "fading": Rule(fading, _has_discounts, options=("stretch",)),
-    "readout": Rule(readout, _has_discounts, options=("softness", "alpha")),
-    "decoded": Rule(decoded, _has_gamma_space, options=("softness", "alpha", "solver", "selector", "noise_level")),
-    "certified": Rule(certified, _has_gamma_space, options=("noise_level",), needs=("noise_level",)),
-    "own": Rule(own, _has_time_to_go),
+    "greedy": Rule(greedy, lambda agent: True, for_deadline=False, title="greedy at a discount"),
+    "matched": Rule(matched, _has_discounts, title="for T: nearest discount", words="nearest discount"),
+    "fading": Rule(
+        fading, _has_discounts, options=("stretch",), title="for T: fading deadline", words="fading deadline"
+    ),
+    "readout": Rule(readout, _has_discounts, options=("softness", "alpha"), title="for T: readout of all discounts"),
+    "decoded": Rule(
+        decoded,
+        _has_gamma_space,
+        options=("softness", "alpha", "solver", "selector", "noise_level"),
+        title="for T: decoded tau-space (slow)",
+        words="decoded tau-space",
+    ),
+    "certified": Rule(
+        certified,
+        _has_gamma_space,
+        options=("noise_level",),
+        needs=("noise_level",),
+        title="for T: greedy unless another action is certainly better",
+    ),
+    "own": Rule(own, _has_time_to_go, title="for T: values of the steps to go", words="learned values"),
 }
 
 
@@ -222,6 +240,21 @@ def rules_of(agent: Agent) -> tuple[str, ...]:
     """Names of the rules that an agent has learned enough for, the one that suits it best first."""
     suitable = tuple(name for name, rule in RULES.items() if rule.suits(agent))
     return ("own", *(name for name in suitable if name != "own")) if "own" in suitable else suitable
+
+
+def title_of(rule: str) -> str:
+    """What a form calls a rule; one that is not in the list, such as random actions, goes by its name."""
+    return (RULES[rule].title if rule in RULES else "") or rule
+
+
+def words_of(rule: str) -> str:
+    """What a sentence calls a rule."""
+    return (RULES[rule].words if rule in RULES else "") or rule
+
+
+def for_deadline(rule: str) -> bool:
+    """Whether a rule acts for the T of an episode, which random actions do not."""
+    return rule in RULES and RULES[rule].for_deadline
 
 
 def check_rule_options(rule: str, given: Iterable[str]) -> None:

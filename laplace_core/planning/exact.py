@@ -15,7 +15,7 @@ import numpy as np
 from scipy import sparse
 
 from laplace_core.errors import InputError
-from laplace_core.planning.policies import selection, solve_discounted
+from laplace_core.planning.policies import Discounted, selection, solve_discounted
 from laplace_core.worlds.model import World
 
 
@@ -50,14 +50,14 @@ class _Successors:
         moves, first = (pi @ world.transition_matrix).tocsr(), world.transition_matrix[pairs]
         reached = _closure(moves, np.unique(first.indices))
         self.first = first[:, reached].toarray().T
-        self.moves_transposed = moves[reached][:, reached].T.tocsc()
+        self.system = Discounted(moves[reached][:, reached].T)
         self.rewards = (pi @ world.reward_probabilities)[reached]
 
     def discounted_rewards(self, gamma: float) -> np.ndarray:
         """E sum_{tau >= 1} gamma^(tau - 1) 1[r_tau = v], shape ``(A, V)``."""
         if not self.first.size:
             return np.zeros((self.first.shape[1], self.rewards.shape[1]))
-        return solve_discounted(self.moves_transposed, gamma, self.first).T @ self.rewards
+        return self.system.solve(gamma, self.first).T @ self.rewards
 
 
 def _closure(moves: sparse.csr_array, states: np.ndarray) -> np.ndarray:

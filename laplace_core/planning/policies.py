@@ -50,17 +50,31 @@ _RESIDUAL = 1e-12
 
 
 def solve_discounted(moves: sparse.sparray, gamma: float, right: np.ndarray) -> np.ndarray:
-    """x in (I - gamma M) x = b, for b of shape ``(S,)`` or ``(S, n)``.
+    """x in (I - gamma M) x = b at one discount: see :meth:`Discounted.solve`."""
+    return Discounted(moves).solve(gamma, right)
 
-    By one sparse factorisation; where its factors would be nearly dense, by BiCGSTAB (van der Vorst 1992), to a
-    residual of 1e-12 of b. The rows of M, or its columns, sum to at most 1, so that x is then exact to
-    1e-12 / (1 - gamma) of b, in the largest element or in the sum.
-    """
-    from scipy.sparse.linalg import splu  # half the library's import time, and only needed to solve
 
-    system = sparse.eye_array(moves.shape[0], format="csc") - gamma * moves.tocsc()
-    iterated = _iterated(system, right) if _products_to_factorise(moves) > _DIRECT else None
-    return splu(system).solve(right) if iterated is None else iterated
+class Discounted:
+    """(I - gamma M) x = b of one matrix M at any discount. The rows of M, or its columns, sum to at most 1."""
+
+    def __init__(self, moves: sparse.sparray):
+        self._system = sparse.eye_array(moves.shape[0], dtype=complex, format="csc") + 1j * moves.tocsc()
+        self._system.sum_duplicates()  # in the order that the factorisation puts them in
+        # The entries of I are the real part and those of M the imaginary one: only their difference is left to do.
+        self._identity, self._moves = self._system.data.real.copy(), self._system.data.imag.copy()
+        self._iterates = _products_to_factorise(moves) > _DIRECT
+
+    def solve(self, gamma: float, right: np.ndarray) -> np.ndarray:
+        """x for b of shape ``(S,)`` or ``(S, n)``.
+
+        By one sparse factorisation; where its factors would be nearly dense, by BiCGSTAB (van der Vorst 1992), to a
+        residual of 1e-12 of b: x is then exact to 1e-12 / (1 - gamma) of b, in the largest element or in the sum.
+        """
+        from scipy.sparse.linalg import splu  # half the library's import time, and only needed to solve
+
+        self._system.data = self._identity - gamma * self._moves
+        iterated = _iterated(self._system, right) if self._iterates else None
+        return splu(self._system).solve(right) if iterated is None else iterated
 
 
 def _products_to_factorise(moves: sparse.sparray) -> float:
@@ -130,10 +144,14 @@ def greedy_policy(world: World, gamma: float, warm_start: np.ndarray | None = No
     raise ArithmeticError(f"policy iteration on {world.name!r} at gamma={gamma:g} did not converge")
 
 
-def _swept_policy(world: World, gamma: float, sweeps: int = 1_000) -> np.ndarray:
+_SMALL = 200
+"""States of a world in which a factorisation costs no more than some twenty products."""
+
+
+def _swept_policy(world: World, gamma: float) -> np.ndarray:
     """A first guess by value iteration: a sweep is a product, a step of policy iteration a factorisation."""
     values = np.zeros(world.n_states)
-    for _ in range(sweeps):
+    for _ in range(1_000 if world.n_states > _SMALL else 50):
         q = action_values(world, values, gamma)
         change = np.abs(q.max(axis=1) - values).max()
         values = q.max(axis=1)
@@ -146,7 +164,8 @@ def target_policies(world: World, gammas: np.ndarray, kind: str, acting_gamma: f
     """The policy that each discount evaluates, one ``(S,)`` array a discount.
 
     ``shared``: all the one that is greedy at ``acting_gamma``, which makes gamma-space a true transform.
-    ``per_gamma``: each its own greedy policy, as in the paper; no single process has these values.
+    ``per_gamma``: each its own greedy policy, as in the paper; no single process has these values. Neighbours that
+    have the same policy share one object.
     """
     if kind not in TARGET_POLICIES:
         raise InputError(f"policy {kind!r} is not one of {', '.join(TARGET_POLICIES)}.")
@@ -154,5 +173,7 @@ def target_policies(world: World, gammas: np.ndarray, kind: str, acting_gamma: f
         return [greedy_policy(world, acting_gamma)] * len(gammas)
     policies: list[np.ndarray] = []
     for gamma in gammas:
-        policies.append(greedy_policy(world, float(gamma), policies[-1] if policies else None))
+        last = policies[-1] if policies else None
+        policy = greedy_policy(world, float(gamma), last)
+        policies.append(policy if last is None or not np.array_equal(policy, last) else last)
     return policies

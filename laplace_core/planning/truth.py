@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+from scipy import sparse
 
 from laplace_core.planning.policies import action_values, selection
 from laplace_core.worlds.model import World
@@ -15,14 +16,16 @@ def reward_timeline(world: World, state: int, policy: np.ndarray, steps: int) ->
     """
     pairs = slice(state * world.n_actions, (state + 1) * world.n_actions)
     pi = selection(world, policy)
-    # Turned once: a dense matrix times a sparse one turns the sparse one at every product.
-    moves, rewards = ((pi @ matrix).T.tocsr() for matrix in (world.transition_matrix, world.reward_probabilities))
-    timeline = np.zeros((world.n_actions, steps, rewards.shape[0]))
+    moves, rewards = pi @ world.transition_matrix, pi @ world.reward_probabilities
+    # Where a step leads and what it pays, in one product that scipy need not transpose at every step.
+    step = sparse.hstack([moves, rewards], format="csr").T
+    timeline = np.zeros((world.n_actions, steps, rewards.shape[1]))
     timeline[:, 0] = world.reward_probabilities[pairs].toarray()
     distribution = world.transition_matrix[pairs].toarray().T
     for tau in range(1, steps):
-        timeline[:, tau] = (rewards @ distribution).T
-        distribution = moves @ distribution
+        after = step @ distribution
+        distribution, paid = after[: world.n_states], after[world.n_states :]
+        timeline[:, tau] = paid.T
     return timeline
 
 

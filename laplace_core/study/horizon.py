@@ -21,8 +21,10 @@ def expected_rewards(tau_space: np.ndarray, midpoints: np.ndarray) -> np.ndarray
     return tau_space @ midpoints
 
 
-def deadline_weights(horizon: float, steps: int, softness: float = 0.0, time_step: float = 1.0) -> np.ndarray:
-    """How much each row counts under a deadline, shape ``(steps,)``, in [0, 1].
+def deadline_weights(
+    horizon: float | np.ndarray, steps: int, softness: float = 0.0, time_step: float = 1.0
+) -> np.ndarray:
+    """How much each row counts under a deadline, in [0, 1]: ``(steps,)``, or ``(n, steps)`` of horizons ``(n, 1)``.
 
     sigmoid((T - 1/2 - tau) / width) with width = softness * T; softness 0 is the hard deadline, tau < T - 1/2,
     and a row right on it counts half.
@@ -32,8 +34,8 @@ def deadline_weights(horizon: float, steps: int, softness: float = 0.0, time_ste
     """
     if not (np.isfinite(softness) and softness >= 0):
         raise InputError(f"softness is {softness:g}; it must be zero or a positive number.")
-    if not (np.isfinite(horizon) and horizon > 0):
-        raise InputError(f"the horizon is {horizon:g}; it must be a positive number of steps.")
+    if not np.all(np.isfinite(horizon) & (np.asarray(horizon) > 0)):
+        raise InputError(f"the horizon is {np.min(horizon):g}; it must be a positive number of steps.")
     tau = np.arange(steps) * time_step
     if softness < 1e-9:  # narrower than any step: the limit, before the division overflows
         return np.heaviside(np.round(horizon - 0.5 - tau, 9), 0.5)
@@ -54,8 +56,8 @@ def horizon_values(rewards: np.ndarray, gamma: float, softness: float = 0.0, tim
     discounted = rewards * gamma ** (np.arange(steps) * time_step)
     if softness == 0:
         return np.cumsum(discounted, axis=-1)
-    weights = [deadline_weights(T, steps, softness, time_step) for T in row_horizons(steps, time_step)]
-    return discounted @ np.array(weights).T
+    horizons = row_horizons(steps, time_step)[:, None]
+    return discounted @ deadline_weights(horizons, steps, softness, time_step).T
 
 
 def target_discounts(

@@ -57,6 +57,18 @@ class Curves:
     episodes: int
     best: int | None
 
+    @property
+    def in_words(self) -> str:
+        """The last return and the best evaluation."""
+        words = []
+        if self.episodes:
+            words.append(f"return now {self.smooth[-1]:,.4g} over {self.episodes:,} episodes")
+        if self.best is not None:
+            at = self.best
+            error = f" ± {self.errors[at]:.2g}" if self.errors[at] else ""
+            words.append(f"best evaluation {self.scores[at]:,.4g}{error} at step {self.steps[at]:,}")
+        return " · ".join(words) or "no episode has ended yet"
+
 
 class Reader:
     """Follows the metrics of one run."""

@@ -3,15 +3,21 @@ those that were given in their place; and the command and the folder's name that
 
 from __future__ import annotations
 
+from functools import lru_cache
 from importlib import resources
 from typing import Any
 
-from laplace_core.agents.settings import SETTINGS, LoopSettings
+from laplace_core.agents.settings import LOOP_SCHEMA, SETTINGS, LoopSettings
 from laplace_core.environments import ENVIRONMENTS, GYMNASIUM
 from laplace_core.errors import InputError
 from laplace_core.files.strict_json import parse_json
-from laplace_core.parameters import as_text
+from laplace_core.parameters import Parameter, as_text
 from laplace_core.study.settings import flag
+
+LOOKS = 20
+"""Evaluations in a run that somebody looks at, at least: a curve of fewer points says little."""
+_SHOWN_OWN = 8  # settings that only one algorithm has, the grids first: what a run is about
+_SHOWN_LOOP = ("steps", "learning_rate")
 
 
 def tuned_settings(algorithm: str, environment: str) -> dict[str, Any]:
@@ -66,3 +72,47 @@ def settings_of(algorithm: str | None, environment: str | None, given: dict[str,
         if name in given:
             raise InputError(f"{name} changes nothing {reason}: leave it out.")
     return settings
+
+
+@lru_cache(maxsize=256)
+def suited_settings(algorithm: str, environment: str) -> LoopSettings:
+    """The same with nothing given.
+
+    Raises:
+        InputError: as of :func:`settings_of`.
+    """
+    return settings_of(algorithm, environment, {})
+
+
+def with_looks(usual: LoopSettings, given: dict[str, Any]) -> LoopSettings:
+    """Other settings in the place of some, with at least :data:`LOOKS` evaluations where nothing is said of them.
+
+    Raises:
+        InputError: values that do not fit each other.
+    """
+    steps = int(given.get("steps", usual.steps))
+    often = {"evaluate_every": min(usual.evaluate_every, max(1, steps // LOOKS))}
+    return usual.parse(usual.as_dict() | often | given)
+
+
+def changed(settings: LoopSettings) -> list[str]:
+    """What settings have that the suited ones have not, in words; nothing where those cannot be read."""
+    try:
+        usual = suited_settings(settings.ALGORITHM, settings.environment)
+    except InputError:
+        return []
+    words = []
+    for name in (p.name for p in settings.SCHEMA if p.name not in ("seed", "evaluate_every")):
+        value = getattr(settings, name)
+        if value != getattr(usual, name):
+            words.append(f"{name} {value:g}" if isinstance(value, float) else f"{name} {value}")
+    return words
+
+
+def fields(algorithm: str) -> tuple[list[Parameter], list[Parameter]]:
+    """The settings of an algorithm: the handful that matter, and all others; seed and environment in neither."""
+    schema = [p for p in SETTINGS[algorithm].SCHEMA if p.name not in ("environment", "seed")]
+    common = {parameter.name for parameter in LOOP_SCHEMA}
+    own = [parameter for parameter in schema if parameter.name not in common]
+    first = [p for p in schema if p.name in _SHOWN_LOOP] + own[:_SHOWN_OWN]
+    return first, [*own[_SHOWN_OWN:], *(p for p in schema if p.name in common and p.name not in _SHOWN_LOOP)]

@@ -14,7 +14,7 @@ import torch
 from laplace_core.acting.evaluation import Scores, evaluate
 from laplace_core.agents.settings import LoopSettings
 from laplace_core.environments.vector import Environments, make
-from laplace_core.training import memory
+from laplace_core.supervise import memory
 from laplace_core.training.checkpoint import new_agent, save_checkpoint
 from laplace_core.training.events import Checkpoint, Episode, Evaluation, Event, Resumed, Step
 from laplace_core.training.replay import buffer_of

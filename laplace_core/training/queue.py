@@ -83,6 +83,12 @@ class Run:
         """Whether it has a process."""
         return self.state in (TRAINING, STOPPING)
 
+    @property
+    def best(self) -> Path | None:
+        """The checkpoint of the best evaluation so far; None before the first."""
+        path = self.folder / "best.safetensors"
+        return path if path.is_file() and not path.is_symlink() else None
+
 
 class Queue:
     """The runs in ``folder``.

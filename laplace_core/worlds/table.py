@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from laplace_core.errors import InputError
-from laplace_core.parameters import NUMBER
+from laplace_core.parameters import NUMBER, as_text
 from laplace_core.worlds.model import (
     END,
     MAX_OUTCOMES,
@@ -33,6 +33,34 @@ def world_rows(world: World) -> list[dict[str, Any]]:
         dict(zip(COLUMNS, (world.states[s], world.actions[a], p, r, following[successor]), strict=True))
         for s, a, p, r, successor in zip(*(column.tolist() for column in columns), strict=True)
     ]
+
+
+def as_cells(rows: Iterable[Mapping[str, Any]]) -> list[dict[str, str | None]]:
+    """Rows as a table on a page holds them, every cell a text.
+
+    Cells of numbers may leave out what they cannot read: 2,5 becomes 25 and 1.5 steps become 15. What is typed into a
+    text comes as it is, and what is no number is refused here.
+    """
+    return [{name: None if value is None else as_text(value) for name, value in row.items()} for row in rows]
+
+
+def from_cells(row: Mapping[str, Any]) -> dict[str, Any]:
+    """A row of a table of texts with its numbers as numbers; of a blank row nothing is left."""
+    texts = {name: str(value).strip() for name, value in row.items() if value is not None}
+    return {
+        name: (int if name == "tau" else float)(float(text)) if NUMBER.fullmatch(text) and name != "action" else text
+        for name, text in texts.items()
+    }
+
+
+def with_rows(world: World, rows: Iterable[Mapping[str, Any]]) -> World:
+    """The world of the rows of a table that was opened with another one.
+
+    Raises:
+        InputError: as of :func:`world_from_rows`.
+    """
+    kept = ("name", "states", "actions", "start", "suggested", "positions")
+    return world_from_rows(rows, **{name: getattr(world, name) for name in kept})
 
 
 def world_from_rows(

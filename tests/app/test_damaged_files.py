@@ -13,10 +13,11 @@ from typing import Any
 import pytest
 
 from app.catalogue import checkpoints, tabular
-from app.train import schema
 from laplace_core import InputError
+from laplace_core.experiments import shipped_agents
 from laplace_core.experiments.shipping import MANIFEST, curves_of, damaged, manifest
 from laplace_core.figures.training import Band, score_curve, shipped_curves
+from laplace_core.tabular import shipped as shipped_learners
 from laplace_core.training import defaults
 from tests.support.hostile import assert_one_sentence
 from tests.support.pages import labels, opened
@@ -24,8 +25,11 @@ from tests.support.pages import labels, opened
 AGENT, OTHER = "c51_CartPole-v1", "dqn_CartPole-v1"
 TABULAR = "fig6_chain_td"
 CURVE = f"{AGENT}.curve.json"
-_CACHES = (checkpoints.shipped, checkpoints._shipped, checkpoints._shipped_curves, checkpoints._damaged,
-           tabular.shipped_agents, tabular._read)  # fmt: skip
+
+
+def forget() -> None:
+    shipped_agents.forget()
+    shipped_learners.forget()
 
 
 @pytest.fixture
@@ -43,11 +47,6 @@ def folder(tmp_path, monkeypatch) -> Iterator[Path]:
     forget()
     yield tmp_path
     forget()
-
-
-def forget() -> None:
-    for cache in _CACHES:
-        cache.cache_clear()
 
 
 ODD: tuple[Any, ...] = (math.nan, math.inf, -1, 10**400, "", "seven", None, [], [[1]], {}, True, 1e308, {"x": [None]})
@@ -94,7 +93,7 @@ def use_everything(folder: Path) -> dict[str, str]:
 
 def test_nothing_is_left_out_of_what_ships():
     assert damaged(checkpoints.SHIPPED) == {}
-    assert tabular.shipped_agents() == {TABULAR: None}
+    assert tabular.learners() == {TABULAR: None}
 
 
 def test_a_manifest_changed_at_any_place_leaves_the_agents(folder, subtests):
@@ -154,7 +153,7 @@ def test_an_agent_cut_or_changed_is_left_out(folder, subtests, name):
             path.write_bytes(content[:size])
             use_everything(folder)
             assert set(checkpoints.shipped()) == {AGENT, OTHER} - {name}
-            assert (tabular.shipped_agents()[TABULAR] is None) == (name != TABULAR)
+            assert (tabular.learners()[TABULAR] is None) == (name != TABULAR)
     path.write_bytes(content[:-4] + b"\x00\x00\xc0\x7f")  # a weight that is not a number
     use_everything(folder)
     assert set(checkpoints.shipped()) == {AGENT, OTHER} - {name}
@@ -192,8 +191,8 @@ def test_a_file_of_settings_that_is_damaged_is_one_sentence_on_the_page_of_train
     (tmp_path / "settings" / "laplace").mkdir(parents=True)
     (tmp_path / "settings" / "laplace" / "CartPole-v1.json").write_text(text)
     monkeypatch.setattr(defaults.resources, "files", lambda package: tmp_path)
-    schema._usual.cache_clear()
+    defaults.suited_settings.cache_clear()
     page = opened(screen="train")
-    schema._usual.cache_clear()
+    defaults.suited_settings.cache_clear()
     assert len(page.error) == 1
     assert_one_sentence(page.error[0].value)

@@ -20,16 +20,16 @@ import streamlit as st
 from streamlit.runtime.memory_uploaded_file_manager import MemoryUploadedFileManager
 
 from app.session import limits, record
-from app.session.link import pack
 from app.view import compute
 from app.view.export import MOST_LINES
-from app.view.subjects import Exact, View
 from laplace_core import InputError, Settings, World, figures, load_world
 from laplace_core.caching import BUDGET
 from laplace_core.figures.comparison import MOST_COLUMNS, MOST_ROWS, farthest
+from laplace_core.files.packed_text import pack
 from laplace_core.study.compare import Difference
 from laplace_core.study.settings import resolve
 from laplace_core.study.size import largest_study
+from laplace_core.subjects import Exact, View
 from tests.support.pages import choose, link, opened, pin, run, shown, upload, verdict
 from tests.support.unpacking import unpacked
 
@@ -100,7 +100,7 @@ def test_the_process_grows_by_no_more_than_its_budget():
         import psutil
         from app.session import limits
         from app.view import compute
-        from app.view.subjects import Exact, View
+        from laplace_core.subjects import Exact, View
         from laplace_core import Settings, load_world
         from laplace_core.caching import BUDGET
         from laplace_core.study.settings import resolve

@@ -47,7 +47,11 @@ for code in ("import fcntl", "import resource", "import pwd", "import os; os.get
 """
 
 PAGES = """
+import functools
+from streamlit.components.v2 import manifest_scanner
 from streamlit.testing.v1 import AppTest
+scan = manifest_scanner.scan_component_manifests
+manifest_scanner.scan_component_manifests = functools.cache(scan)  # as in tests/conftest.py
 for screen in sys.argv[1].split(","):
     page = AppTest.from_file("app/main.py", default_timeout=120)
     if screen != "worlds":
@@ -66,8 +70,8 @@ from tests.support.quick_runs import SMALL, until
 from laplace_core.training.curves import Reader
 from laplace_core import load_world
 from laplace_core.tabular import LearnSettings, start
-from app.catalogue import training_runs
-assert training_runs._temporary().is_dir()
+from laplace_core.files.folders import temporary
+assert temporary("laplace_runs").is_dir()
 runs = Queue(sys.argv[1])
 name = runs.add(SMALL)
 while (process := read_process(runs.folder / name)) is None:

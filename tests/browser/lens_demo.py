@@ -8,12 +8,12 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 import streamlit as st
 
 from app.components.lens import Released, lens
-from app.components.lens.payload import payload, structure
-from app.components.lens.state import checked, state_of
 from app.worlds.presets import presets_for
 from app.worlds.schema import LINK
 from app.worlds.sources import view_of
 from laplace_core import World, study
+from laplace_core.payloads.lens import payload, structure
+from laplace_core.payloads.state import checked, state_of
 from laplace_core.study.settings import Resolved
 
 

@@ -8,9 +8,9 @@ import re
 import pytest
 from playwright.sync_api import expect
 
-from app.session.link import pack, unpack
 from app.worlds.sources import FIRST_TIMELINE
 from laplace_core import Settings, load_world, study, study_of_gamma_space
+from laplace_core.files.packed_text import pack, unpack
 from laplace_core.study.npz import read_gamma_space
 from laplace_core.worlds import dump_world, parse_world
 from tests.browser.support import comes_to_show, open_at, settled

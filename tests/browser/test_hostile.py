@@ -7,7 +7,7 @@ from urllib.parse import urlencode
 
 import pytest
 
-from app.session.link import pack
+from laplace_core.files.packed_text import pack
 from tests.browser.support import DRAWN, settled
 from tests.support.hostile_inputs import HOST, NAMES
 

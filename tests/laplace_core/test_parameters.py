@@ -13,6 +13,7 @@ from laplace_core.parameters import (
     Parameter,
     Schema,
     choice,
+    from_variables,
     like,
     parse_named,
     schema_of,
@@ -132,3 +133,16 @@ def test_a_value_out_of_its_range_is_refused_when_the_settings_are_built(subtest
 def test_a_worlds_switches_keep_their_ends_in_the_list_of_worlds(capsys):
     main(["worlds", "--json"])
     assert '"name": "auxiliary",\n     "default": false,\n     "low": 0,\n     "high": 1,' in capsys.readouterr().out
+
+
+@dataclass(frozen=True)
+class OfProcess:
+    places: int = setting(2, 1, 9, "Places.")
+    quiet: bool = switch("Whether nothing is said.", default=False)
+
+
+def test_variables_of_the_process_state_settings():
+    assert from_variables(OfProcess, {}, "LINE_") == {}
+    assert from_variables(OfProcess, {"LINE_PLACES": "3", "LINE_QUIET": " ", "places": "4"}, "LINE_") == {"places": 3}
+    with pytest.raises(InputError, match=r"^environment variable LINE_PLACES: places must be a whole number"):
+        from_variables(OfProcess, {"LINE_PLACES": "ten"}, "LINE_")

@@ -22,7 +22,7 @@ from urllib.parse import urlencode
 
 import numpy as np
 
-from app.session.link import pack
+from laplace_core.files.packed_text import pack
 
 HOST = "evil.example"
 """Of every address in them; no browser may ever ask for it."""

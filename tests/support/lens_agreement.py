@@ -14,11 +14,11 @@ from typing import Any
 
 import numpy as np
 
-from app.components.lens.payload import Simulated, payload, structure
-from app.components.lens.state import state_of
 from laplace_core import Settings, load_world, study, study_of_gamma_space
 from laplace_core.code.interpolation import with_added
 from laplace_core.experiments.views import View, draw_view
+from laplace_core.payloads.lens import Simulated, payload, structure
+from laplace_core.payloads.state import state_of
 from laplace_core.study.verdict import judge
 from tests.support.lens_reference import seen, unpacked
 

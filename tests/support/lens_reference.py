@@ -10,11 +10,11 @@ from typing import Any
 
 import numpy as np
 
-from app.components.lens.payload import LEVELS
 from laplace_core import GammaSpace, Study
 from laplace_core.code.encoding import reward_distance
 from laplace_core.code.gamma_space import encode, softened, with_noise
 from laplace_core.code.ties import greedy_action
+from laplace_core.payloads.lens import LEVELS
 from laplace_core.study.horizon import regret
 from laplace_core.study.kernels import averaging_kernel_of, discount_kernel_of
 from laplace_core.study.pipeline import read_study, rows_decoded
@@ -22,7 +22,7 @@ from laplace_core.study.settings import Resolved
 
 
 def unpacked(data: bytes) -> tuple[dict[str, Any], dict[str, np.ndarray]]:
-    """Header and arrays of :func:`app.components.lens.payload.payload`."""
+    """Header and arrays of :func:`laplace_core.payloads.lens.payload`."""
     (length,) = struct.unpack_from("<I", data)
     header, arrays = json.loads(data[4 : 4 + length]), {}
     for name, (kind, at, shape) in header["arrays"].items():

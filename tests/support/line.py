@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import threading
 
-from app.session.jobs import Kind, Line, Progress
+from laplace_core.supervise.jobs import Kind, Line, Progress
 
 LIMIT, MOST = 100.0, 50
 """Seconds that a job may take, and jobs that may wait."""
@@ -22,6 +22,23 @@ class Server:
 
     def kind(self, most: int = MOST, **more) -> Kind:
         return Kind("of a test", most, line=lambda: self.line, **more)
+
+
+class Stub:
+    """A run that goes on until it is told to end."""
+
+    error = None
+
+    def __init__(self):
+        self.finished = False
+
+    def cancel(self):
+        self.finished = True
+
+    def progress(self):
+        return None
+
+    history = snapshot = progress
 
 
 class Gate:

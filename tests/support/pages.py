@@ -16,12 +16,12 @@ from streamlit.delta_generator import DeltaGenerator
 from streamlit.testing.v1 import AppTest
 
 from app.session import KEY, Session
-from app.session.link import pack
-from app.view.subjects import View
-from app.worlds.learners import Watched, _Runs
 from app.worlds.schema import LINK
 from app.worlds.sources import view_of
 from laplace_core import Study
+from laplace_core.files.packed_text import pack
+from laplace_core.subjects import View
+from laplace_core.tabular.work import Runs, Watched
 from tests.support.lens_reference import seen
 
 MAIN = str(Path(__file__).resolve().parents[2] / "app" / "main.py")
@@ -46,7 +46,7 @@ def session(page: AppTest) -> Session:
 
 def runs_of(page: AppTest) -> dict[str, Watched]:
     """The learners of this session, by their keys in the link."""
-    return {key[:10]: run for key, run in session(page).parts[_Runs].watched.items()}
+    return {key[:10]: run for key, run in session(page).parts[Runs].watched.items()}
 
 
 def run(page: AppTest) -> AppTest:

@@ -19,12 +19,15 @@ ROOT = Path(__file__).resolve().parents[2]
 FOLDERS = ("app", "laplace_core")
 
 _FOLLOWED = """
-import contextlib, io, json, shutil, sys
+import contextlib, functools, io, json, shutil, sys
 from pathlib import Path
+from streamlit.components.v2 import manifest_scanner
 from streamlit.testing.v1 import AppTest
 import laplace_core
 from laplace_core.cli import main
 
+scan = manifest_scanner.scan_component_manifests
+manifest_scanner.scan_component_manifests = functools.cache(scan)  # as in tests/conftest.py
 assert Path(laplace_core.__file__).is_relative_to(Path.cwd())
 commands, copies, asked = json.loads(sys.argv[1])
 printed = []
@@ -72,7 +75,8 @@ class Workshop:
         self.runs = self.root / "runs"
         self.packages.mkdir(parents=True)
         for name in FOLDERS:
-            shutil.copytree(ROOT / name, self.root / name, ignore=shutil.ignore_patterns("__pycache__"))
+            # With what is compiled already: Python compiles anew what a recipe changes, by its time and size.
+            shutil.copytree(ROOT / name, self.root / name)
 
     def insert(self, path: str, before: str, text: str) -> None:
         """Put text before the only place in a file that reads ``before``."""

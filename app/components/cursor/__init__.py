@@ -13,6 +13,7 @@ import streamlit as st
 from app import session
 from app.components import assets
 from app.session import message
+from laplace_core.payloads.packing import pack
 
 HELD = 4
 """Payloads of each kind that a browser keeps (js/cursor/cursor.js)."""
@@ -45,5 +46,5 @@ def under_cursor(
             if on_step is not None:
                 on_step(int(step))
 
-    packed = message.pack({"id": digest, "revision": channel.revision, "at": at, **extra}, channel.due(digest, data))
+    packed = pack({"id": digest, "revision": channel.revision, "at": at, **extra}, channel.due(digest, data))
     assets.component(kind)(key=widget, data=packed, on_rested_change=rested, height="content")

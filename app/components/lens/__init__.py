@@ -1,7 +1,7 @@
 """The lens: gamma-space, tau-space and what is read from them, moving in the browser as fast as it draws.
 
 The inverse is linear. The browser gets its factors once per world, grid and policy
-(:mod:`app.components.lens.payload`) and computes everything else; Python gets the state when a control is released.
+(:mod:`laplace_core.payloads.lens`) and computes everything else; Python gets the state when a control is released.
 """
 
 from __future__ import annotations
@@ -17,6 +17,7 @@ import streamlit as st
 from app import session
 from app.components import assets
 from app.session import message
+from laplace_core.payloads.packing import pack
 
 _HELD = 2
 """Payloads that a browser keeps (js/lens/models.js); what it holds is not sent again."""
@@ -106,13 +107,13 @@ def lens(
     lead: Mapping[str, Any] | None = None,
     followed: Mapping[str, Any] | None = None,
 ) -> None:
-    """Draw the lens; the state that is released has to pass through :func:`app.components.lens.state.checked`.
+    """Draw the lens; the state that is released has to pass through :func:`laplace_core.payloads.state.checked`.
 
     What is sent, and what the browser makes of it, is a rule of its own: :mod:`app.session.message`.
 
     Args:
-        data: from :func:`app.components.lens.payload.payload`.
-        state: what the controls hold; :func:`app.components.lens.state.state_of`.
+        data: from :func:`laplace_core.payloads.lens.payload`.
+        state: what the controls hold; :func:`laplace_core.payloads.state.state_of`.
         base: where Reset leads; default: ``state``.
         on_release: called before the rerun, as a widget's callback.
         said: the verdict on ``state``; without it the lens judges by itself.
@@ -150,7 +151,7 @@ def lens(
         if on_release is not None:
             on_release(report)
 
-    packed = message.pack(header, channel.due(digest, data))
+    packed = pack(header, channel.due(digest, data))
     assets.component("lens", "entry")(key=widget, data=packed, on_released_change=released, height="content")
 
 

@@ -1,6 +1,6 @@
 """The player: an episode under a cursor that moves in the browser, and the lens beside it follows.
 
-The browser gets the episode once (:mod:`app.components.player.payload`). While the cursor moves, the player hands the
+The browser gets the episode once (:mod:`laplace_core.payloads.player`). While the cursor moves, the player hands the
 lens the gamma-space of each step; when it comes to rest Python gets the step, and the lens the exact gamma-space of it.
 """
 
@@ -10,7 +10,6 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 from app.components.cursor import under_cursor
-from app.components.player.payload import payload
 
 
 def player(
@@ -20,7 +19,7 @@ def player(
     """Draw the player.
 
     Args:
-        data: from :func:`payload`.
+        data: from :func:`laplace_core.payloads.player.payload`.
         at: the step under the cursor.
         names: of the numbers of an observation, with their units; none for a tabular world.
         on_step: called with the step at which the cursor came to rest, before the rerun, as a widget's callback.
@@ -30,6 +29,3 @@ def player(
     """
     extra = {"names": list(names), "actions": list(action_names), "seconds": seconds, "flags": flags}
     under_cursor("player", key, data, at=at, extra=extra, on_step=on_step)
-
-
-__all__ = ["payload", "player"]

@@ -1,6 +1,6 @@
 """The race track: two episodes side by side under one cursor, and their returns until the deadline, in the browser.
 
-The browser gets a race once (:mod:`app.components.track.payload`); to move the cursor needs no server. When it comes to
+The browser gets a race once (:mod:`laplace_core.payloads.track`); to move the cursor needs no server. When it comes to
 rest Python gets the step, so that the link holds it.
 """
 
@@ -9,7 +9,6 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from app.components.cursor import under_cursor
-from app.components.track.payload import payload
 
 COLOURS = ("#0072B2", "#D55E00")
 """Of the left and the right side, here and in the picture of many races; two of Okabe and Ito's."""
@@ -22,7 +21,7 @@ def track(
     """Draw a race.
 
     Args:
-        data: from :func:`payload`.
+        data: from :func:`laplace_core.payloads.track.payload`.
         at: how many steps are over under the cursor.
         names: of the left and the right side.
         on_step: called with the steps at which the cursor came to rest, before the rerun, as a widget's callback.
@@ -30,6 +29,3 @@ def track(
     """
     extra = {"names": list(names), "actions": list(action_names), "seconds": seconds, "colours": COLOURS}
     under_cursor("track", key, data, at=at, extra=extra, on_step=on_step)
-
-
-__all__ = ["COLOURS", "payload", "track"]

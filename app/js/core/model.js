@@ -5,7 +5,7 @@ import { filled } from './network.js';
 
 /**
  * A model of a payload.
- * @param {Uint8Array} bytes - as app/components/lens/payload.py packs them
+ * @param {Uint8Array} bytes - as laplace_core/payloads/lens.py packs them
  * @returns {Model & { bytes: Uint8Array }}
  */
 export function read(bytes) {

@@ -28,7 +28,7 @@ export function levelsOf(halves, steps) {
 
 /**
  * An episode of a payload.
- * @param {Uint8Array} bytes - as app/components/player/payload.py packs them
+ * @param {Uint8Array} bytes - as laplace_core/payloads/player.py packs them
  * @returns {Promise<Omit<Reel, 'id'>>}
  */
 export async function openReel(bytes) {

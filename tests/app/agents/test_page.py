@@ -15,6 +15,7 @@ from app.catalogue import checkpoints
 from app.session import KEY
 from app.view import compute
 from laplace_core import InputError, Settings
+from laplace_core.acting import estimates
 from laplace_core.acting.continuations import continue_from
 from laplace_core.acting.cost import StepCost
 from laplace_core.acting.flags import flag_steps
@@ -23,6 +24,7 @@ from laplace_core.agents import ENVIRONMENTS, LaplaceSettings
 from laplace_core.code.encoding import softening
 from laplace_core.code.interpolation import with_added
 from laplace_core.environments import environment_of, vector
+from laplace_core.experiments import shipped_agents
 from laplace_core.study.settings import resolve_for_gamma_space
 from laplace_core.training.checkpoint import load_checkpoint, new_agent, save_checkpoint
 from tests.support.lens_reference import unpacked
@@ -38,13 +40,9 @@ def shipped(tmp_path, monkeypatch):
         agent = new_agent(LaplaceSettings(environment=environment, hidden=8, features=4, theta_max=12.0))
         save_checkpoint(tmp_path / f"laplace_{environment}.safetensors", agent, 100, 21.5, episodes=20)
     monkeypatch.setattr(checkpoints, "SHIPPED", tmp_path)
-    checkpoints.shipped.cache_clear()
-    checkpoints._shipped.cache_clear()
-    checkpoints._shipped_curves.cache_clear()
+    shipped_agents.forget()
     yield tmp_path
-    checkpoints.shipped.cache_clear()
-    checkpoints._shipped.cache_clear()
-    checkpoints._shipped_curves.cache_clear()
+    shipped_agents.forget()
 
 
 def opened(**query: str) -> AppTest:
@@ -63,9 +61,9 @@ def words(page: AppTest) -> str:
 
 def test_without_an_agent_the_page_says_how_to_get_one(tmp_path, monkeypatch):
     monkeypatch.setattr(checkpoints, "SHIPPED", tmp_path)
-    checkpoints.shipped.cache_clear()
+    shipped_agents.forget()
     page = opened()
-    checkpoints.shipped.cache_clear()
+    shipped_agents.forget()
     assert "train one" in page.info[0].value
 
 
@@ -342,7 +340,7 @@ def test_added_discounts_leave_what_was_simulated_in_its_place(shipped, few):
 
 
 def test_a_link_to_a_rollout_that_takes_long_says_how_long_and_waits_for_a_button(shipped, monkeypatch):
-    monkeypatch.setattr(jobs, "cost_of", lambda *given, **more: StepCost(0.0, 0.0, 0.3))  # 500 steps: 150 seconds
+    monkeypatch.setattr(estimates, "cost_of", lambda *given, **more: StepCost(0.0, 0.0, 0.3))  # 500 steps: 150 seconds
     page = opened(checkpoint="laplace_CartPole-v1", **{"r.shown": "yes", "r.seed": "77"})
     assert "This takes about 2 minutes." in words(page)
     assert not page.get("progress")
@@ -353,7 +351,7 @@ def test_a_link_to_a_rollout_that_takes_long_says_how_long_and_waits_for_a_butto
 
 
 def test_a_rollout_that_takes_longer_than_the_server_allows_cannot_be_begun(shipped, monkeypatch):
-    monkeypatch.setattr(jobs, "cost_of", lambda *given, **more: StepCost(0.0, 0.0, 60.0))  # 500 minutes
+    monkeypatch.setattr(estimates, "cost_of", lambda *given, **more: StepCost(0.0, 0.0, 60.0))  # 500 minutes
     page = opened(checkpoint="laplace_CartPole-v1", **{"r.shown": "yes", "r.seed": "78"})
     said = "This takes about 8 hours, and this server allows 10 minutes: lower T or choose a quicker rule."
     assert said in [warning.value for warning in page.warning]

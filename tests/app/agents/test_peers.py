@@ -3,17 +3,18 @@
 from __future__ import annotations
 
 import time
+from functools import partial
 
 import numpy as np
 import pytest
 from streamlit.testing.v1 import AppTest
 
-from app.agents import jobs
 from app.catalogue import checkpoints
 from laplace_core import InputError
 from laplace_core.acting.return_laws import return_laws, simulate_returns
 from laplace_core.acting.rollout import roll_out
 from laplace_core.agents.settings import SETTINGS, algorithm_title
+from laplace_core.experiments import shipped_agents
 from laplace_core.experiments.shipping import TrainingCurve
 from laplace_core.training.checkpoint import load_checkpoint, new_agent, save_checkpoint
 from tests.app.agents.test_page import opened, rolled_out, told, words
@@ -40,12 +41,9 @@ def shipped(tmp_path, monkeypatch):
     made(tmp_path, "qrdqn", "CartPole-v1")
     (tmp_path / "a_td.safetensors").write_bytes(b"opens on the page of worlds")
     monkeypatch.setattr(checkpoints, "SHIPPED", tmp_path)
-    caches = (checkpoints.shipped, checkpoints._shipped, checkpoints._shipped_curves)
-    for each in caches:
-        each.cache_clear()
+    shipped_agents.forget()
     yield tmp_path
-    for each in caches:
-        each.cache_clear()
+    shipped_agents.forget()
 
 
 def simulated(page: AppTest) -> AppTest:
@@ -106,9 +104,8 @@ def test_without_a_rollout_a_state_is_edited(shipped):
 
 
 def test_what_comes_stands_beside_what_was_learned(shipped, monkeypatch):
-    monkeypatch.setattr(
-        jobs, "simulate_returns", lambda *given, progress: simulate_returns(*given, count=7, progress=progress)
-    )
+    seven = partial(simulate_returns, count=7)
+    monkeypatch.setattr("laplace_core.acting.return_laws.simulate_returns", seven)
     page = rolled_out(checkpoint=f"c51_{WORLD}", **{"r.shown": "yes", "r.action": "long"})
     heights = charts(page)["codes"]["layout"]["height"]
     page = simulated(page)
@@ -184,8 +181,8 @@ def test_a_bad_link_to_a_peer_opens(shipped, query):
 
 def test_the_card_draws_how_the_score_came_about(shipped, monkeypatch):
     told = (TrainingCurve(1, (50.0, 100.0), (3.0, 21.5), (1.0, 1.0)), TrainingCurve(0, (50.0,), (2.0,), (1.0,)))
-    monkeypatch.setattr(checkpoints, "_shipped_curves", lambda name: told if name == f"c51_{WORLD}" else ())
-    monkeypatch.setattr(checkpoints._shipped_curves, "cache_clear", lambda: None, raising=False)
+    monkeypatch.setattr(shipped_agents, "curves", lambda folder, name: told if name == f"c51_{WORLD}" else ())
+    monkeypatch.setattr(shipped_agents.curves, "cache_clear", lambda: None, raising=False)
     drawn = charts(opened(checkpoint=f"c51_{WORLD}"))["card"]["data"]
     assert [trace["x"] for trace in drawn] == [[50.0], [50.0, 100.0], [100]]  # the shown seed over the others
     assert "card" not in charts(opened(checkpoint=f"dqn_{WORLD}"))
@@ -206,7 +203,7 @@ def test_a_cancelled_simulation_is_asked_for_anew(shipped, monkeypatch):
             progress(i, 10_000)
             time.sleep(0.01)
 
-    monkeypatch.setattr(jobs, "simulate_returns", slow)
+    monkeypatch.setattr("laplace_core.acting.return_laws.simulate_returns", slow)
     page = rolled_out(checkpoint=f"c51_{WORLD}", **{"r.shown": "yes"})
     page.button(key="simulate returns").click().run()
     page.button(key="cancel returns").click().run()

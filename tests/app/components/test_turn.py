@@ -10,10 +10,10 @@ import pytest
 from app.components import waiting
 from app.components.waiting import turn
 from app.view.compute import is_large
-from app.view.subjects import Exact, View
 from laplace_core import Settings, load_world
 from laplace_core.study.settings import resolve
 from laplace_core.study.size import set_largest_study
+from laplace_core.subjects import Exact, View
 
 
 def _view(**settings: int) -> View:

@@ -14,15 +14,18 @@ from streamlit.testing.v1 import AppTest
 
 from app.catalogue import checkpoints
 from app.components.track import COLOURS
-from app.components.track.payload import payload
-from app.race import jobs, schema, words
+from app.race import jobs, words
 from app.race.jobs import Control
 from laplace_core import figures
+from laplace_core.acting import estimates
 from laplace_core.acting.cost import StepCost
+from laplace_core.acting.deadlines import rules_of_race
 from laplace_core.acting.race import FIRST_START, Entrant, Races, race
 from laplace_core.acting.race import races as races_of
 from laplace_core.agents import SETTINGS, LaplaceSettings
+from laplace_core.experiments import shipped_agents
 from laplace_core.figures.race import piles
+from laplace_core.payloads.track import payload
 from laplace_core.training.checkpoint import Loaded, load_checkpoint, new_agent, save_checkpoint
 from tests.support.pages import MAIN, charts, link, press, run, wait
 
@@ -38,11 +41,9 @@ def shipped(tmp_path, monkeypatch):
         small = LaplaceSettings(environment=environment, hidden=8, features=4, gammas=5, thetas=9, theta_max=12.0)
         saved(tmp_path / f"laplace_{environment}.safetensors", small)
     monkeypatch.setattr(checkpoints, "SHIPPED", tmp_path)
-    for one in (checkpoints.shipped, checkpoints._shipped, checkpoints._shipped_curves):
-        one.cache_clear()
+    shipped_agents.forget()
     yield tmp_path
-    for one in (checkpoints.shipped, checkpoints._shipped, checkpoints._shipped_curves):
-        one.cache_clear()
+    shipped_agents.forget()
 
 
 def settled(page: AppTest) -> AppTest:
@@ -70,9 +71,9 @@ def told(page: AppTest) -> tuple[dict, bytes]:
 
 def test_without_an_agent_the_page_says_how_to_get_one(tmp_path, monkeypatch):
     monkeypatch.setattr(checkpoints, "SHIPPED", tmp_path)
-    checkpoints.shipped.cache_clear()
+    shipped_agents.forget()
     page = opened()
-    checkpoints.shipped.cache_clear()
+    shipped_agents.forget()
     assert "train one" in page.info[0].value
 
 
@@ -145,7 +146,7 @@ def test_cancel_leads_back_to_the_button(shipped, monkeypatch):
 def test_another_agent_can_be_the_left_side(shipped):
     other = LaplaceSettings(environment="CartPole-v1", hidden=8, features=4, gammas=3, thetas=5, theta_max=3.0, seed=1)
     saved(shipped / "laplace_CartPole-v1_other.safetensors", other)
-    checkpoints.shipped.cache_clear()
+    shipped_agents.forget()
     page = opened(checkpoint="laplace_CartPole-v1", d_T="30", d_gamma="0.5", d_at="2")
     gammas = load_checkpoint(shipped / "laplace_CartPole-v1.safetensors").agent.gammas
     assert told(page)[0]["names"][0] == f"greedy (γ {gammas[abs(gammas - 0.5).argmin()]:.3g})"
@@ -163,7 +164,7 @@ def test_another_agent_can_be_the_left_side(shipped):
 @pytest.mark.parametrize("algorithm", ["c51", "fixed_horizon"])
 def test_an_agent_without_a_gamma_space_races_on_either_side(shipped, algorithm):
     saved(shipped / f"{algorithm}_CartPole-v1.safetensors", SETTINGS[algorithm](hidden=8))
-    checkpoints.shipped.cache_clear()
+    shipped_agents.forget()
     name, rule = {"c51": ("C51", "greedy"), "fixed_horizon": ("Fixed-horizon DQN", "own")}[algorithm]
     page = opened(checkpoint="laplace_CartPole-v1", d_T="9", d_against=f"{algorithm}_CartPole-v1", d_left=rule)
     words = {"greedy": "greedy", "own": "learned values"}[rule]
@@ -209,7 +210,7 @@ def control(tmp_path) -> Control:
 
 def test_an_agent_of_fixed_horizons_has_one_rule(tmp_path):
     other = loaded(tmp_path, "b.safetensors", SETTINGS["fixed_horizon"](environment="two_branch", hidden=4))
-    assert schema.rules_of(other.agent) == ("own",)
+    assert rules_of_race(other.agent) == ("own",)
 
 
 def test_the_words_are_those_of_who_leads(control):
@@ -282,7 +283,7 @@ def test_dots_of_one_bin_are_piled_up_in_their_order():
 
 def slow_steps(monkeypatch, seconds: float) -> None:
     """Every step takes so long, as far as estimates go."""
-    monkeypatch.setattr(jobs, "cost_of", lambda *given, **more: StepCost(0.0, 0.0, seconds))
+    monkeypatch.setattr(estimates, "cost_of", lambda *given, **more: StepCost(0.0, 0.0, seconds))
 
 
 def captions(page: AppTest) -> str:
@@ -315,7 +316,7 @@ def test_races_that_take_longer_than_the_server_allows_are_refused_with_what_to_
 
 def test_the_estimate_counts_both_sides_and_groups_of_a_hundred(control, monkeypatch):
     """T = 3. One race: 2 x 3 steps of 1 + 2 + 10. Of 250 starts: groups of 100, 100 and 50; 2 x 3 x (3 + 250 x 12)."""
-    monkeypatch.setattr(jobs, "cost_of", lambda *given, pictures=False: StepCost(1.0, 2.0, 10.0))
+    monkeypatch.setattr(estimates, "cost_of", lambda *given, pictures=False: StepCost(1.0, 2.0, 10.0))
     assert jobs.racing(control, 0).estimate() == 2 * 3 * 13
     assert jobs.field(control, 250).estimate() == 2 * 3 * (3 + 250 * 12)
 

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from app.agents.schema import LINK as AGENTS
 from app.race.schema import LINK as RACE
-from app.session.url import LEFT_OUT, Check, Entries, Old, Schema, Values, by_name, query_of
+from app.session.url import LEFT_OUT, LONGEST, Check, Entries, Old, Schema, Values, by_name, fits, query_of
 from app.train.schema import LINK as TRAIN
 from app.worlds.schema import LINK as WORLDS
 from laplace_core import InputError
@@ -147,3 +147,10 @@ def test_any_link_of_any_page_is_read_or_left_out(schema, link):
     values, notes = schema.read(link)
     assert all(len(note) < 900 and "\n" not in note for note in notes)
     assert schema.read(query_of(values)) == (values, [])
+
+
+def test_a_link_is_too_long_by_the_sum_of_its_values():
+    assert fits({"own": "a" * LONGEST})
+    assert not fits({"own": "a" * (LONGEST + 1)})
+    assert not fits({"own": "a" * (LONGEST - 10), "pin": "b" * 11})
+    assert fits({})

@@ -7,11 +7,12 @@ from dataclasses import replace
 from streamlit.testing.v1 import AppTest
 
 from app.catalogue import checkpoints, training_runs
-from app.train.schema import LINK, fields, wanted
-from app.worlds import learners
+from app.train.schema import LINK, wanted
 from laplace_core.agents.settings import ENVIRONMENTS, SETTINGS
+from laplace_core.files import folders
+from laplace_core.tabular import work
 from laplace_core.training.checkpoint import new_agent, save_checkpoint
-from laplace_core.training.defaults import settings_of
+from laplace_core.training.defaults import fields, settings_of
 from laplace_core.training.queue import Queue
 from laplace_core.training.run_folder import read_config
 from tests.support import pages
@@ -149,12 +150,12 @@ def test_where_nothing_can_be_written_the_runs_go_to_a_temporary_folder(tmp_path
     assert training_runs.folder() == tmp_path / "runs"
     monkeypatch.setattr("os.access", lambda path, mode: False)
     monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
-    training_runs._temporary.cache_clear()
+    folders.temporary.cache_clear()
     found = training_runs.folder()
     assert found.parent == tmp_path
     assert found.is_dir()
     assert training_runs.folder() == found
-    training_runs._temporary.cache_clear()
+    folders.temporary.cache_clear()
 
 
 def test_without_any_folder_that_can_be_written_every_page_opens(tmp_path, monkeypatch):
@@ -162,8 +163,8 @@ def test_without_any_folder_that_can_be_written_every_page_opens(tmp_path, monke
     save_checkpoint(tmp_path / "mine.safetensors", new_agent(SMALL), 50, 9.0)
     monkeypatch.delenv(training_runs.VARIABLE)
     monkeypatch.setattr("os.access", lambda path, mode: False)
-    learners._room.cache_clear()
-    training_runs._temporary.cache_clear()
+    work._room.cache_clear()
+    folders.temporary.cache_clear()
     with monkeypatch.context() as bare:
         bare.setattr("tempfile.tempdir", None)
         bare.setattr("tempfile._candidate_tempdir_list", lambda: [str(tmp_path / "nowhere")])

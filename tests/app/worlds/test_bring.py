@@ -10,9 +10,9 @@ import numpy as np
 import pytest
 
 from app.catalogue.checkpoints import SHIPPED
-from app.session import link as links
 from app.worlds.sources import FIRST_TIMELINE, packed_timeline, timeline_rows_of
 from laplace_core import Settings, load_world, study, study_of_gamma_space
+from laplace_core.files import packed_text as links
 from laplace_core.study.npz import read_gamma_space, study_arrays
 from laplace_core.worlds import parse_world, world_from_rows, world_rows
 from tests.support.hostile import assert_one_sentence

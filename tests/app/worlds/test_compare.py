@@ -8,10 +8,10 @@ import shlex
 import numpy as np
 import pytest
 
-from app.session.link import pack
 from app.worlds import learners
 from laplace_core import Settings, load_world, study
 from laplace_core.cli import main
+from laplace_core.files.packed_text import pack
 from laplace_core.study.compare import difference
 from laplace_core.study.episodes import episode_regret_of
 from laplace_core.study.npz import study_arrays

@@ -1,286 +1,53 @@
-"""Learners of all sessions: a few at a time; each ends with its sessions, and what it has learned stays."""
+"""Learners of this server: what a link starts by itself, and what is too long for it."""
 
 from __future__ import annotations
 
-import numpy as np
 import pytest
 
 from app.session import jobs, record
-from app.session.jobs import GRACE, SHORT
 from app.worlds import learners
-from app.worlds.learners import BY_ITSELF, MOST_KEPT, Watched, learning, watch
-from laplace_core import InputError, load_world
-from laplace_core.caching import BUDGET
-from laplace_core.tabular import LearnSettings, resolve_learning, seconds_to_learn
-from laplace_core.tabular.process import Run
-from tests.support.hostile import assert_one_sentence
-from tests.support.line import LIMIT, Server
+from app.worlds.learners import BY_ITSELF, at_work, learning, watch
+from laplace_core import load_world
+from laplace_core.tabular import LearnSettings, work
+from laplace_core.tabular.work import MOST_KEPT
+from tests.support.line import Server, Stub
 from tests.support.quick_runs import until
 
 WORLD = load_world("two_branch", {"slip": 0.1})
-ENDLESS = LearnSettings(episodes=1_000_000)
-PLACES = 2
-
-
-class Stub:
-    """A run that goes on until it is told to end."""
-
-    error = None
-
-    def __init__(self):
-        self.finished = False
-
-    def cancel(self):
-        self.finished = True
-
-    def progress(self):
-        return None
-
-    history = snapshot = progress
 
 
 @pytest.fixture
 def server(monkeypatch):
-    """Places for learners of this test alone; all end with it."""
-    made = Server(threads=PLACES)
+    """Places for learners of this test alone, and one session; none starts a process."""
+    made = Server()
+    monkeypatch.setattr(record.st, "session_state", {})
+    monkeypatch.setattr(jobs, "session_id", lambda: "first")
     monkeypatch.setattr(learners, "_jobs", made.kind(MOST_KEPT))
-    monkeypatch.setattr(learners, "_seconds", lambda world, settings: SHORT + 1.0)
+    monkeypatch.setattr(work, "start", lambda world, settings, folder: Stub())
     yield made
     learners._jobs.clear()
-    until(lambda: made.line.usage()[0] == 0)
+    until(lambda: made.line.usage().running == 0)
 
 
-@pytest.fixture
-def asks(monkeypatch):
-    """Go on as another session."""
-    kept: dict[str, dict] = {}
-
-    def become(name: str) -> None:
-        monkeypatch.setattr(record.st, "session_state", kept.setdefault(name, {}))
-        monkeypatch.setattr(jobs, "session_id", lambda: name)
-
-    become("first")
-    return become
+def run_of(*, linked: bool):
+    return learning("a", WORLD, LearnSettings(episodes=1_000_000), slot="learner", linked=linked)
 
 
-@pytest.fixture
-def started(server, asks, monkeypatch) -> list[Stub]:
-    """Every run that was started, in order; none is a process."""
-    found: list[Stub] = []
-
-    def start(world, settings, folder):
-        found.append(Stub())
-        return found[-1]
-
-    monkeypatch.setattr(learners, "start", start)
-    return found
-
-
-def run_of(key: str, slot: str = "learner", *, linked: bool = False):
-    return learning(key, WORLD, ENDLESS, slot=slot, linked=linked)
-
-
-def begun(key: str) -> Watched:
-    run_of(key).begin()
-    found = watch(run_of(key, linked=True))
-    assert found is not None
-    return found
-
-
-def test_a_run_waits_while_the_server_has_no_place_and_starts_when_there_is_one(started, asks):
-    watched = []
-    for name in "abc":
-        asks(name)
-        watched.append(begun(name))
-        until(lambda: len(started) == min(PLACES, len(watched)))
-    assert [run.waiting for run in watched] == [False] * PLACES + [True]
-    assert watched[-1].before == PLACES
-    assert all(run.running for run in watched)
-    asks("a")
-    watched[0].cancel(run_of("a"))
-    until(lambda: len(started) == PLACES + 1)
-    assert [run.running for run in watched] == [False, True, True]
-    assert not watched[-1].waiting
-
-
-def test_a_session_has_one_place_however_many_runs_it_begins(started):
-    """A pinned view learns beside the present one."""
-    first = begun("a")
-    until(lambda: started)
-    run_of("b", "pinned").begin()
-    second = watch(run_of("b", "pinned", linked=True))
-    assert first.running
-    assert second.waiting
-    first.cancel(run_of("a"))
-    until(lambda: len(started) == 2)
-
-
-def test_a_run_that_is_cancelled_while_it_waits_never_starts(started, asks):
-    for name in "ab":
-        asks(name)
-        begun(name)
-    until(lambda: len(started) == PLACES)
-    asks("c")
-    late = begun("c")
-    late.cancel(run_of("c"))
-    assert not late.running
-    assert not late.waiting
-    learners._jobs.clear()
-    assert len(started) == PLACES
-
-
-def test_a_new_run_of_a_session_ends_the_one_before(started):
-    first = begun("a")
-    until(lambda: started)
-    second = begun("b")
-    until(lambda: started[0].finished)
-    assert not first.running
-    assert second.running
-    assert learners.at_work()
-
-
-def test_a_session_keeps_a_few_runs_and_forgets_the_oldest(started):
-    kept = [begun(str(i)) for i in range(MOST_KEPT + 2)]
-    assert [watch(run_of(str(i))) for i in range(MOST_KEPT + 2)] == [None, None, *kept[2:]]
-
-
-def test_what_is_forgotten_starts_anew(started):
-    first = begun("a")
-    until(lambda: started)
-    first.cancel(run_of("a"))
-    learners.forget("a")
-    assert watch(run_of("a")) is None
-    assert begun("a") is not first
-    until(lambda: len(started) == 2)
-
-
-def test_a_page_that_is_loaded_again_finds_its_run_at_work(started, server, asks):
-    begun("a")
-    until(lambda: started)
-    server.gone.add("first")
-    asks("first, loaded again")
-    assert watch(run_of("a")) is None  # of somebody else, as far as this link goes
-    again = watch(run_of("a", linked=True))
-    assert again is not None
-    assert again.running
-    server.now += GRACE + 1.0
-    server.line.tick()
-    assert again.running
-    assert len(started) == 1
-
-
-def test_a_run_ends_with_its_session_and_leaves_the_others_alone(started, server, asks):
-    begun("a")
-    until(lambda: started)
-    asks("second")
-    begun("b")
-    until(lambda: len(started) == 2)
-    server.gone.add("first")
-    server.now += GRACE + 1.0
-    until(lambda: started[0].finished)
-    assert not started[1].finished
-
-
-def test_a_run_is_ended_at_the_limit_and_says_so(started, server):
-    found = begun("a")
-    until(lambda: started)
-    server.now = LIMIT + 1.0
-    until(lambda: not found.running)
-    assert found.error == (
-        "it was ended after 100 seconds, the limit of this server; what was learned until then stays."
-    )
-    assert watch(run_of("a")) is found
-
-
-def test_a_link_starts_what_is_learned_in_a_moment_and_nothing_else(started, monkeypatch):
-    assert watch(run_of("a", linked=True)) is None
+def test_a_link_starts_what_is_learned_in_a_moment_and_nothing_else(server, monkeypatch):
+    monkeypatch.setattr(learners, "_seconds", lambda world, settings: BY_ITSELF + 0.1)
+    assert watch(run_of(linked=True)) is None
     monkeypatch.setattr(learners, "_seconds", lambda world, settings: BY_ITSELF - 0.1)
-    assert watch(run_of("a", linked=False)) is None
-    assert watch(run_of("a", linked=True)).running
+    assert watch(run_of(linked=False)) is None
+    assert not at_work()
+    assert watch(run_of(linked=True)).running
+    assert at_work()
 
 
-def test_what_takes_longer_than_the_server_allows_is_not_learned(started, monkeypatch):
+def test_what_takes_longer_than_the_server_allows_is_not_learned(server, monkeypatch):
     monkeypatch.setattr(learners, "_seconds", lambda world, settings: 14_400.0)
-    asked = run_of("a")
+    asked = run_of(linked=False)
     asked.begin()
-    assert watch(run_of("a", linked=True)) is None
+    assert watch(run_of(linked=True)) is None
     assert asked.notice == (
         "this takes about 4 hours, and this server allows 100 seconds: lower the number of episodes or of learners."
     )
-
-
-def test_a_run_that_cannot_start_says_why_and_takes_no_place(started, server, monkeypatch):
-    def refuse(world, settings, folder):
-        raise InputError("learning cannot start: no space left on device.")
-
-    monkeypatch.setattr(learners, "start", refuse)
-    watched = begun("a")
-    until(lambda: not watched.running)
-    assert watched.error == "learning cannot start: no space left on device."
-    until(lambda: server.line.usage()[0] == 0)
-    assert watched.progress() is None
-    assert watched.learned() is None
-
-
-def test_a_real_process_and_its_files_are_gone_after_cancel_and_what_it_learned_stays(server, asks, monkeypatch):
-    runs: list[Run] = []
-    folders = []
-
-    def start(world, settings, folder):
-        folders.append(folder)
-        runs.append(real(world, settings, folder))
-        return runs[-1]
-
-    real = learners.start
-    monkeypatch.setattr(learners, "start", start)
-    watched = begun("a")
-    until(lambda: watch(run_of("a")).learned() is not None)
-    watched.cancel(run_of("a"))
-    assert not watched.running
-    assert runs[0].finished
-    assert not folders[0].exists()
-    assert watched.error is None
-    learned, progress = watched.learned(), watched.progress()
-    assert 0 < learned.episodes[0] < ENDLESS.episodes
-    assert progress["episodes"] == learned.episodes[0]
-
-
-def test_what_was_learned_counts_in_the_memory_of_the_server_and_is_learned_anew_once_it_has_left(server):
-    settings = LearnSettings(episodes=5)
-    run = learning("a", WORLD, settings, slot="learner", linked=True)
-    before = BUDGET.bytes
-    run.begin()
-    watched = watch(run)
-    until(lambda: not watched.running)
-    assert watch(run) is watched
-    learned = watched.learned()
-    assert learned is not None
-    assert BUDGET.bytes - before > learned.basis.nbytes
-    assert watch(run).learned() is learned
-    BUDGET.clear()  # as when other results need the room
-    assert watch(run) is None
-    run.begin()
-    anew = watch(run)
-    until(lambda: not anew.running)
-    np.testing.assert_array_equal(anew.learned().basis, learned.basis)
-
-
-def test_what_was_learned_and_fits_nowhere_is_one_sentence(server, monkeypatch):
-    monkeypatch.setattr(BUDGET, "limit", 1_000)
-    run = learning("a", WORLD, LearnSettings(episodes=5), slot="learner", linked=True)
-    run.begin()
-    watched = watch(run)
-    until(lambda: not watched.running)
-    assert_one_sentence(watched.error, "together on this server", "lower the number of learners")
-    assert watched.learned() is None
-
-
-def test_the_estimate_is_that_of_the_first_episodes():
-    """The first takes 3 s, the others .25 s: after the fifth, 4 s are over. 2 learners, 1,000 episodes of .25 s.
-
-    Of a single episode that takes longer than the measurement may, its 3 s count.
-    """
-    settings = resolve_learning(LearnSettings(episodes=1_000, seeds=2), WORLD)
-    times = (0.0, 3.0, 3.25, 3.5, 3.75, 4.0)
-    assert seconds_to_learn(WORLD, settings, most=4.0, clock=iter(times).__next__) == 0.25 * 1_000 * 2
-    assert seconds_to_learn(WORLD, settings, most=2.0, clock=iter(times).__next__) == 3.0 * 1_000 * 2

@@ -9,11 +9,11 @@ import numpy as np
 import pytest
 
 from app.catalogue import tabular
-from app.session.link import pack
 from app.worlds import learners
 from app.worlds.schema import LINK
 from laplace_core import Settings, load_world, study
 from laplace_core.cli import main
+from laplace_core.files.packed_text import pack
 from laplace_core.study.episodes import episode_regret_of
 from laplace_core.tabular import (
     Learned,
@@ -24,6 +24,7 @@ from laplace_core.tabular import (
     return_distributions,
     study_of,
 )
+from laplace_core.tabular import shipped as shipped_learners
 from laplace_core.worlds import parse_world
 from tests.support.hostile import assert_one_sentence
 from tests.support.malformed_learned import cases
@@ -47,6 +48,7 @@ from tests.support.pages import (
     verdict,
     wait,
 )
+from tests.support.quick_runs import until
 
 QUICK = {"world": "two_branch", "source": "learned", "l.episodes": "60"}
 ENDLESS = {"world": "two_branch", "p.slip": "0.1", "source": "learned", "l.episodes": "1000000"}
@@ -154,6 +156,7 @@ def test_cancel_ends_the_process_and_keeps_what_was_learned():
     wait(page, lambda page: "curve" in pictures(page))
     watched = runs_of(page)[link(page)["run"]]
     assert watched.running
+    until(lambda: watched._work._run)  # the curve may be that of a run before it, which ends first
     process = watched._work._run
     press(page, "Cancel")
     assert not watched.running
@@ -267,11 +270,9 @@ def agent() -> Learned:
 def shipped(agent, tmp_path, monkeypatch):
     (tmp_path / "toy_world_td.safetensors").write_bytes(learned_bytes(agent))
     monkeypatch.setattr(tabular, "SHIPPED", tmp_path)
-    for cached in (tabular.shipped_agents, tabular._read):
-        cached.cache_clear()
+    shipped_learners.forget()
     yield "toy_world_td"
-    for cached in (tabular.shipped_agents, tabular._read):
-        cached.cache_clear()
+    shipped_learners.forget()
 
 
 def test_an_agent_that_ships_is_opened_with_its_world_and_a_link_to_it(shipped, agent):

@@ -5,11 +5,11 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from app.components.lens.payload import payload, structure
 from app.view.compute import study_for
 from app.worlds.schema import LINK
 from app.worlds.sources import WORLDS, view_of
 from laplace_core import study
+from laplace_core.payloads.lens import payload, structure
 from tests.support.lens_reference import unpacked
 from tests.support.pages import choose, handed, link, opened, press, verdict
 

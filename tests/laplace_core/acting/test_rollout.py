@@ -16,7 +16,7 @@ from laplace_core.acting.evaluation import evaluate
 from laplace_core.acting.frames import HEIGHT, animation
 from laplace_core.acting.rollout import longest, roll_out
 from laplace_core.acting.rollout_file import rollout_npz
-from laplace_core.acting.rules import RULES, Options
+from laplace_core.acting.rules import RULES, Options, title_of
 from laplace_core.agents import SETTINGS, LaplaceSettings
 from laplace_core.errors import InputError
 from laplace_core.training.checkpoint import new_agent
@@ -186,7 +186,7 @@ def test_what_does_not_fit_is_refused_in_one_sentence(subtests, agent):
             assert "\n" not in str(refused.value)
 
 
-def test_every_rule_has_a_name():
-    from app.catalogue.rules import TITLES
-
-    assert set(TITLES) == {*RULES, "random"}
+def test_every_rule_has_a_title_and_no_two_have_the_same():
+    titles = [rule.title for rule in RULES.values()]
+    assert all(titles)
+    assert len({*titles, *map(title_of, (*RULES, "random"))}) == len(RULES) + 1

@@ -11,11 +11,11 @@ import plotly.graph_objects as go
 import pytest
 
 from app.view import compute
-from app.view.subjects import Exact, Learner, View
 from app.worlds.sources import WORLDS
 from laplace_core import Settings, figures, load_world, study
 from laplace_core.study.compare import difference
 from laplace_core.study.settings import resolve
+from laplace_core.subjects import Exact, Learner, View
 from laplace_core.tabular import Learning, LearnSettings, bands, return_distributions, study_of
 from laplace_core.tabular.reading import study_settings
 from tests.support.unpacking import unpacked

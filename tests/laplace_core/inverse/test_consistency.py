@@ -89,6 +89,8 @@ def test_too_little_to_test_with_is_refused():
 
 def test_seeds_may_agree_on_some_values_but_not_on_all():
     values, constant, exact = seeds(4)
+    values, constant = values[:, :1], constant[:, :1]  # one action tells
+    exact = replace(exact, values=exact.values[:1], constant=exact.constant[:1])
     values[:, :, :2], constant[:, :, :2] = exact.values[:, :2], exact.constant[:, :2]
     assert check_seeds(values, constant, exact, draws=19).p_value > 0
     with pytest.raises(InputError, match="do not differ"):

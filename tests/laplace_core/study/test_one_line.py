@@ -10,10 +10,10 @@ import shlex
 import numpy as np
 import pytest
 
-from app.components.lens.payload import payload, structure
-from app.components.lens.state import state_of
 from laplace_core import GammaSpace, Settings, load_world, study, study_of_gamma_space
 from laplace_core.cli import main
+from laplace_core.payloads.lens import payload, structure
+from laplace_core.payloads.state import state_of
 from laplace_core.study.npz import save_study
 from laplace_core.study.tables import rewards_csv, tau_space_csv, values_csv
 from tests.support.lens_reference import seen

@@ -8,8 +8,6 @@ import numpy as np
 import pytest
 import torch
 
-from app.components.lens.payload import payload, structure
-from app.components.lens.state import state_of
 from laplace_core import Settings, study_of_gamma_space
 from laplace_core.acting.rollout import roll_out
 from laplace_core.acting.rollout_file import rollout_npz
@@ -17,6 +15,8 @@ from laplace_core.acting.rules import RULES, Options
 from laplace_core.agents import LaplaceSettings
 from laplace_core.code.ties import greedy_action
 from laplace_core.environments import vector
+from laplace_core.payloads.lens import payload, structure
+from laplace_core.payloads.state import state_of
 from laplace_core.study.npz import read_gamma_space
 from laplace_core.training.checkpoint import load_checkpoint, new_agent
 from tests.support.lens_reference import seen

@@ -9,13 +9,13 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from app.components.lens.payload import payload
 from laplace_core import GammaSpace, InputError, Settings, figures, load_world, study, study_of_gamma_space
 from laplace_core.code import encoding
 from laplace_core.code import gamma_space as gamma_space_module
 from laplace_core.code.encoding import softening
 from laplace_core.code.gamma_space import softened
 from laplace_core.figures.learning import _nearest
+from laplace_core.payloads.lens import payload
 from laplace_core.study import conventions
 from laplace_core.study.artefacts import find_artefacts
 from laplace_core.study.compare import difference

@@ -13,9 +13,9 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from app.session.message import pack, packed_blocks
 from laplace_core.acting.rollout import Rollout
 from laplace_core.code.gamma_space import bin_differences
+from laplace_core.payloads.packing import pack, packed_blocks
 
 LEVELS = 32_767
 

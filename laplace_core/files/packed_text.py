@@ -1,17 +1,14 @@
-"""Long texts as one word of a link, and how long a link may be."""
+"""Long texts as one word, which a link can hold."""
 
 from __future__ import annotations
 
 import base64
 import binascii
 import zlib
-from collections.abc import Mapping
 
-from laplace_core import InputError
 from laplace_core.caching import cached
+from laplace_core.errors import InputError
 
-LONGEST = 7_000
-"""Characters of a link's values; proxies and chat programs cut much longer ones off."""
 MOST = 2_000_000
 """Bytes that a packed text may unfold to."""
 
@@ -37,7 +34,3 @@ def unpack(word: str) -> str:
         return text.decode()
     except (binascii.Error, ValueError, zlib.error):
         raise InputError("the link holds a text that was damaged on its way; copy it again in full.") from None
-
-
-def fits(query: Mapping[str, str]) -> bool:
-    return sum(map(len, query.values())) <= LONGEST

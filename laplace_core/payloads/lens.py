@@ -11,10 +11,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from app.session.message import pack, packed_blocks
 from laplace_core import Study, World
 from laplace_core.code.encoding import PAPER_GAMMAS
 from laplace_core.inverse import transform_factors
+from laplace_core.payloads.packing import pack, packed_blocks
 from laplace_core.planning import reward_indicator_basis
 from laplace_core.study.pipeline import WorldStudy, basis_of, clipped_sensitivities, policies_of, timeline_of
 from laplace_core.study.settings import Resolved

@@ -12,13 +12,13 @@ import pytest
 _PROGRAM = """
 import resource, sys
 import torch
-from laplace_core.training import memory
+from laplace_core.supervise import memory
 if sys.argv[1] == "kept":
     memory.keep()
-for _ in range(20):
+for _ in range(2):
     [torch.ones(1 << 20) for _ in range(10)]
 before = resource.getrusage(resource.RUSAGE_SELF).ru_minflt
-for _ in range(20):
+for _ in range(5):
     [torch.ones(1 << 20) for _ in range(10)]
 print(resource.getrusage(resource.RUSAGE_SELF).ru_minflt - before)
 """
@@ -37,6 +37,6 @@ def _pages(how: str) -> int:
 
 @pytest.mark.skipif(platform.libc_ver()[0] != "glibc", reason="only glibc is told how to keep memory")
 def test_tensors_are_made_of_the_pages_of_the_last_ones():
-    """20 times ten tensors of 4 MiB, of 1,024 pages each: they are fetched every time unless they are kept."""
+    """Five times ten tensors of 4 MiB, of 1,024 pages each: they are fetched every time unless they are kept."""
     assert _pages("kept") < 1_000
     assert _pages("by default") > 10_000

@@ -1,4 +1,4 @@
-"""Texts packed into a link: they come back whole, or are refused in one sentence."""
+"""Texts packed into one word: they come back whole, or are refused in one sentence."""
 
 from __future__ import annotations
 
@@ -9,8 +9,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from app.session.link import LONGEST, fits, pack, unpack
 from laplace_core import InputError
+from laplace_core.files.packed_text import pack, unpack
 from tests.support.hostile import assert_one_sentence
 
 WORD = pack('{"name": "my_world"}' * 20)
@@ -62,10 +62,3 @@ def test_any_text_is_unpacked_or_refused(word):
         unpack(word)
     except InputError as error:
         assert_one_sentence(str(error))
-
-
-def test_a_link_is_too_long_by_the_sum_of_its_values():
-    assert fits({"own": "a" * LONGEST})
-    assert not fits({"own": "a" * (LONGEST + 1)})
-    assert not fits({"own": "a" * (LONGEST - 10), "pin": "b" * 11})
-    assert fits({})

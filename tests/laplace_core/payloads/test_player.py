@@ -12,9 +12,9 @@ import torch
 
 from app.agents import episode
 from app.agents.jobs import Control
-from app.components.player.payload import LEVELS, payload, rounded
 from laplace_core.acting.rollout import roll_out
 from laplace_core.agents import LaplaceSettings
+from laplace_core.payloads.player import LEVELS, payload, rounded
 from laplace_core.training.checkpoint import new_agent
 
 torch.set_num_threads(1)

@@ -7,11 +7,11 @@ import pytest
 
 from app.agents.schema import observe
 from app.catalogue.checkpoints import checkpoint
-from app.catalogue.tabular import shipped_agent
+from app.catalogue.tabular import agent
 from app.view import compute
-from app.view.subjects import Exact, FromFile, Learner, Subject, View, state_in
 from laplace_core import GammaSpace, InputError, Settings, Study, load_world, study, study_of_gamma_space
 from laplace_core.study.settings import Resolved, resolve, resolve_for_gamma_space
+from laplace_core.subjects import Exact, FromFile, Learner, Subject, View, state_in
 from laplace_core.tabular.reading import study_settings
 
 WORLD = load_world("two_branch")
@@ -34,7 +34,7 @@ def from_file() -> tuple[Subject, Resolved, Study]:
 
 
 def learned() -> tuple[Subject, Resolved, Study]:
-    found = shipped_agent("fig6_chain_td")
+    found = agent("fig6_chain_td")
     settings = resolve(study_settings(found.settings, Settings(world="fig6_chain")), found.world)
     tables = found.basis[:, found.world.state_index(settings.state)].astype(float).mean(axis=0)
     return Learner(found.world, found, None), settings, study(found.world, settings, learned=tables)

@@ -1,22 +1,21 @@
-"""What a page can look at, and one look at it: a subject, through resolved settings, at one action."""
+"""What can be looked at, and one look at it: a subject, through resolved settings, at one action."""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Hashable, Mapping
+from collections.abc import Hashable
 from dataclasses import dataclass, replace
-from typing import Any, Protocol
+from typing import Protocol
 
 import numpy as np
 
-from laplace_core import GammaSpace, InputError, Study, World, study, study_of_gamma_space
+from laplace_core.code.gamma_space import GammaSpace
+from laplace_core.errors import InputError
+from laplace_core.study.npz import read_gamma_space, states_of
+from laplace_core.study.pipeline import Study, study, study_of_gamma_space
 from laplace_core.study.settings import Resolved
 from laplace_core.tabular import Learned
-
-PARAM = "p."
-"""Prefix of the parameters of a world, in the session and in the URL."""
-
-Values = Mapping[str, Any]
+from laplace_core.worlds import World
 
 
 class Subject(Hashable, Protocol):
@@ -86,6 +85,36 @@ class FromFile:
 
     def study(self, settings: Resolved) -> Study:
         return study_of_gamma_space(self.gamma_space, settings)
+
+
+@dataclass(eq=False)
+class GammaSpaceFile:
+    """A gamma-space in ``.npz``, checked, how many states it holds, and the state of it that was looked at last."""
+
+    name: str
+    data: bytes
+    states: int
+    shown: tuple[str | None, FromFile]
+
+    @classmethod
+    def opened(cls, name: str, data: bytes) -> GammaSpaceFile:
+        """The file of this name and content.
+
+        Raises:
+            InputError: not such a file.
+        """
+        first = FromFile(read_gamma_space(data, name=name))
+        return cls(name, data, states_of(data, name=name), (None, first))
+
+    def at(self, state: str | None) -> FromFile:
+        """The gamma-space of a state; the same object while no other state is looked at.
+
+        Raises:
+            InputError: no such state.
+        """
+        if self.shown[0] != state:
+            self.shown = state, FromFile(read_gamma_space(self.data, state))
+        return self.shown[1]
 
 
 @dataclass(frozen=True, eq=False)
@@ -182,6 +211,46 @@ class View:
     @property
     def learner(self) -> Learner | None:
         return self.subject.learner
+
+    @property
+    def settings_on_disk(self) -> Resolved:
+        """The settings by which a command repeats it: what was learned is read from its file."""
+        if self.learner is None:
+            return self.settings
+        shown = self.learner.index
+        params = () if shown is None else (("seed_index", shown),)
+        return replace(self.settings, world=learned_file(self.learner.world), params=params)
+
+    def to_python(self, *, from_file: bool = False) -> str:
+        """A script that repeats it.
+
+        Args:
+            from_file: whether its world is read from a file, by the name that the settings give it.
+        """
+        if self.learner is None:
+            return self.settings.to_python(f'read_world("{self.settings.world}")' if from_file else None)
+        settings = self.settings.to_python().partition("settings = Settings(")[2]
+        imports, line = "Settings", f"result = study_of(learned, settings, {self.learner.index})"
+        if self.learner.index is None:
+            imports = "Settings, study"
+            line = (
+                "tables = learned.basis[:, learned.world.state_index(settings.state)]  # a table a seed\n"
+                "result = study(learned.world, settings, learned=tables.astype(float).mean(axis=0))"
+            )
+        return "\n".join(
+            [
+                f"from laplace_core import {imports}",
+                f"from laplace_core.tabular import read_learned{'' if self.learner.index is None else ', study_of'}",
+                "",
+                f'learned = read_learned("{self.settings_on_disk.world}")',
+                "settings = Settings(" + settings.replace("result = study(world, settings)", line),
+            ]
+        )
+
+
+def learned_file(world: World) -> str:
+    """What the file of a learner of a world is called."""
+    return f"{plain_name(world)}_td.safetensors"
 
 
 def plain_name(world: World) -> str:
