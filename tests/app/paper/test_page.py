@@ -17,7 +17,6 @@ from app.race import schema as race
 from app.train import schema as train
 from app.worlds import schema as worlds
 from laplace_core.experiments.paper.claims import ENTRIES, look
-from laplace_core.experiments.paper.claims.entry import MISSING
 from tests.laplace_core.experiments.test_claims import AGENTS, BY_NAME, COMMITTED, FILES, damages
 from tests.support.pages import charts, downloads, numbers, opened
 
@@ -39,8 +38,10 @@ def test_every_entry_has_a_section_with_all_that_belongs_to_it(monkeypatch):
         assert f'id="paper-{entry.name}"' in text
         assert f'href="#paper-{entry.name}"' in text
         assert all(found.sentence(index)[:40] in text for index in range(len(entry.claims)))
-    for path in FILES:
-        assert saved[path.name] == path.read_bytes()
+    assert set(saved) == {found.results.path.name for found in results.found() if found.results.finished}
+    assert len(saved) > 5
+    for name in saved.keys() - {"manifest.json"}:
+        assert saved[name] == (COMMITTED / name).read_bytes()
     links = page.get("page_link")
     assert len(links) == sum(entry.view is not None for entry in ENTRIES)
     assert {name for link in links for name, _ in parse_qsl(link.proto.query_string)} >= {"world", "d.T", "environment"}
@@ -83,7 +84,7 @@ def test_a_damaged_and_a_missing_file_leave_the_other_sections_as_they_are(monke
     page = opened(screen="paper")
     assert set(charts(page)) == {
         f"paper {entry.name}" for entry in ENTRIES
-        if entry.name not in ("fig4", "fig6") and look(entry, COMMITTED, AGENTS).state != MISSING
+        if entry.name not in ("fig4", "fig6") and look(entry, COMMITTED, AGENTS).results.finished
     }  # fmt: skip
     assert "fig4.json is not JSON" in words(page)
     assert "Not measured yet: python -m laplace_core reproduce fig6" in words(page)

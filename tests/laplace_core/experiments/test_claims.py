@@ -80,8 +80,10 @@ def test_the_numbers_of_the_paper_stand_also_where_nothing_is_measured(name, tmp
 def test_every_committed_file_has_a_finding(path):
     found = shown(path.stem)
     assert found.trouble is None
-    assert found.state in STATES.keys() - {MISSING, DAMAGED}
-    assert any(line.ours for line in found.lines)
+    assert found.state in STATES.keys() - {DAMAGED}
+    assert any(line.ours for line in found.lines) or not found.results.finished
+    if found.results.complete:
+        assert None not in found.findings
 
 
 @pytest.mark.parametrize("name", ["fig1_5", "fig4", "fig6", "aliasing"])
@@ -157,11 +159,13 @@ def test_codes_that_other_codes_tell_apart_as_well_agree_in_part():
 
 def test_a_deadline_that_a_peer_acts_better_for_agrees_with_the_paper():
     def better(about):
-        about["summary"]["LunarLander-v3, T 50"]["dqn, greedy"]["mean"] = 60.0
+        for name, column in about["summary"].items():
+            if name.startswith("LunarLander"):
+                column["dqn, greedy"]["mean"] = 900.0
 
     found = changed("table1", better)
     assert found.findings[0].state == AGREES
-    assert "best peer DQN, 60.0" in found.sentence(0)
+    assert "best peer DQN, 900.0" in found.sentence(0)
 
 
 @pytest.mark.parametrize(

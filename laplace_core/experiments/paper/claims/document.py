@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from laplace_core.experiments.paper.claims import ENTRIES, STATES, Found, look
-from laplace_core.experiments.paper.claims.entry import RUN
+from laplace_core.experiments.paper.claims.entry import DIFFERS, RUN
 
 COMMAND = f"{RUN} reproduce --document > docs/reproduction.md"
 _OPENING = f"""# The paper, claim by claim
@@ -28,7 +28,12 @@ gymnasium no longer has; ours is v3. Every row in a file of results has its date
 def document(folder: Path, agents: Path) -> str:
     """The page, from a folder of results and that of the agents that ship."""
     found = [look(entry, folder, agents) for entry in ENTRIES]
-    return "\n".join([_OPENING, *_overview(found), *(line for each in found for line in _section(each))]) + "\n"
+    return (
+        "\n".join(
+            [_OPENING, *_overview(found), *_differing(found), *(line for each in found for line in _section(each))]
+        )
+        + "\n"
+    )
 
 
 def _overview(found: Sequence[Found]) -> list[str]:
@@ -36,6 +41,17 @@ def _overview(found: Sequence[Found]) -> list[str]:
     rows = [f"| {each.entry.place} | {each.entry.title} | {each.state} | {_measured(each)} |" for each in found]
     meaning = [f"- **{state}**: {words}." for state, words in STATES.items() if state in used]
     return ["| of the paper | about | state | results |", "|---|---|---|---|", *rows, "", *meaning, ""]
+
+
+def _differing(found: Sequence[Found]) -> list[str]:
+    """The claims that our numbers contradict; why stands in their sections."""
+    claims = [
+        f"- {each.entry.place}: {claim.says}"
+        for each in found
+        for claim, finding in zip(each.entry.claims, each.findings, strict=True)
+        if finding is not None and finding.state == DIFFERS
+    ]
+    return ["What the paper says and our numbers do not:", "", *claims, ""] if claims else []
 
 
 def _measured(found: Found) -> str:
