@@ -16,6 +16,7 @@ COPY .streamlit .streamlit
 COPY laplace_core laplace_core
 COPY app app
 COPY checkpoints checkpoints
+COPY docs/paper docs/paper
 RUN python -m app.components.assets
 # Whoever the container runs as may write here, and nowhere else but /tmp.
 RUN install --directory --mode=1777 /srv/runs

@@ -31,6 +31,7 @@ PAGES = [
     st.Page("screens/agents.py", title="Trained agents", url_path="agents"),
     st.Page("screens/race.py", title="Deadline race", url_path="race"),
     st.Page("screens/train.py", title="Train", url_path="train"),
+    st.Page("screens/paper.py", title="Paper", url_path="paper"),
 ]
 shown = st.navigation(PAGES, position="top")
 shown.run()

@@ -22,6 +22,7 @@ DOCUMENTS = [
     "docs/architecture.md",
     "docs/server.md",
     "docs/paper/README.md",
+    "docs/reproduction.md",
     "app/static/README.md",
 ]
 """All but CHANGELOG.md, which names what was."""

@@ -30,6 +30,8 @@ from laplace_core.experiments.paper.runs import (
 )
 
 RUNS, OUT = "runs/paper", "docs/paper"
+AGENTS = Path("checkpoints")
+"""The agents that ship, whose scores the document has as well."""
 
 
 def add_reproduce(verbs: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
@@ -48,6 +50,9 @@ def add_reproduce(verbs: argparse._SubParsersAction[argparse.ArgumentParser]) ->
     reproduce.add_argument("--out", metavar="FOLDER", help=f"where the results are written (default: {OUT})")
     reproduce.add_argument("--list", action="store_true", help="list the experiments and how far they are, and stop")
     reproduce.add_argument("--budget", action="store_true", help="print what is left to be trained, and stop")
+    reproduce.add_argument(
+        "--document", action="store_true", help="print what the results say, claim by claim, as Markdown, and stop"
+    )
     reproduce.add_argument("--adopt", metavar="FOLDER", help="copy a run made elsewhere to where it is looked for")
     reproduce.add_argument("--collect", action="store_true", help="train nothing: write the results of finished runs")
     reproduce.add_argument(
@@ -62,9 +67,12 @@ def add_reproduce(verbs: argparse._SubParsersAction[argparse.ArgumentParser]) ->
 
 
 def _reproduce(options: argparse.Namespace) -> None:
-    asked = [word for word in ("list", "budget", "adopt", "collect") if getattr(options, word)]
+    asked = [word for word in ("list", "budget", "document", "adopt", "collect") if getattr(options, word)]
     if len(asked) > 1:
         raise InputError(f"--{asked[0]} and --{asked[1]} are asked for one at a time: leave one of them out.")
+    if options.document:
+        _document(options)
+        return
     experiments, measurements = _named(options.name, some=bool(asked))
     steps = None if options.steps is None else checked_number("steps", options.steps, int, 2, high=10**9)
     if steps is not None and options.out is None and asked in ([], ["collect"]):
@@ -87,6 +95,20 @@ def _reproduce(options: argparse.Namespace) -> None:
             _measure(each, out, jobs, options.cluster, as_json=options.json)
         if experiments:
             _train(experiments, trainings, out, collect=options.collect, as_json=options.json)
+
+
+def _document(options: argparse.Namespace) -> None:
+    """Print the catalogue as a document.
+
+    Raises:
+        InputError: options that it has no use for.
+    """
+    if options.name not in (None, "all") or options.json:
+        other = "--json" if options.json else "the name of one"
+        raise InputError(f"--document prints one document about all experiments: leave {other} out.")
+    from laplace_core.experiments.paper.claims.document import document
+
+    print(document(Path(options.out or OUT), AGENTS), end="")
 
 
 def _named(name: str | None, *, some: bool) -> tuple[list[Experiment], list[Measurement]]:

@@ -41,6 +41,24 @@ def cells_in(path: Path) -> list[dict[str, Any]]:
     raise InputError(f"{path} is no result of an experiment: move it away, or name another --out folder.")
 
 
+def contents(path: Path) -> dict[str, Any] | None:
+    """All that an experiment's file holds, trained or measured; None where there is no file.
+
+    Raises:
+        InputError: a file that is no result.
+    """
+    if not path.exists():
+        return None
+    try:
+        about = parse_json(path.read_bytes()[:_MOST_BYTES], path.name)
+        rows = about["cells"] if "cells" in about else about["results"]
+        if isinstance(rows, list) and all(isinstance(row, dict) for row in rows):
+            return dict(about)
+    except (OSError, TypeError, KeyError):
+        pass
+    raise InputError(f"{path.name} is no result of an experiment: move it away, and make it again.")
+
+
 def recorded_rows(experiments: Sequence[Experiment], folder: Path) -> dict[str, dict[str, Any]]:
     """The rows in the files of the experiments, by the name of their run.
 

@@ -1,0 +1,7 @@
+"""What the link of the page may hold: nothing, for all of it is shown."""
+
+from __future__ import annotations
+
+from app.session.url import Entries, Schema
+
+LINK = Schema(opening=dict, steps=(Entries({}),))

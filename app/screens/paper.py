@@ -1,0 +1,27 @@
+"""The paper: each of its figures, tables and claims beside ours, with the command that makes ours again."""
+
+from __future__ import annotations
+
+import streamlit as st
+
+from app.paper import results, sections
+from app.paper.schema import LINK
+from app.session import store
+
+
+def page() -> None:
+    store.open_page("paper", LINK)
+    store.write_url()
+    st.markdown(
+        "*Laplace DQN: Deep RL Algorithm for Temporally Flexible Planning*, figure by figure: numbers of the paper "
+        "beside ours, from the raw results that come with the workbench."
+    )
+    found = results.found()
+    with st.sidebar:
+        sections.contents(found)
+    sections.overview(found)
+    for each in found:
+        sections.section(each)
+
+
+page()
