@@ -106,7 +106,7 @@ def _rollouts(loaded: Loaded) -> Iterator[Figure]:
             packed = payload(found)
             seconds.append(perf_counter() - began)
             busy.append(process_time() - before)
-            megabytes.append((found.bytes + len(packed)) / 1e6)
+            megabytes.append((weigh(found).bytes + len(packed)) / 1e6)
         sizes = f"LunarLander, seed {LONG}, {rule}, {len(found):,} steps; {_sizes(loaded)}"
         note = f"time of the processor {np.median(busy):.1f} s; packed for the browser, {np.median(megabytes):.0f} MB"
         yield Figure(
