@@ -19,6 +19,7 @@ from bench.report import Figure, Goal
 from bench.timing import Spread, interleaved, spread
 from bench.users import _GO
 from laplace_core.acting.rollout import roll_out
+from laplace_core.caching import weigh
 from laplace_core.inverse import decode
 from laplace_core.payloads.player import payload
 from laplace_core.training.checkpoint import Loaded, load_checkpoint

@@ -8,8 +8,9 @@ from dataclasses import replace
 from bench.report import Figure, Goal
 from bench.timing import interleaved, spread
 from laplace_core import GammaSpace, Settings, World, load_world, study
+from laplace_core.code.gamma_space import encode
 from laplace_core.planning import reward_indicator_basis, target_policies
-from laplace_core.study.pipeline import basis_of, encode, grids
+from laplace_core.study.pipeline import basis_of, grids
 from laplace_core.study.settings import resolve
 
 WORLDS = {

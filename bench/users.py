@@ -2,7 +2,7 @@
 
 ``python -m bench.users [--users 50] [--changes 20]`` starts a server, opens a session a user in one Chromium, and lets
 all of them change their controls, some by widgets and some by the address bar. After every change the tau-space that
-the page draws and its verdict are held against what the library computes for the settings of that session. The same
+the page draws and its verdict are compared with what the library computes for the settings of that session. The same
 is done twice; the server's memory is printed after a warm-up, after the first round and after the second.
 """
 
@@ -180,17 +180,16 @@ async def _choose_normalisation(user: User) -> None:
 
 
 async def check(user: User, what: str) -> None:
-    """Hold the page against the library: its link, its tau-space and its verdict."""
+    """Compare the page with the library: its link, its tau-space and its verdict."""
     user.wanted = query_of(LINK.read(user.wanted)[0])  # numbers as the page writes them
     view = view_of(LINK.read(user.wanted)[0])
     found = study(view.world, view.settings)
-    row = len(found.horizons) - 1 if view.horizon is None else found.row_at(view.horizon)
     z = np.ascontiguousarray(found.decoded.tau_space[view.action], dtype="<f4")
     expected = {
         "rows": z.shape[0],
         "columns": z.shape[1],
         "values": base64.b64encode(z.tobytes()).decode(),
-        "verdict": judge(found, row).sentence,
+        "verdict": judge(found, found.row, view.action).sentence,
         "query": "&".join(sorted(f"{name}={value}" for name, value in user.wanted.items())),
     }
     from playwright.async_api import TimeoutError as Late
