@@ -32,7 +32,7 @@ def main() -> None:
 
     facts = machine()
     print(line(facts))
-    print("medians over interleaved repetitions; goals are held against the median")
+    print("medians over interleaved repetitions; goals are for the median")
     figures: list[Figure] = []
     samples: dict[str, Sequence[float]] = {}
     for part in parts:
