@@ -5,7 +5,7 @@ from __future__ import annotations
 import streamlit as st
 
 from app.catalogue.names import world_title
-from app.components.widgets import field, select, upload
+from app.components.widgets import field, left_out, select, upload
 from app.inverse import subjects
 from app.inverse.words import RULE_TITLES, SOLVER_TITLES
 from app.session import store
@@ -36,6 +36,9 @@ def subject() -> bool:
     if here == "agent":
         from app.catalogue import checkpoints  # it brings the network library along, which no world needs
 
+        left_out(checkpoints.left_out())
+        if not subjects.agents():
+            return False
         select("Agent", subjects.agents(), store.show("agent", subjects.agents()[0]), checkpoints.title, keep=_look_at)
         st.caption("What it has learned of the state in which episodes start.")
     elif here == "data":
@@ -54,7 +57,7 @@ def subject() -> bool:
 
 def _other_kind() -> None:
     kind = st.session_state["kind"]
-    if kind == "agent":
+    if kind == "agent" and subjects.agents():
         _go_to(agent=subjects.agents()[0])
     elif kind == "world":
         _go_to(world=subjects.OPENING["world"])

@@ -679,6 +679,8 @@ export interface InverseModel {
     chosen: number[];
     steps: number;
     time_step: number;
+    /** The first alpha of the sweep that is drawn. */
+    first: number;
     open: boolean;
     actions: string[];
     action: number;
@@ -695,8 +697,6 @@ export interface InverseModel {
   r: number;
   /** Length of a row, in steps of the world. */
   dt: number;
-  /** The first alpha of the sweep that is drawn. */
-  first: number;
   /** U^T W, (r, G). */
   Ut: Float64Array;
   /** (G, K). */

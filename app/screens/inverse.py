@@ -23,7 +23,7 @@ def page() -> None:
     store.open_page("inverse", LINK)
     with st.sidebar:
         if not sidebar.subject():
-            st.info("Open a file to look at it.")
+            st.info("There is nothing to look at yet: open a file, or choose another subject.")
             return
         try:
             view = subjects.view_of(store.chosen())

@@ -58,7 +58,10 @@ test('a hand on the L-curve and on the curve of a rule sets an alpha of the swee
     { curve, rules } = panelsOf(model, words);
   const scene = /** @type {any} */ ({
     model,
-    images: { misfits: residual.map(Math.log10).slice(model.first), sizes: size.map(Math.log10).slice(model.first) },
+    images: {
+      misfits: residual.map(Math.log10).slice(model.header.first),
+      sizes: size.map(Math.log10).slice(model.header.first),
+    },
   });
   const scale = /** @type {any} */ ({ X: (x) => 100 * x, Y: (y) => -100 * y, toX: (px) => px / 100 });
   const at = 120,

@@ -26,6 +26,9 @@ from laplace_core.study.pipeline import noise_of, problem_for
 FOLLOWS = "nonnegative"
 """The solver that is not linear and follows a drag in the browser; the others answer when alpha is let go of."""
 
+LEAST_DRAWN = 1e-7
+"""Of the largest singular value: alphas from which on pictures begin."""
+
 
 def sweep_for(study: Study) -> Sweep:
     """The sweep of a study's solver, or of the linear one that alpha is chosen by."""
@@ -41,6 +44,12 @@ class Swept:
     sweep: Sweep
     curves: dict[str, np.ndarray]
     chosen: dict[str, int]
+
+    @property
+    def first(self) -> int:
+        """The first alpha that is drawn: smaller ones fit everything, unless a rule takes one of them."""
+        least = np.argmax(self.sweep.alphas >= LEAST_DRAWN * self.sweep.spectrum.largest)
+        return min(int(least), *self.chosen.values())
 
 
 def swept(study: Study) -> Swept:
@@ -125,6 +134,7 @@ def payload(
         "chosen": [found.chosen[name] for name in found.curves],
         "steps": s.steps,
         "time_step": s.time_step,
+        "first": found.first,
         "open": space.open_ends,
         "actions": list(study.action_names),
         "action": action,

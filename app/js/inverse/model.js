@@ -3,8 +3,6 @@
 import { product, transposed } from '../core/algebra.js';
 import { columnsOf } from './nonnegative.js';
 
-const LEAST = 1e-7; // of the largest singular value
-
 /**
  * A model of a payload.
  * @param {Uint8Array} bytes
@@ -29,22 +27,13 @@ export function read(bytes) {
 }
 
 function open(header, arrays) {
-  const { gammas, U, s, weights, alphas, masses, bin_values: values } = arrays,
+  const { gammas, U, s, weights, masses, bin_values: values } = arrays,
     { free, steps: K, time_step: dt } = header;
   const G = gammas.length,
     r = s.length + free,
     B = values.length,
     Ut = transposed(U, G, r).map((value, i) => value * weights[i % G]); // U^T W
   const transform = Float64Array.from({ length: G * K }, (_, i) => gammas[Math.floor(i / K)] ** ((i % K) * dt));
-  // Alphas that are drawn: smaller ones fit everything, unless a rule takes one of them.
-  const least = s.length ? LEAST * s[0] : 0,
-    first = Math.max(
-      0,
-      Math.min(
-        alphas.findIndex((alpha) => alpha >= least),
-        ...header.chosen,
-      ),
-    );
   return {
     header,
     arrays,
@@ -53,7 +42,6 @@ function open(header, arrays) {
     B,
     r,
     dt,
-    first,
     Ut,
     transform,
     components: product(Ut, masses, r, G, B),

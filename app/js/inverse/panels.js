@@ -71,7 +71,7 @@ const clipped = (pen, { box }, draw) => pen.clip(box.x, box.y - 1, box.w, box.h 
  * @param {InverseModel} model
  * @returns {number}
  */
-const alphaOf = (logarithm, { arrays: { alphas }, first }) =>
+const alphaOf = (logarithm, { arrays: { alphas }, header: { first } }) =>
   +Math.min(alphas[alphas.length - 1], Math.max(alphas[first], 10 ** logarithm)).toPrecision(4);
 
 /**
@@ -79,7 +79,7 @@ const alphaOf = (logarithm, { arrays: { alphas }, first }) =>
  * @param {InverseModel} model
  * @returns {Range}
  */
-const alphaRange = ({ arrays: { alphas }, first }) => {
+const alphaRange = ({ arrays: { alphas }, header: { first } }) => {
   const [low, high] = [Math.log10(alphas[first]), Math.log10(alphas[alphas.length - 1])];
   return high > low ? [low, high] : [low - 1, high + 1];
 };
@@ -95,8 +95,8 @@ const lcurve = {
   note: ({ made }) => `misfit ${short(made.residual)}, size ${short(made.size)}`,
   draw(pen, w, h, { model, made, colours, images }) {
     const { residual, size } = model.arrays,
-      xs = (images.misfits ??= residual.map(Math.log10).slice(model.first)),
-      ys = (images.sizes ??= size.map(Math.log10).slice(model.first)),
+      xs = (images.misfits ??= residual.map(Math.log10).slice(model.header.first)),
+      ys = (images.sizes ??= size.map(Math.log10).slice(model.header.first)),
       x = rangeOf(xs),
       y = rangeOf(ys),
       box = inside(w, h, { top: 8, left: 50 });
@@ -115,7 +115,7 @@ const lcurve = {
     return scale;
   },
   drag({ model, images }, { X, Y }, px, py) {
-    const alphas = model.arrays.alphas.slice(model.first),
+    const alphas = model.arrays.alphas.slice(model.header.first),
       xs = images.misfits,
       ys = images.sizes;
     let best = Infinity,
@@ -264,7 +264,7 @@ const ruled = (rule, place, words) => ({
     const { curve, y } = (images[rule] ??= drawn(
         place < 0 ? error : curves.subarray(place * a, (place + 1) * a),
         at,
-        alphas[model.first],
+        alphas[model.header.first],
       )),
       x = alphaRange(model),
       box = inside(w, h, { top: 6, left: 6, right: 6, bottom: 17 });

@@ -131,7 +131,7 @@ def test_a_trained_agent_and_a_file_can_be_looked_at():
     assert told(page)
     page.segmented_control(key="kind").set_value("data")
     run(page)
-    assert any("Open a file" in info.value for info in page.info)
+    assert any("open a file" in info.value for info in page.info)
     page.segmented_control(key="kind").set_value("world")
     run(page)
     assert link(page)["world"] == "two_branch"
