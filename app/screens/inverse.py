@@ -5,7 +5,7 @@ from __future__ import annotations
 import streamlit as st
 
 from app.components.inverse import State, inverse
-from app.components.waiting import LOOK_EVERY, offer, turn
+from app.components.waiting import offer, turn
 from app.inverse import compute, evidence, leaderboard, sidebar, subjects
 from app.inverse.schema import LINK
 from app.inverse.words import NO_NOISE, OFFERED, RULES, TESTING, said
@@ -16,6 +16,7 @@ from app.view.subjects import View
 from laplace_core import InputError
 from laplace_core.inverse.selectors import TYPED
 
+LOOK_EVERY = 0.1  # seconds between two looks at a test that is not done
 SOON = 0.25  # seconds that the tests of the noise are waited for, so that what is soon done is drawn once
 
 
@@ -35,15 +36,18 @@ def page() -> None:
     store.write_url()
     try:
         with turn(needed=is_large(view)):
-            _pictures(view)
+            job = _pictures(view)
     except InputError as error:
         sidebar.refused(str(error))
         return
     store.worked()
     leaderboard.section(view)
+    if job is not None:
+        _await(job)
 
 
-def _pictures(view: View) -> None:
+def _pictures(view: View) -> Job[evidence.Evidence] | None:
+    """Draw all pictures of a view; returns the test of its values, where the page does not show yet what it found."""
     shown = compute.shown(view)
     study = shown.study
     wish = evidence.wish(study, compute.key_of(view), independent=compute.independent(view))
@@ -74,14 +78,15 @@ def _pictures(view: View) -> None:
     )  # fmt: skip
     if wish is not None and job is None:
         offer(wish, "Test the values", key="test_values")
-    elif job is not None and job.going:
-        st.fragment(_tested, run_every=LOOK_EVERY)(job)
+    return job if found is None and lacking is TESTING else None
 
 
-def _tested(job: Job[evidence.Evidence]) -> None:
-    """Draw the page anew once the test is done."""
-    if not job.going:
-        st.rerun()
+def _await(job: Job[evidence.Evidence]) -> None:
+    """Draw the page anew once the test is done; a person who does something meanwhile ends this run."""
+    place = st.empty()
+    while not job.wait(LOOK_EVERY) and job.going:
+        place.empty()  # where Streamlit ends a run that nobody awaits
+    st.rerun()
 
 
 page()
