@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from app.inverse import subjects
+from app.inverse import memory, subjects
 from app.session.url import Check, Entries, Schema, Values, by_name, check_of
 from app.view.schema import ACTION, check_reached
 from app.view.subjects import PARAM
@@ -59,6 +59,7 @@ LINK = Schema(
         check_of("world", _world_is_listed, lead=""),
         Entries(_of_world, PARAM, owner=lambda values: str(values.get("world", "this subject"))),
         Entries({**subjects.parameters(), **by_name(ACTION, subjects.AXIS)}),
+        Entries(by_name(*memory.PARAMETERS), prefix=memory.EDIT),
         Check(subjects.world_of, drops=(f"{PARAM}*",)),
         _is_one_of("state"),
         _is_one_of("action"),

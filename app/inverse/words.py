@@ -96,7 +96,7 @@ def said(study: Study, found: Swept, course: Course, evidence: Evidence | None, 
     degrees = float(np.interp(np.log(s.alpha), np.log(found.sweep.alphas), found.sweep.degrees))
     parts.append(f"{degrees:.3g} of {found.sweep.discounts} degrees of freedom are fitted.")
     if len(study.action_names) > 1:
-        parts.append(_turning(study))
+        parts.append(chosen_over(study, study.decoded.actions))
     if evidence is not None:
         tone = tone if evidence.p_value > LEVEL else "bad"
         parts.append(_consistency(evidence.p_value))
@@ -115,9 +115,9 @@ def _choice(study: Study, found: Swept) -> str:
     return f"Alpha {alpha:.3g} was set by hand; automatic takes {suggested:.3g}."
 
 
-def _turning(study: Study) -> str:
-    """Which action is chosen up to which deadline."""
-    stretches = turns(study.decoded.actions)
+def chosen_over(study: Study, actions: np.ndarray) -> str:
+    """Which action is chosen from which deadline on, of the choices ``(K,)`` for each of them."""
+    stretches = turns(actions)
     names = [study.action_names[action] for _, action in stretches]
     if len(names) == 1:
         return f"{names[0]} is chosen at every T."

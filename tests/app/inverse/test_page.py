@@ -9,12 +9,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from app.inverse import compute, evidence, words
+from app.inverse import compute, evidence, grids, words
 from app.inverse.evidence import Evidence
 from app.inverse.subjects import OPENING, view_of
 from app.view.compute import study_for
 from laplace_core.inverse.certificate import certify
 from laplace_core.inverse.consistency import check_noise
+from laplace_core.inverse.grids import task_for
 from tests.support.pages import link, opened, press, run, wait
 
 
@@ -151,3 +152,29 @@ def test_settings_that_do_not_fit_are_refused_and_can_be_undone():
     assert page.error
     press(page, "Undo the last change")
     assert not page.error
+
+
+def test_a_timeline_that_is_stopped_early_turns_the_choice():
+    page = opened("memory", screen="inverse", world="two_branch")
+    before = next(caption.value for caption in page.caption if caption.value.startswith("As decoded"))
+    assert "Changed" not in before
+    page.number_input(key="m.horizon").set_value(2)
+    run(page)
+    after = next(caption.value for caption in page.caption if caption.value.startswith("As decoded"))
+    assert "Changed: short is chosen at every T." in after
+    assert link(page)["m.horizon"] == "2"
+
+
+def test_a_change_of_the_timeline_is_in_the_link():
+    page = opened(screen="inverse", world="two_branch", **{"m.gamma": "0.8", "m.worst": "2"})
+    assert any("worst must be a number" in warning.value for warning in page.warning)
+    assert link(page)["m.gamma"] == "0.8"
+
+
+def test_grids_are_judged_and_one_is_used():
+    page = wait(opened("grids", screen="inverse", world="two_branch", gammas="6"), lambda page: bool(page.dataframe))
+    (table,) = page.dataframe
+    assert list(table.value["Grid"])[:2] == ["designed", "inverse-log"]
+    found = grids.judged(task_for(3, 0.0), 6, lambda done, of: None)
+    assert [each.name for each in found] == list(table.value["Grid"])
+    assert found[0].error == min(each.error for each in found if len(each.gammas) == 6)
