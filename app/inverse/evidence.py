@@ -15,6 +15,7 @@ from laplace_core.study.pipeline import WorldStudy, noise_of
 
 MOST_HORIZONS = 14
 MOST_KEPT = 24
+USUAL_NOISE = 1e-3
 
 
 @dataclass(frozen=True)
@@ -47,7 +48,9 @@ def wish(study: Study, key: Hashable, *, independent: bool) -> Wish[Evidence] | 
         return gathered(study, deviations, independent=independent, progress=progress)
 
     actions, discounts, _ = study.gamma_space.values.shape
-    seconds = actions * discounts / 60.0 + 0.05 * MOST_HORIZONS * actions
+    # The time axis has more windows, the smaller the noise is.
+    finer = np.sqrt(np.clip(USUAL_NOISE / (study.settings.noise_level or USUAL_NOISE), 1.0, 100.0))
+    seconds = float(finer) * (actions * discounts / 60.0 + 0.05 * MOST_HORIZONS * actions)
     return Wish(_found, key, make, lambda: seconds, slot="evidence", lower="lower gammas or steps")
 
 

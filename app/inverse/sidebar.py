@@ -22,6 +22,7 @@ _OF_SUBJECT = ("world", "agent", "data", "state", "action", "alpha", "horizon", 
                "gamma_max", "thetas", "steps")  # fmt: skip
 """Entries that another subject does not take over; its noise and solver it does."""
 _FILE = "gamma_space_file"
+POLICIES = {"shared": "shared: one policy", "per_gamma": "per gamma: each its own"}
 
 
 def subject() -> bool:
@@ -105,6 +106,7 @@ def _more(s: Resolved) -> None:
     if s.policy is None:
         field(BY_NAME["steps"], s.steps, "Rows K")
         return
+    field(BY_NAME["policy"], s.policy, "Target policy", titles=POLICIES)
     field(BY_NAME["spacing"], s.spacing, "Spacing of the discounts")
     if s.spacing != "paper":
         field(BY_NAME["gammas"], s.gammas, "Discounts")

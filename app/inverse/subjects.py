@@ -28,7 +28,7 @@ NETWORK_NOISE = 0.01
 """What a trained network's values are taken to be off by, where nothing is said."""
 STUDIED = (
     "state", "noise", "noise_seed", "noise_level", "solver", "selector", "weighting", "alpha", "gammas", "spacing",
-    "gamma_min", "gamma_max", "thetas", "steps", "horizon",
+    "gamma_min", "gamma_max", "thetas", "steps", "horizon", "policy",
 )  # fmt: skip
 """Settings of the study that a link of this page may hold."""
 AXIS = Parameter("axis", "time", help="What discounts are drawn over.", choices=AXES)

@@ -160,3 +160,80 @@ def test_nothing_is_wider_than_the_screen(page, address, scheme, width, height):
     page.locator(".laplace-inverse .rule-aic summary").click()
     assert page.evaluate("() => document.documentElement.scrollWidth <= window.innerWidth + 1")
     assert page.evaluate(RIGHTMOST) <= width + 1
+
+
+class Walk:
+    """A new user, who goes by visible labels alone; ``clicks`` counts what they press, and texts that they type."""
+
+    def __init__(self, page, address):
+        self.page, self.clicks = page, 1
+        page.goto(address)
+        page.get_by_role("link", name="Inverse", exact=True).click()
+        page.wait_for_function(TESTED)
+        settled(page)
+
+    def choose(self, label, option):
+        box = self.page.get_by_role("combobox", name=label, exact=True)
+        box.click()
+        box.fill(option)
+        self.page.get_by_role("option", name=option, exact=True).click()
+        self.clicks += 2
+        settled(self.page)
+
+    def type(self, label, text):
+        box = self.page.get_by_role("spinbutton", name=label, exact=True)
+        box.fill(text)
+        box.press("Enter")
+        self.clicks += 1
+        settled(self.page)
+
+    def press(self, text):
+        self.page.get_by_text(text, exact=True).click()
+        self.clicks += 1
+        settled(self.page)
+
+    @property
+    def sentence(self):
+        self.page.wait_for_function(TESTED)
+        return self.page.locator(".laplace-inverse .verdict").inner_text()
+
+
+def test_a_new_user_finds_the_alpha_that_the_data_suggest_and_the_best_one(page, address):
+    walk = Walk(page, address)
+    walk.choose("World", "Fig. 6 chain")
+    walk.type("Noise", "0.01")
+    found = re.search(r"takes alpha ([0-9.]+)\. It is ([0-9.]+) times the best alpha, ([0-9.]+)", walk.sentence)
+    suggested, times, best = map(float, found.groups())
+    assert times == pytest.approx(suggested / best, rel=0.02)
+    assert walk.clicks <= 4
+
+
+def test_a_new_user_finds_where_the_choice_turns(page, address):
+    walk = Walk(page, address)
+    walk.choose("World", "Two decisions in a row")
+    turn = re.search(r"Chosen over T: (.+), (.+) from (\d+)", walk.sentence)
+    early, late, horizon = turn.groups()
+    canvas = page.get_by_role("slider", name="alpha, on Where the choice turns")
+    canvas.focus()
+    note = page.locator(".laplace-inverse .flips .note")
+    expect(note).to_contain_text(late)
+    for _ in range(4 - int(horizon) + 1):
+        page.keyboard.press("ArrowDown")
+    expect(note).to_contain_text(early)
+    settled(page)
+    first = note.inner_text()
+    canvas.click(position={"x": 320, "y": 60})  # a large alpha, at a late deadline
+    settled(page)
+    assert first != note.inner_text()
+    assert walk.clicks <= 4
+
+
+def test_a_new_user_shows_that_values_of_mixed_policies_are_no_process(page, address):
+    walk = Walk(page, address)
+    walk.choose("World", "Two decisions in a row")
+    assert "Some timeline may well have these values" in walk.sentence
+    walk.press("Noise level, discounts, sensitivities")
+    walk.choose("Target policy", "per gamma: each its own")
+    assert "No feasible timeline has these values" in walk.sentence
+    expect(page.locator(".laplace-inverse .verdict")).to_have_class(re.compile("bad"))
+    assert walk.clicks <= 7
