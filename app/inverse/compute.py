@@ -77,7 +77,7 @@ def _swept(subject: Subject, settings: Resolved) -> Swept:
 
 @cached(16)
 def _course(subject: Subject, settings: Resolved) -> Course:
-    """The course of a solver, or where that takes too long, of the linear one that alpha is chosen by."""
+    """The course of a solver; where that takes too long, of the linear one that alpha is chosen by."""
     study, found = _study(subject, settings), _swept(subject, settings)
     alphas = found.sweep.alphas[found.first :]
     actions, discounts, thetas = study.gamma_space.values.shape

@@ -668,6 +668,8 @@ export interface InverseModel {
     solver: string;
     /** The linear solver that alpha is chosen by. */
     linear: string;
+    /** The solver whose choices are mapped: another one where the own takes too long at many alphas. */
+    mapped: string | null;
     filter: 'tikhonov' | 'truncated' | 'damped' | 'iterative';
     /** Components that are not filtered, the first ones. */
     free: number;

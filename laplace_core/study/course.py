@@ -31,11 +31,13 @@ class Course:
         chosen: the action chosen at each horizon, int ``(a, K)``.
         time_error: ``(a,)``, :func:`laplace_core.inverse.distances.mean_time_distance` from the truth, mean over the
             actions, in steps; None without a truth.
+        solver: the solver of the study.
     """
 
     alphas: np.ndarray
     chosen: np.ndarray
     time_error: np.ndarray | None
+    solver: str
 
     @property
     def best(self) -> int | None:
@@ -56,7 +58,9 @@ def course(study: Study, alphas: np.ndarray) -> Course:
         chosen.append(decoded.actions)
         if study.truth is not None:
             errors.append(_time_error(study, decoded.tau_space))
-    return Course(np.asarray(alphas), np.array(chosen, dtype=int), np.array(errors) if errors else None)
+    return Course(
+        np.asarray(alphas), np.array(chosen, dtype=int), np.array(errors) if errors else None, study.settings.solver
+    )
 
 
 def _chosen(study: Study, alpha: float) -> np.ndarray:

@@ -134,6 +134,7 @@ def payload(
         "chosen": [found.chosen[name] for name in found.curves],
         "steps": s.steps,
         "time_step": s.time_step,
+        "mapped": None if course is None else course.solver,
         "first": found.first,
         "open": space.open_ends,
         "actions": list(study.action_names),

@@ -87,7 +87,7 @@ function mount(host, firstModel, firstTold, report) {
   host.replaceChildren(
     said,
     element('div', { class: 'line' }, readout, axis),
-    element('div', { class: 'panels' }, ...boxes.slice(0, small - 1)),
+    element('div', { class: `panels above${small - 1}` }, ...boxes.slice(0, small - 1)),
     element(
       'div',
       { class: 'choice' },

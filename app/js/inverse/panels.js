@@ -39,7 +39,7 @@ function legend(pen, box, styles, colours) {
   let at = box.x;
   for (const [stroke, words] of styles) {
     const wide = pen.width(words, 11);
-    if (at + 18 + wide > box.x + box.w + 8) return;
+    if (at + 18 + wide > box.x + box.w - 4) return;
     pen.path(
       [
         [at, 11],
@@ -521,7 +521,9 @@ const flips = {
     const { course_alphas: alphas, choices } = model.arrays,
       row = rowOf(model, state.horizon);
     if (!choices) return '';
-    return `${model.header.actions[choices[nearest(alphas, state.alpha) * model.K + row]]} at T ${short(state.horizon)}`;
+    const { solver, mapped } = model.header,
+      whose = solver === mapped ? '' : `by ${mapped}: `;
+    return `${whose}${model.header.actions[choices[nearest(alphas, state.alpha) * model.K + row]]} at T ${short(state.horizon)}`;
   },
   draw(pen, w, h, { model, state, told, colours, images }) {
     const { course_alphas: alphas, choices, true_choice: best } = model.arrays,
@@ -553,7 +555,7 @@ const flips = {
     if (best) {
       images.best ??= picture(best, 1, K);
       pen.image(images.best, box.x + box.w + 5, box.y, 9, box.h);
-      pen.text('best', box.x + box.w + 10, box.y + box.h + 13, { size: 10, align: 'center', colour: colours.soft });
+      pen.text('best', box.x + box.w + 10, 15, { size: 10, align: 'center', colour: colours.soft });
     }
     clipped(pen, scale, () => {
       for (const [low, high] of certain(told.certified ?? [])) {

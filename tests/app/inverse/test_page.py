@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import json
 import struct
 from dataclasses import replace
@@ -16,6 +17,7 @@ from app.view.compute import study_for
 from laplace_core.inverse.certificate import certify
 from laplace_core.inverse.consistency import check_noise
 from laplace_core.inverse.grids import task_for
+from laplace_core.study.course import errors_of
 from tests.support.pages import link, opened, press, run, wait
 
 
@@ -63,6 +65,16 @@ def test_an_alpha_at_the_end_of_the_sweep_is_said():
     said = words.said(edged, shown.found, shown.course, None)
     assert "the largest alpha of the sweep" in said.sentence
     assert said.tone == "warn"
+
+
+def test_of_a_solver_that_takes_long_the_own_error_is_told_and_the_map_is_of_another():
+    values = {**OPENING, "solver": "feasible"}
+    study = study_for(view_of(values))
+    shown = compute.shown(view_of(values))
+    assert shown.course.solver == "tikhonov"
+    assert (
+        f"The timeline is off by {errors_of(study).distance:.3g} steps; that of Tikhonov" in sentence(values).sentence
+    )
 
 
 def test_what_is_missing_is_said():
@@ -136,6 +148,19 @@ def test_a_trained_agent_and_a_file_can_be_looked_at():
     page.segmented_control(key="kind").set_value("world")
     run(page)
     assert link(page)["world"] == "two_branch"
+
+
+def test_a_file_is_opened_here_although_the_page_of_worlds_opens_such_files():
+    space, file = study_for(view_of({"world": "two_branch"})).gamma_space, io.BytesIO()
+    np.savez(file, gamma_space=space.values, constant_channel=space.constant, gammas=space.gammas, thetas=space.thetas)
+    page = opened(screen="inverse")
+    page.segmented_control(key="kind").set_value("data")
+    run(page)
+    page.file_uploader[0].set_value(("own.npz", file.getvalue(), "application/octet-stream"))
+    run(page)
+    assert not page.error
+    assert set(link(page)) == {"data", "noise"}
+    assert told(page)["said"]["sentence"].startswith("Automatic")
 
 
 def test_the_leaderboard_lists_every_solver_and_opens_one():
