@@ -471,7 +471,7 @@ const rewards = {
     const { K, dt, arrays } = model,
       { rewards: found, noise, bias } = made,
       true_ = arrays.true_rewards,
-      box = inside(w, h, { top: 8, left: 48 });
+      box = inside(w, h, { top: true_ ? 22 : 8, left: 48 });
     const spread = (k) => (noise && bias ? 2 * noise[k] + Math.abs(bias[k]) : 0);
     const all = Array.from(found).flatMap((value, k) => [
         value - Math.min(spread(k), 1e3),
@@ -504,7 +504,16 @@ const rewards = {
       }
       line(pen, xs, found.map(scale.Y), { stroke: colour, width: 2.2 });
     });
-    if (true_) pen.text('dashed: truth', box.x + box.w - 2, box.y + 11, { size: 10.5, align: 'right', colour: TRUTH });
+    if (true_)
+      legend(
+        pen,
+        box,
+        [
+          [colour, 'decoded'],
+          [TRUTH, 'truth'],
+        ],
+        colours,
+      );
     return scale;
   },
 };
