@@ -28,6 +28,7 @@ training_runs.wake()
 st.sidebar.html('<div class="brand">Laplace code workbench</div>')
 PAGES = [
     st.Page("screens/worlds.py", title="Worlds", default=True),
+    st.Page("screens/inverse.py", title="Inverse", url_path="inverse"),
     st.Page("screens/agents.py", title="Trained agents", url_path="agents"),
     st.Page("screens/race.py", title="Deadline race", url_path="race"),
     st.Page("screens/train.py", title="Train", url_path="train"),

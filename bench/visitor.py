@@ -27,7 +27,7 @@ from streamlit.runtime.state.session_state import STREAMLIT_INTERNAL_KEY_PREFIX
 from websockets.asyncio.client import ClientConnection, connect
 from websockets.exceptions import WebSocketException
 
-PAGES = {"worlds": "", "agents": "agents", "race": "race", "train": "train"}
+PAGES = {"worlds": "", "inverse": "inverse", "agents": "agents", "race": "race", "train": "train"}
 """Address of every page, by the name that the app gives it."""
 _ORIGIN_COOKIE = "_streamlit_xsrf"
 _TAGS = re.compile(r"<style>.*?</style>|<[^>]*>", re.DOTALL)

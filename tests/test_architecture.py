@@ -16,7 +16,7 @@ ROOT = Path(__file__).resolve().parent.parent
 TEXT = (ROOT / "docs" / "architecture.md").read_text(encoding="utf-8")
 SPAN = re.compile(r"`([^`]+)`")
 SPANS = sorted(set(SPAN.findall(TEXT)))
-SUBJECTS = ("app.worlds", "app.agents", "app.race", "app.train", "app.paper")
+SUBJECTS = ("app.worlds", "app.inverse", "app.agents", "app.race", "app.train", "app.paper")
 WALKS = {
     "A reward": "laplace_core.",
     "A slider": "app/js/",

@@ -27,6 +27,7 @@ from laplace_core.payloads.lens import structure
 from laplace_core.payloads.player import payload as player_payload
 from laplace_core.payloads.player import rounded
 from laplace_core.payloads.state import state_of
+from tests.support.inverse_agreement import fixture as inverse
 from tests.support.lens_agreement import fixture, network, packed, payloads, random_cases, verdicts
 from tests.support.lens_reference import seen, unpacked
 
@@ -174,6 +175,7 @@ def test_the_javascript_shows_what_the_library_computes(spaces, tmp_path):
         "laws": laws(),
         "table": table(spaces),
         "truth": truth(),
+        "inverse": inverse(),
     }.items():
         (tmp_path / f"{name}.json").write_text(json.dumps(content))
     run = subprocess.run(

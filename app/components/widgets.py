@@ -6,6 +6,7 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from dataclasses import field as field_of
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -88,13 +89,18 @@ def download(
     place.download_button(label, data, file_name=file_name, mime=mime, on_click="ignore", **more)
 
 
-def upload(label: str, endings: Sequence[str], key: str, take: Callable[[str, bytes], None], **more: Any) -> None:
+def upload(
+    label: str, endings: Sequence[str], key: str, take: Callable[[str, bytes], None], *, anywhere: bool = False,
+    **more: Any,
+) -> None:  # fmt: skip
     """A place for a file, and under it why the last one was refused, if it was.
 
     Args:
         take: callback for its name and its content; may raise InputError.
+        anywhere: whether a file is taken here although another page is where such files are opened.
     """
-    st.file_uploader(label, type=list(endings), key=key, on_change=_uploaded, args=(key, take), **more)
+    taken = partial(_uploaded, key, take, anywhere=anywhere)
+    st.file_uploader(label, type=list(endings), key=key, on_change=taken, **more)
     if key in session.current().refusals:
         st.error(in_markdown(session.current().refusals[key]))
     home = session.part(_Homes).by_key.get(key)
@@ -120,7 +126,7 @@ def left_out(sentences: Sequence[str]) -> None:
         st.warning(f"Left out, a file of the workbench is damaged: {in_markdown(sentence)}")
 
 
-def _uploaded(key: str, take: Callable[[str, bytes], None]) -> None:
+def _uploaded(key: str, take: Callable[[str, bytes], None], *, anywhere: bool) -> None:
     """Callback: an uploaded file replaces the view, or says in one sentence why it cannot."""
     file = st.session_state[key]
     if isinstance(file, DeletedFile):  # it was taken, and Streamlit's copy of it dropped
@@ -129,7 +135,7 @@ def _uploaded(key: str, take: Callable[[str, bytes], None]) -> None:
     session.part(_Homes).by_key.pop(key, None)
     if file is None:
         return
-    home = files.home_of(file.name, file.getvalue())
+    home = None if anywhere else files.home_of(file.name, file.getvalue())
     if home is not None and home[0] != store.page_name():
         session.part(_Homes).by_key[key] = home[0]
         name = shortened(file.name)

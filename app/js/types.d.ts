@@ -653,3 +653,132 @@ declare global {
     toStep?: (px: number) => number;
   }
 }
+
+/** Columns of the non-negative solver: app/js/inverse/nonnegative.js. */
+export interface NonnegativeColumns {
+  /** Largest singular value of the system. */
+  size: number;
+  /** The timeline at an alpha, (K, B). */
+  at(alpha: number): Float64Array;
+}
+
+/** A payload of the page of the inverse: app/components/inverse/payload.py. B bins, r components, a alphas. */
+export interface InverseModel {
+  header: {
+    solver: string;
+    /** The linear solver that alpha is chosen by. */
+    linear: string;
+    /** The solver whose choices are mapped: another one where the own takes too long at many alphas. */
+    mapped: string | null;
+    filter: 'tikhonov' | 'truncated' | 'damped' | 'iterative';
+    /** Components that are not filtered, the first ones. */
+    free: number;
+    /** Sum of squares of what no component reaches. */
+    outside: number;
+    columns: number;
+    /** Names of the rules, and which alpha each of them takes. */
+    rules: string[];
+    chosen: number[];
+    steps: number;
+    time_step: number;
+    /** The first alpha of the sweep that is drawn. */
+    first: number;
+    open: boolean;
+    actions: string[];
+    action: number;
+    /** Deviation of the expected reward at a discount over that of one value. */
+    gain: number;
+    /** Smallest alpha of the non-negative solver, over the largest singular value. */
+    least: number;
+    decoded_at: number | null;
+  };
+  arrays: Record<string, Float64Array>;
+  G: number;
+  K: number;
+  B: number;
+  r: number;
+  /** Length of a row, in steps of the world. */
+  dt: number;
+  /** U^T W, (r, G). */
+  Ut: Float64Array;
+  /** (G, K). */
+  transform: Float64Array;
+  /** The masses in their components, (r, B). */
+  components: Float64Array;
+  /** Expected reward over the discounts, (G,). */
+  means: Float64Array;
+  /** U^T W F, (r, K). */
+  seenThrough: Float64Array;
+  horizons: Float64Array;
+  nonnegative?: NonnegativeColumns;
+  bins: Bins;
+}
+
+/** What an alpha makes of the data: app/js/inverse/maths.js. */
+export interface Made {
+  alpha: number;
+  /** (r,) each. */
+  kept: Float64Array;
+  lost: Float64Array;
+  residual: number;
+  size: number;
+  degrees: number;
+  /** (K, B). */
+  tau: Float64Array;
+  /** (K,). */
+  rewards: Float64Array;
+  /** The rewards over the discounts again, (G,). */
+  back: Float64Array;
+  /** Whether the timeline belongs to another alpha, because this solver answers when alpha is let go of. */
+  still: boolean;
+  /** Standard deviation that the noise makes, and what smoothing adds, (K,). */
+  noise?: Float64Array;
+  bias?: Float64Array;
+}
+
+/** What a hand has set on the page of the inverse. */
+export interface InverseState {
+  alpha: number;
+  /** T, in steps of the world. */
+  horizon: number;
+  axis: 'gamma' | 'time';
+}
+
+/** What the server tells the page of the inverse: app/components/inverse/__init__.py. */
+export interface InverseTold {
+  name: string;
+  id: string;
+  revision: number;
+  state: InverseState;
+  /** What is said of this alpha. */
+  said: { tone: 'ok' | 'warn' | 'bad' | 'unknown'; sentence: string; state: InverseState };
+  /** What the rules of the payload are called. */
+  rules: Record<string, { title: string; why: string; formula: string }>;
+  /** The rule in use; null of an alpha that was set by hand. */
+  rule: string | null;
+  /** Horizons and the action that is certainly best there, -1 of none; null while that is computed. */
+  certified: [number, number][] | null;
+}
+
+/** All that a picture of the page of the inverse is drawn from. */
+export interface InverseScene {
+  model: InverseModel;
+  told: InverseTold;
+  state: InverseState;
+  made: Made;
+  colours: Colours;
+  images: Record<string, any>;
+}
+
+/** A picture of the page of the inverse. */
+export interface InversePanel {
+  name: string;
+  title: string;
+  /** Two lines behind the question mark; the second one is the formula. */
+  why: [string, string];
+  /** What is said beside the title. */
+  note?(scene: InverseScene): string;
+  draw(pen: Pen, w: number, h: number, scene: InverseScene): Scale;
+  /** Where a hand at a place of the picture, in pixels, puts the state; there where it can be dragged. */
+  drag?(scene: InverseScene, scale: Scale, x: number, y: number): Partial<InverseState>;
+}

@@ -314,6 +314,24 @@ function thetaTicks(seen, [first, last], width) {
   return found;
 }
 
+// app/js/draw/colours.js
+function coloursOf(host) {
+  const style = getComputedStyle(host), named = (name, other) => style.getPropertyValue(name).trim() || other;
+  const text = style.color, primary = named("--st-primary-color", "#0b7285"), paper = named("--st-background-color", "#ffffff");
+  const light = (text.match(/\d+/g) ?? ["0"]).slice(0, 3).reduce((a, b) => a + +b, 0) > 382;
+  return {
+    text,
+    primary,
+    paper,
+    font: style.fontFamily,
+    soft: light ? "#a9b1ba" : "#5b636d",
+    wash: light ? "rgba(59,201,219,0.22)" : "rgba(11,114,133,0.16)",
+    mark: light ? "#ffffff" : "#000000",
+    halo: light ? "rgba(0,0,0,0.65)" : "rgba(255,255,255,0.75)",
+    empty: light ? "#1b2026" : "#eceff2"
+  };
+}
+
 // app/js/core/algebra.js
 function product(a, b, n, m, k, out = new Float64Array(n * k)) {
   for (let i = 0; i < n; i++) {
@@ -2631,22 +2649,6 @@ function worldPanel(report) {
 var REST = 140;
 var PER_FRAME = 1e6;
 var AT_REST = 2e7;
-function coloursOf(host) {
-  const style = getComputedStyle(host), named = (name, other) => style.getPropertyValue(name).trim() || other;
-  const text = style.color, primary = named("--st-primary-color", "#0b7285"), paper = named("--st-background-color", "#ffffff");
-  const light = (text.match(/\d+/g) ?? ["0"]).slice(0, 3).reduce((a, b) => a + +b, 0) > 382;
-  return {
-    text,
-    primary,
-    paper,
-    font: style.fontFamily,
-    soft: light ? "#a9b1ba" : "#5b636d",
-    wash: light ? "rgba(59,201,219,0.22)" : "rgba(11,114,133,0.16)",
-    mark: light ? "#ffffff" : "#000000",
-    halo: light ? "rgba(0,0,0,0.65)" : "rgba(255,255,255,0.75)",
-    empty: light ? "#1b2026" : "#eceff2"
-  };
-}
 var same = (a, b) => Object.keys(a).every((name) => name === "look" || name === "action" || a[name] === b?.[name]);
 function mount(root, model, told, report) {
   const host = element("div", { class: "laplace-lens" });

@@ -1,6 +1,7 @@
 """Arrays in, plotly figures out, as plain dictionaries; nothing here knows Streamlit."""
 
 from laplace_core.figures.comparison import comparison, thinning
+from laplace_core.figures.edited import edited_gamma_space, edited_values
 from laplace_core.figures.graph import world_graph
 from laplace_core.figures.learning import learning_curve, return_laws, reward_bands
 from laplace_core.figures.race import differences
@@ -21,6 +22,8 @@ __all__ = [
     "calibration_plot",
     "comparison",
     "differences",
+    "edited_gamma_space",
+    "edited_values",
     "learning_curve",
     "return_laws",
     "returns_of_actions",

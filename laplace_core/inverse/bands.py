@@ -57,11 +57,14 @@ class Bands:
         noise: standard deviation of what the noise of the values makes of each row, ``(A, K)``.
         bias: what the inverse adds to the reference timeline by smoothing it, ``(A, K)``.
         reference: expected rewards of the feasible timeline that stands for the truth, ``(A, K)``.
+        values: the reference over the discounts, with what comes after the last row, ``(A, G)``: whatever a linear
+            inverse makes of them, less the reference, is its bias. None where the bias was found by draws.
     """
 
     noise: np.ndarray
     bias: np.ndarray
     reference: np.ndarray
+    values: np.ndarray | None = None
 
 
 def bands(
@@ -79,17 +82,28 @@ def bands(
         InputError: deviations or alpha that make no sense.
     """
     inverse = decode_matrix(gamma_space.gammas, steps, alpha, time_step) if matrix is None else matrix
-    of_values, of_constant = _counts(gamma_space)
-    gain = np.hypot(np.linalg.norm(of_values), of_constant) if independent else abs(of_values.sum() + of_constant)
-    noise = gain * np.sqrt(inverse**2 @ np.asarray(deviations) ** 2)
+    noise = reward_gain(gamma_space, independent=independent) * np.sqrt(inverse**2 @ np.asarray(deviations) ** 2)
     layers = layers_of(gamma_space, steps, deviations, time_step=time_step, independent=independent)
     fitted = feasible(layers.problem, 0.0)
     reference = fitted.masses @ layers.sizes
     axis = axis_of(gamma_space.gammas, steps, time_step)
     assert fitted.beyond is not None  # a feasible solution always has it
     whole = np.concatenate([reference, fitted.beyond @ layers.sizes], axis=-1)
-    bias = whole @ axis.transform.T @ inverse.T - reference
-    return Bands(np.broadcast_to(noise, reference.shape), bias, reference)
+    values = whole @ axis.transform.T
+    bias = values @ inverse.T - reference
+    return Bands(np.broadcast_to(noise, reference.shape), bias, reference, values)
+
+
+def reward_gain(gamma_space: GammaSpace, *, independent: bool = True) -> float:
+    """Standard deviation of the error of the expected reward at a discount over that of one value there.
+
+    Args:
+        independent: whether errors of different sensitivities are; if not, they are taken to be the same at all.
+    """
+    of_values, of_constant = _counts(gamma_space)
+    if independent:
+        return float(np.hypot(np.linalg.norm(of_values), of_constant))
+    return float(abs(of_values.sum() + of_constant))
 
 
 def bands_by_draws(solver: Solver, layers: Layers, alpha: float, *, draws: int = 50, seed: int = 0) -> Bands:

@@ -13,6 +13,7 @@ import pytest
 from streamlit.testing.v1 import AppTest
 
 from app.agents import schema as agents
+from app.inverse import schema as inverse
 from app.race import schema as race
 from app.train import schema as train
 from app.worlds import schema as worlds
@@ -57,7 +58,7 @@ def test_no_link_breaks_a_page(subtests, memory):
 
 
 def test_whatever_a_link_holds_its_notes_are_sentences(subtests, memory):
-    schemas = {"": worlds, "agents": agents, "race": race, "train": train}
+    schemas = {"": worlds, "inverse": inverse, "agents": agents, "race": race, "train": train}
     for kind, link in zip(cycle(LINKS), links(120, seed=2), strict=False):
         parts = urlsplit(link)
         if kind.__name__ not in ("_large", "_giant"):

@@ -1,6 +1,7 @@
 // The lens: one state, the pictures that it makes, and what is done to both. Python hears releases only.
 /** @import { Lens, Model, Released, Saved, Scene, Told } from '../types.js' */
 import { acrossOf, thetaTicks } from '../draw/columns.js';
+import { coloursOf } from '../draw/colours.js';
 import { element } from '../draw/elements.js';
 import { footer, sliders, switchboard, toolbar } from './controls.js';
 import { sheet, short } from '../draw/drawing.js';
@@ -18,26 +19,6 @@ import { worldPanel } from './world.js';
 const REST = 140; // ms without a change before what is slow is done
 const PER_FRAME = 1e6,
   AT_REST = 2e7; // products to be spent on horizons with an inverse each
-
-function coloursOf(host) {
-  const style = getComputedStyle(host),
-    named = (name, other) => style.getPropertyValue(name).trim() || other;
-  const text = style.color,
-    primary = named('--st-primary-color', '#0b7285'),
-    paper = named('--st-background-color', '#ffffff');
-  const light = (text.match(/\d+/g) ?? ['0']).slice(0, 3).reduce((a, b) => a + +b, 0) > 382;
-  return {
-    text,
-    primary,
-    paper,
-    font: style.fontFamily,
-    soft: light ? '#a9b1ba' : '#5b636d',
-    wash: light ? 'rgba(59,201,219,0.22)' : 'rgba(11,114,133,0.16)',
-    mark: light ? '#ffffff' : '#000000',
-    halo: light ? 'rgba(0,0,0,0.65)' : 'rgba(255,255,255,0.75)',
-    empty: light ? '#1b2026' : '#eceff2',
-  };
-}
 
 // States are equal where everything is that decides what is seen.
 const same = (a, b) => Object.keys(a).every((name) => name === 'look' || name === 'action' || a[name] === b?.[name]);

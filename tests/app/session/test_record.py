@@ -14,7 +14,7 @@ from tests.support.pages import choose, link, opened, run
 from tests.support.pages import session as record_of
 
 APP = Path(__file__).resolve().parents[3] / "app"
-SCREENS = ("worlds", "agents", "race", "train", "paper")
+SCREENS = ("worlds", "inverse", "agents", "race", "train", "paper")
 FREE = ("session/record.py",)  # the record itself
 
 

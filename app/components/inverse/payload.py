@@ -1,0 +1,159 @@
+"""What the page of the inverse needs of one action of a study: all that a drag of alpha moves, packed for the browser.
+
+The library makes every array. The browser filters components by alpha and multiplies; what alpha does not move comes as
+it is drawn.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from app.session.message import pack, packed_blocks
+from laplace_core import Study
+from laplace_core.inverse import LINEAR, is_linear
+from laplace_core.inverse.bands import bands, reward_gain
+from laplace_core.inverse.components import Sweep, reached, sweep_of
+from laplace_core.inverse.feasible import reduced_system
+from laplace_core.inverse.nonnegative import LEAST_ALPHA
+from laplace_core.inverse.selectors import chosen_index, curves_of
+from laplace_core.inverse.transform import transform_matrix
+from laplace_core.study.course import Course
+from laplace_core.study.pipeline import noise_of, problem_for
+
+FOLLOWS = "nonnegative"
+"""The solver that is not linear and follows a drag in the browser; the others answer when alpha is let go of."""
+
+LEAST_DRAWN = 1e-7
+"""Of the largest singular value: alphas from which on pictures begin."""
+
+
+def sweep_for(study: Study) -> Sweep:
+    """The sweep of a study's solver, or of the linear one that alpha is chosen by."""
+    s = study.settings
+    problem = problem_for(study.gamma_space, s)
+    return sweep_of(problem, s.solver, noise=noise_of(s, study.gamma_space.gammas))
+
+
+@dataclass(frozen=True, eq=False)
+class Swept:
+    """A study's sweep, the curve of every rule, ``(a,)``, and which alpha each of them takes."""
+
+    sweep: Sweep
+    curves: dict[str, np.ndarray]
+    chosen: dict[str, int]
+
+    @property
+    def first(self) -> int:
+        """The first alpha that is drawn: smaller ones fit everything, unless a rule takes one of them."""
+        least = np.argmax(self.sweep.alphas >= LEAST_DRAWN * self.sweep.spectrum.largest)
+        return min(int(least), *self.chosen.values())
+
+
+def swept(study: Study) -> Swept:
+    """The sweep of a study with all that is read from it."""
+    sweep = sweep_for(study)
+    curves = curves_of(sweep)
+    chosen = {name: int(chosen_index(name, curve)[0]) for name, curve in curves.items()}
+    return Swept(sweep, {name: curve[0] for name, curve in curves.items()}, chosen)
+
+
+def payload(
+    study: Study, action: int, found: Swept, course: Course | None = None, *, independent: bool = True
+) -> bytes:  # fmt: skip
+    """A length, a header as JSON, and arrays, as :func:`app.session.message.packed_blocks` lays them out.
+
+    With G discounts, K rows, B bins, r components, a alphas, R rules and c alphas of the course:
+        ``gammas`` ``(G,)``; ``U`` ``(G, r)``, ``s`` ``(r - free,)``, ``rows`` ``(K, r)``, ``weights`` ``(G,)``: the
+            weighted transform of the linear solver in its components, the free ones first.
+        ``masses`` ``(G, B)``, ``bin_edges`` ``(B + 1,)``, ``bin_values`` ``(B,)``: the data of the action.
+        ``alphas``, ``residual``, ``size``, ``degrees`` ``(a,)``, ``curves`` ``(R, a)``, ``energy`` ``(r,)``: the sweep.
+        ``course_alphas`` ``(c,)``, ``choices`` ``(c, K)``, ``time_error`` ``(c,)``: what is chosen, and how far off the
+            timeline is, where that is known.
+        ``truth`` ``(K, B)``, ``true_rewards`` ``(K,)``, ``true_choice`` ``(K,)``: where there is a world.
+        ``deviations`` ``(G,)``: where the noise is known; of a linear solver then also the timeline that its bias is
+            counted from, ``reference`` ``(K,)``, and what that leaves at the discounts, ``reference_values`` ``(G,)``.
+        ``reduced`` ``(q, K)``, ``targets`` ``(B, q)``: the non-negative solver's system and data.
+        ``decoded`` ``(K, B)``: the timeline of a solver that does not follow a drag.
+
+    Args:
+        independent: whether errors of different sensitivities are; if not, they are taken to be the same at all.
+    """
+    s, space, sweep = study.settings, study.gamma_space, found.sweep
+    spectrum, used = sweep.spectrum, reached(sweep.spectrum)
+    problem = problem_for(space, s)
+    shown = problem.masses[action] if space.open_ends else problem.masses[action][:, 1:-1]
+    arrays: dict[str, np.ndarray] = {
+        "gammas": space.gammas,
+        "U": spectrum.U[:, used],
+        "s": spectrum.s[spectrum.usable],
+        "rows": spectrum.rows[:, used],
+        "weights": np.ones(len(space.gammas)) if spectrum.weights is None else spectrum.weights,
+        "masses": shown,
+        "bin_edges": space.bin_edges if space.open_ends else space.thetas,
+        "bin_values": space.bin_values,
+        "alphas": sweep.alphas,
+        "residual": np.sqrt(sweep.residual[0]),
+        "size": np.sqrt(sweep.size[0]),
+        "degrees": sweep.degrees,
+        "curves": np.array(list(found.curves.values())),
+        "energy": sweep.energy[0],
+    }
+    if course is not None:
+        arrays |= {"course_alphas": course.alphas, "choices": course.chosen}
+        if course.time_error is not None:
+            arrays["time_error"] = course.time_error
+    truth = study.truth
+    if truth is not None:
+        arrays |= {"truth": truth.tau_space[action], "true_rewards": truth.expected_reward[action]}
+        arrays["true_choice"] = truth.optimal_action
+    gain = 0.0
+    deviations = noise_of(s, space.gammas)
+    if deviations is not None:
+        gain, arrays["deviations"] = reward_gain(space, independent=independent), deviations
+    if deviations is not None and is_linear(s.solver):
+        around = bands(space, s.steps, 1.0, deviations, time_step=s.time_step, independent=independent)
+        assert around.values is not None  # those of a linear inverse have them
+        arrays |= {"reference": around.reference[action], "reference_values": around.values[action]}
+    if s.solver == FOLLOWS:
+        system = problem.weights[:, None] * transform_matrix(space.gammas, s.steps, s.time_step)
+        turn, arrays["reduced"] = reduced_system(system)
+        arrays["targets"] = (problem.weights[:, None] * shown).T @ turn
+    elif not is_linear(s.solver):
+        arrays["decoded"] = study.decoded.tau_space[action]
+    header: dict[str, Any] = {
+        "solver": s.solver,
+        "linear": sweep.solver,
+        "filter": LINEAR[sweep.solver].filter,
+        "free": spectrum.free,
+        "outside": float(np.trace(sweep.outside[0])),
+        "columns": sweep.columns,
+        "rules": list(found.curves),
+        "chosen": [found.chosen[name] for name in found.curves],
+        "steps": s.steps,
+        "time_step": s.time_step,
+        "mapped": None if course is None else course.solver,
+        "first": found.first,
+        "open": space.open_ends,
+        "actions": list(study.action_names),
+        "action": action,
+        "gain": gain,
+        "least": LEAST_ALPHA,
+        "decoded_at": s.alpha if "decoded" in arrays else None,
+    }
+    return _packed(header, arrays)
+
+
+_FLOATS, _COUNTS = ("truth", "decoded"), ("choices", "true_choice")
+
+
+def _packed(header: dict[str, Any], arrays: dict[str, np.ndarray]) -> bytes:
+    """In doubles, but for what is only looked at (single floats) and actions (two bytes)."""
+    kinds = {name: "f4" if name in _FLOATS else "u2" if name in _COUNTS else "f8" for name in arrays}
+    header["arrays"], data = packed_blocks(
+        (name, kinds[name], np.ascontiguousarray(array, dtype=f"<{kinds[name]}").tobytes(), list(array.shape))
+        for name, array in arrays.items()
+    )
+    return pack(header, data)

@@ -1,0 +1,94 @@
+"""Which discounts to learn for the deadlines and the noise of the present case: grids judged, and one designed."""
+
+from __future__ import annotations
+
+from collections.abc import Hashable
+from typing import Any
+
+import numpy as np
+import streamlit as st
+
+from app.components.waiting import attempt, offer, progress
+from app.components.widgets import download
+from app.session import store
+from app.session.jobs import Kind, Progress, Wish
+from app.view.compute import study_for
+from app.view.subjects import View
+from laplace_core.inverse.grids import POWERS, Judged, Task, design, standard_grids, task_for, tuned
+
+MOST_KEPT = 12
+SECONDS = 5e-4
+"""Of a design, by the number of discounts times the horizon."""
+MOST_DISCOUNTS = 100
+_judged: Kind[tuple[Judged, ...]] = Kind("judged grids", MOST_KEPT)
+
+
+def wish(count: int, horizon: int, noise: float, value_gamma: float) -> Wish[tuple[Judged, ...]]:
+    """Grids of so many discounts, judged for all deadlines up to a horizon."""
+
+    def make(report: Progress) -> tuple[Judged, ...]:
+        return judged(task_for(horizon, noise, value_gamma=value_gamma), count, report)
+
+    key: Hashable = (count, horizon, noise, value_gamma)
+    seconds = 1.0 + count * horizon * SECONDS
+    return Wish(_judged, key, make, lambda: seconds, slot="grids", lower="lower gammas or steps")
+
+
+def judged(task: Task, count: int, report: Progress) -> tuple[Judged, ...]:
+    """The designed grid and those that can be chosen by name, with tuned bounds and as they are."""
+    report(0, 1 + len(POWERS))
+    found = [task.judge(grid, name) for name, grid in standard_grids(count).items()]
+    for done, spacing in enumerate(POWERS, start=1):
+        found.append(tuned(task, count, spacing))
+        report(done, 1 + len(POWERS))
+    return (design(task, count), *found)
+
+
+def section(view: View) -> None:
+    """A closed section; a button begins the work."""
+    box = st.expander("Design the discounts for this noise and these deadlines", key="grids", on_change="rerun")
+    if not box.open:
+        return
+    study = study_for(view)
+    s, space = study.settings, study.gamma_space
+    count = min(MOST_DISCOUNTS, len(space.gammas))
+    horizon = int(np.clip(study.horizons[-1], 2, 1000))
+    asked = wish(count, horizon, float(s.noise_level or s.noise), s.value_gamma)
+    with box:
+        job = asked.look()
+        if job is None:
+            words = f"{count} discounts, deadlines up to {horizon}, noise {s.noise_level or s.noise:g}."
+            offer(asked, "Judge grids", key="judge_grids", words=words)
+        elif job.going:
+            progress(job, "Judging grids: {done} of {of}", asked.cancel, key="cancel_grids")
+        else:
+            found = attempt(job.result)
+            if found is not None:
+                _table(found, count, of_world=view.world is not None)
+
+
+def _table(found: tuple[Judged, ...], count: int, *, of_world: bool) -> None:
+    rows = [{"Grid": each.name, "Error of V_T": each.error, "alpha": each.alpha, "Discounts": len(each.gammas),
+             "Smallest gamma": each.gammas[0], "Largest gamma": each.gammas[-1]} for each in found]  # fmt: skip
+    event: Any = st.dataframe(rows, hide_index=True, width="stretch", on_select="rerun", selection_mode="single-row",
+                              key="judged")  # fmt: skip
+    picked = found[event.selection.rows[0]] if event.selection.rows else None
+    left, right = st.columns([3, 1], vertical_alignment="center")
+    named = picked is not None and picked.name != "designed"
+    label = f"Use {picked.name}" if picked is not None and named else "Choose a row that has a name to use its grid"
+    left.button(label, disabled=not (named and of_world), on_click=_use, args=(picked, count), key="use_grid")
+    shown = picked or found[0]
+    lines = "gamma\n" + "".join(f"{gamma!r}\n" for gamma in shown.gammas.tolist())
+    download(f"CSV of {shown.name}", lines, "gammas.csv", place=right, width="stretch")
+
+
+def _use(grid: Judged, count: int) -> None:
+    """Callback: the discounts of the study become those of a grid; alpha is chosen anew."""
+    spacing = grid.name.partition(",")[0]
+    bounds: tuple[float | None, float | None] = (float(grid.gammas[0]), float(grid.gammas[-1]))
+    if spacing == "paper":
+        bounds = (None, None)
+    store.apply_changes({
+        "spacing": spacing, "gammas": None if spacing == "paper" else count, "gamma_min": bounds[0],
+        "gamma_max": bounds[1],
+    })  # fmt: skip

@@ -1,0 +1,141 @@
+"""The sidebar of the page of the inverse: what is looked at, its noise, the solver, the rule for alpha and the grid."""
+
+from __future__ import annotations
+
+import streamlit as st
+
+from app.catalogue.names import world_title
+from app.components.widgets import field, left_out, select, upload
+from app.inverse import subjects
+from app.inverse.words import RULE_TITLES, SOLVER_TITLES
+from app.session import store
+from app.session.typed import in_markdown
+from app.view.compute import study_for
+from app.view.subjects import PARAM, View
+from laplace_core import World
+from laplace_core.inverse import ALPHA_CHOICES
+from laplace_core.inverse.selectors import TYPED
+from laplace_core.study.settings import BY_NAME, Resolved
+from laplace_core.worlds import parameters_of
+
+_OF_SUBJECT = ("world", "agent", "data", "state", "action", "alpha", "horizon", "gammas", "spacing", "gamma_min",
+               "gamma_max", "thetas", "steps")  # fmt: skip
+"""Entries that another subject does not take over; its noise and solver it does."""
+_FILE = "gamma_space_file"
+POLICIES = {"shared": "shared: one policy", "per_gamma": "per gamma: each its own"}
+
+
+def subject() -> bool:
+    """The controls of what is looked at; False while there is nothing."""
+    kinds = list(subjects.KINDS)
+    asked = st.session_state.get("kind") == "data"  # a file that is still to be opened
+    here = "data" if asked else subjects.kind_of(store.chosen())
+    st.segmented_control(
+        "Look at", kinds, format_func=subjects.KINDS.__getitem__, key=store.put("kind", here), on_change=_other_kind,
+        width="stretch", required=True,
+    )  # fmt: skip
+    if here == "agent":
+        from app.catalogue import checkpoints  # it brings the network library along, which no world needs
+
+        left_out(checkpoints.left_out())
+        if not subjects.agents():
+            return False
+        select("Agent", subjects.agents(), store.show("agent", subjects.agents()[0]), checkpoints.title, keep=_look_at)
+        st.caption("What it has learned of the state in which episodes start.")
+    elif here == "data":
+        upload("Open a gamma-space (.npz)", ["npz"], _FILE, _opened, anywhere=True)
+        return "data" in store.chosen()
+    else:
+        name = store.show("world", subjects.OPENING["world"])
+        select("World", subjects.WORLDS, name, world_title, keep=_look_at)
+        parameters = parameters_of(str(st.session_state[name]))
+        columns = st.columns(2) if parameters else []
+        for i, parameter in enumerate(parameters):
+            place, key = columns[i % 2], f"{PARAM}{parameter.name}"
+            field(parameter, parameter.default, parameter.name, key=key, place=place)
+    return True
+
+
+def _other_kind() -> None:
+    kind = st.session_state["kind"]
+    if kind == "agent" and subjects.agents():
+        _go_to(agent=subjects.agents()[0])
+    elif kind == "world":
+        _go_to(world=subjects.OPENING["world"])
+
+
+def _look_at(key: str) -> None:
+    """Callback of a box with worlds or agents."""
+    _go_to(**{key: st.session_state[key]})
+
+
+def _opened(name: str, data: bytes) -> None:
+    _go_to(data=subjects.open_file(name, data))
+
+
+def _go_to(**values: object) -> None:
+    """Look at something else: noise, solver and rule stay, unless alpha was set by hand."""
+    kept = {name: value for name, value in store.chosen().items()
+            if name not in _OF_SUBJECT and not name.startswith(PARAM)}  # fmt: skip
+    store.replace_all(kept | values)
+
+
+def settings(view: View, world: World | None) -> None:
+    """State, action, noise, solver, rule and grid."""
+    s = view.settings
+    if world is not None and len(world.states) <= 1000:
+        select("State", world.states, store.show("state", s.state), help=BY_NAME["state"].help)
+    names = view.subject.action_names
+    select("Action", names, store.show("action", names[view.action]), help="Action whose timeline is shown.")
+    left, right = st.columns(2)
+    field(BY_NAME["noise"], s.noise, "Noise", place=left)
+    field(BY_NAME["noise_seed"], s.noise_seed, "Seed", place=right)
+    select("Solver", list(SOLVER_TITLES), store.show("solver", s.solver), SOLVER_TITLES, help=BY_NAME["solver"].help)
+    rules = [name for name in ALPHA_CHOICES if name != "discrepancy" or s.noise_level is not None]
+    select("Alpha rule", rules, store.show("selector", s.selector), RULE_TITLES, keep=_ruled,
+           help="What chooses alpha; drag alpha in a picture to choose it by hand.")  # fmt: skip
+    with st.expander("Noise level, discounts, sensitivities"):
+        _more(s)
+    st.button("Reset", on_click=_reset, width="stretch")
+
+
+def _more(s: Resolved) -> None:
+    field(BY_NAME["noise_level"], s.noise_level, "Noise level that is assumed")
+    select("Discounts count", ("deviation", "equal"), store.show("weighting", s.weighting),
+           {"deviation": "by their error", "equal": "alike"}, help=BY_NAME["weighting"].help)  # fmt: skip
+    if s.policy is None:
+        field(BY_NAME["steps"], s.steps, "Rows K")
+        return
+    field(BY_NAME["policy"], s.policy, "Target policy", titles=POLICIES)
+    field(BY_NAME["spacing"], s.spacing, "Spacing of the discounts")
+    if s.spacing != "paper":
+        field(BY_NAME["gammas"], s.gammas, "Discounts")
+        left, right = st.columns(2)
+        field(BY_NAME["gamma_min"], s.gamma_min, "Smallest", place=left)
+        field(BY_NAME["gamma_max"], s.gamma_max, "Largest", place=right)
+    left, right = st.columns(2)
+    field(BY_NAME["thetas"], s.thetas, "Sensitivities", place=left)
+    field(BY_NAME["steps"], s.steps, "Rows K", place=right)
+
+
+def _ruled(key: str) -> None:
+    """Callback of the rule: it takes the place of an alpha that was set by hand; by hand, alpha stays where it is."""
+    rule = st.session_state[key]
+    if rule != TYPED:
+        store.choose("alpha", None)
+    elif "alpha" not in store.chosen():
+        alpha = study_for(subjects.view_of(store.chosen())).settings.alpha
+        store.choose("alpha", float(f"{alpha:.4g}"))
+    store.choose("selector", rule)
+
+
+def _reset() -> None:
+    kind = subjects.kind_of(store.chosen())
+    name = store.chosen().get(kind, subjects.OPENING["world"])
+    store.replace_all({kind: name})
+
+
+def refused(sentence: str) -> None:
+    """What is said where the settings make no view, and the way back."""
+    st.error(in_markdown(sentence))
+    st.button("Undo the last change", on_click=store.undo)

@@ -1,0 +1,139 @@
+"""What rules and solvers are called, and the sentence that judges an alpha."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from app.components.inverse import Rule, Said
+from app.components.inverse.payload import Swept
+from app.inverse.evidence import Evidence
+from laplace_core import Study
+from laplace_core.inverse import AUTO, SELECTORS, SOLVERS
+from laplace_core.inverse.consistency import LEVEL
+from laplace_core.inverse.selectors import TYPED
+from laplace_core.study.course import Course, errors_of, turns
+
+RULES: Mapping[str, Rule] = {
+    "gcv": Rule("GCV", "Cross-validation: how well a value that is left out would be predicted.",
+                "|r|²/n ÷ ((G − d)/G)²"),
+    "rgcv": Rule("Robust GCV", "GCV that also counts how much of the noise is fitted.", "GCV · (.9 + .1 tr(A²)/G)"),
+    "loo": Rule("Leave one out", "The error at each discount when it is predicted without itself.",
+                "mean of (r_g / (1 − A_gg))²"),
+    "aic": Rule("AIC", "Misfit against degrees of freedom, corrected for small samples.",
+                "n log(|r|²/n) + 2kn/(n − k − 1)"),
+    "bic": Rule("BIC", "As AIC, at a higher price for each degree of freedom.",
+                "n log(|r|²/n) + log(n) kn/(n − k − 2)"),
+    "lcurve": Rule("L-curve bend", "The sharpest bend of the L-curve.", "minus its curvature, in logarithms"),
+    "corner": Rule("L-curve corner", "The point nearest to the lower left corner of the L-curve.",
+                   "distance, each axis scaled to its span"),
+    "discrepancy": Rule("Discrepancy", "The largest alpha whose misfit is no more than what the noise makes.",
+                        "|r|² / expected |noise|² ≤ 1"),
+    "ncp": Rule("White residual", "How far the residual is from white noise along the discounts.",
+                "distance of its cumulative periodogram from a line"),
+    "quasiopt": Rule("Quasi-optimality", "Where the timeline changes least from one alpha to the next.",
+                     "|x(α_i+1) − x(α_i)|"),
+    "fitted": Rule("Fitted formula", "A formula that was fitted to random worlds; automatic takes it.",
+                   "|log α − log α_fitted|"),
+}  # fmt: skip
+"""By the names of ``SELECTORS``: a title, what the rule makes small, and its formula."""
+SOLVER_TITLES: Mapping[str, str] = {
+    "tikhonov": "Tikhonov",
+    "tikhonov1": "Tikhonov, first differences",
+    "tikhonov2": "Tikhonov, second differences",
+    "tsvd": "Truncated SVD",
+    "dsvd": "Damped SVD",
+    "iterative": "Iterative",
+    "nonnegative": "Non-negative",
+    "feasible": "Feasible timeline",
+    "neural": "Neural network",
+}
+RULE_TITLES = {TYPED: "By hand", "auto": "Automatic", **{name: rule.title for name, rule in RULES.items()}}
+assert RULES.keys() == SELECTORS.keys()
+assert SOLVER_TITLES.keys() == SOLVERS.keys()
+MOST_TURNS = 4
+FAR = 1.5
+"""Times the error of the best alpha from which on an alpha is called far off."""
+
+
+NO_NOISE = "Give a noise level to test whether any timeline has these values."
+TESTING = "Whether any timeline has these values is being tested."
+OFFERED = "Whether any timeline has these values takes a longer test, which is below."
+
+
+def said(study: Study, found: Swept, course: Course, evidence: Evidence | None, *, lacking: str = NO_NOISE) -> Said:
+    """The judgement of a study's alpha.
+
+    Args:
+        course: of the solver, or of the linear one that alpha is chosen by.
+        evidence: what needs the size of the noise; None where that is not known, or not computed yet.
+        lacking: what is said in its place.
+    """
+    s, record = study.settings, study.alpha_record
+    parts, tone = [_choice(study, found)], "unknown"
+    edge = record.edge if record.rule != TYPED else "none"
+    if edge != "none":
+        end = "smallest" if edge == "lower" else "largest"
+        parts.append(f"It is the {end} alpha of the sweep that the rule could take: the optimum may lie beyond it.")
+        tone = "warn"
+    if course.best is not None and course.time_error is not None:
+        here = int(np.argmin(np.abs(np.log(course.alphas / s.alpha))))
+        least, error = float(course.time_error[course.best]), float(course.time_error[here])
+        best, off = float(course.alphas[course.best]), s.alpha / float(course.alphas[course.best])
+        if course.solver != s.solver:  # it takes too long at many alphas
+            other, own = SOLVER_TITLES[course.solver], errors_of(study).distance
+            parts.append(
+                f"The timeline is off by {own:.3g} steps; that of {other} by {error:.3g}, "
+                f"at its best alpha, {best:.3g}, by {least:.3g}."
+            )
+        elif error <= 1.02 * least:
+            parts.append(f"That is the best alpha: the timeline is off by {error:.3g} steps.")
+        else:
+            times = f"{off:.3g} times" if off >= 1.0 else f"1/{1.0 / off:.3g} of"
+            parts.append(
+                f"It is {times} the best alpha, {best:.3g}: the timeline is off by {error:.3g} steps, "
+                f"at the best by {least:.3g}."
+            )
+        if tone == "unknown" and course.solver == s.solver:
+            tone = "ok" if error <= FAR * least else "warn"
+    degrees = float(np.interp(np.log(s.alpha), np.log(found.sweep.alphas), found.sweep.degrees))
+    parts.append(f"{degrees:.3g} of {found.sweep.discounts} degrees of freedom are fitted.")
+    if len(study.action_names) > 1:
+        parts.append(chosen_over(study, study.decoded.actions))
+    if evidence is not None:
+        tone = tone if evidence.p_value > LEVEL else "bad"
+        parts.append(_consistency(evidence.p_value))
+    else:
+        parts.append(lacking)
+    return Said(tone, " ".join(parts))
+
+
+def _choice(study: Study, found: Swept) -> str:
+    record, alpha = study.alpha_record, study.settings.alpha
+    if record.rule != TYPED:
+        name = RULE_TITLES[record.rule]
+        by = f", by the {RULE_TITLES[AUTO].lower()}," if record.rule == "auto" else ""
+        return f"{name}{by} takes alpha {alpha:.3g}."
+    suggested = float(found.sweep.alphas[found.chosen[AUTO]])
+    return f"Alpha {alpha:.3g} was set by hand; automatic takes {suggested:.3g}."
+
+
+def chosen_over(study: Study, actions: np.ndarray) -> str:
+    """Which action is chosen from which deadline on, of the choices ``(K,)`` for each of them."""
+    stretches = turns(actions)
+    names = [study.action_names[action] for _, action in stretches]
+    if len(names) == 1:
+        return f"{names[0]} is chosen at every T."
+    if len(names) > MOST_TURNS:
+        return f"The choice turns {len(names) - 1} times over T."
+    later = ", ".join(
+        f"{name} from {study.horizons[k]:.4g}" for name, (k, _) in zip(names[1:], stretches[1:], strict=True)
+    )
+    return f"Chosen over T: {names[0]}, {later}."
+
+
+def _consistency(p_value: float) -> str:
+    if p_value > LEVEL:
+        return f"Some timeline may well have these values (p = {p_value:.2g})."
+    return f"No feasible timeline has these values (p = {p_value:.2g}): they are no transform of one process."

@@ -1,0 +1,94 @@
+"""The inverse, studied: alpha dragged, what the rules say of it, and where the decision turns."""
+
+from __future__ import annotations
+
+import streamlit as st
+
+from app.components.inverse import State, inverse
+from app.components.waiting import offer, turn
+from app.inverse import compute, evidence, grids, leaderboard, memory, sidebar, subjects
+from app.inverse.schema import LINK
+from app.inverse.words import NO_NOISE, OFFERED, RULES, TESTING, said
+from app.session import store
+from app.session.jobs import Job
+from app.view.compute import horizon_of, is_large
+from app.view.subjects import View
+from laplace_core import InputError
+from laplace_core.inverse.selectors import TYPED
+
+LOOK_EVERY = 0.1  # seconds between two looks at a test that is not done
+SOON = 0.25  # seconds that the tests of the noise are waited for, so that what is soon done is drawn once
+
+
+def page() -> None:
+    store.open_page("inverse", LINK)
+    with st.sidebar:
+        if not sidebar.subject():
+            st.info("There is nothing to look at yet: open a file, or choose another subject.")
+            return
+        try:
+            view = subjects.view_of(store.chosen())
+            world = subjects.world_of(store.chosen())
+        except InputError as error:
+            sidebar.refused(str(error))
+            return
+        sidebar.settings(view, world)
+    store.write_url()
+    try:
+        with turn(needed=is_large(view)):
+            job = _pictures(view)
+    except InputError as error:
+        sidebar.refused(str(error))
+        return
+    store.worked()
+    leaderboard.section(view)
+    memory.section(view)
+    grids.section(view)
+    if job is not None:
+        _await(job)
+
+
+def _pictures(view: View) -> Job[evidence.Evidence] | None:
+    """Draw all pictures of a view; returns the test of its values, where the page does not show yet what it found."""
+    shown = compute.shown(view)
+    study = shown.study
+    wish = evidence.wish(study, compute.key_of(view), independent=compute.independent(view))
+    job = None if wish is None else wish.look()
+    if job is not None:
+        job.wait(SOON)
+    found = job.result() if job is not None and job.worked else None
+    lacking = NO_NOISE if wish is None else OFFERED if job is None else TESTING
+    if job is not None and not job.going and found is None:
+        lacking = f"Whether any timeline has these values was not tested: {job.refusal or job.why or 'cancelled'}"
+    record = study.alpha_record
+    state = State(study.settings.alpha, horizon_of(view), str(store.chosen().get("axis", subjects.AXIS.default)))
+
+    def release(released: State) -> None:
+        if released.alpha != state.alpha:
+            store.choose("alpha", released.alpha)
+            store.choose("selector", TYPED)
+        if released.horizon != state.horizon:
+            store.choose("horizon", released.horizon)
+        if released.axis != state.axis:
+            store.choose("axis", released.axis)
+
+    inverse(
+        shown.data, state, "study",
+        said=said(study, shown.found, shown.course, found, lacking=lacking), rules=RULES,
+        rule=None if record.rule == TYPED else record.criterion, on_release=release,
+        certified=None if found is None else found.certified,
+    )  # fmt: skip
+    if wish is not None and job is None:
+        offer(wish, "Test the values", key="test_values")
+    return job if found is None and lacking is TESTING else None
+
+
+def _await(job: Job[evidence.Evidence]) -> None:
+    """Draw the page anew once the test is done; a person who does something meanwhile ends this run."""
+    place = st.empty()
+    while not job.wait(LOOK_EVERY) and job.going:
+        place.empty()  # where Streamlit ends a run that nobody awaits
+    st.rerun()
+
+
+page()

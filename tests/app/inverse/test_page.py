@@ -1,0 +1,205 @@
+"""The page of the inverse: what it says, what its controls do, and what a drag leaves behind."""
+
+from __future__ import annotations
+
+import io
+import json
+import struct
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from app.inverse import compute, evidence, grids, words
+from app.inverse.evidence import Evidence
+from app.inverse.subjects import OPENING, view_of
+from app.view.compute import study_for
+from laplace_core.inverse.certificate import certify
+from laplace_core.inverse.consistency import check_noise
+from laplace_core.inverse.grids import task_for
+from laplace_core.study.course import errors_of
+from tests.support.pages import link, opened, press, run, wait
+
+
+def told(page):
+    """The header of the message to the pictures."""
+    for node in page.get("bidi_component"):
+        data = node.proto.bytes if hasattr(node.proto, "bytes") else b""
+        if data:
+            (length,) = struct.unpack("<I", data[:4])
+            header = json.loads(data[4 : 4 + length])
+            if header.get("rules"):
+                return header
+    raise AssertionError("no pictures")
+
+
+def sentence(values, found=None, **more):
+    view = view_of({**OPENING, **values})
+    shown = compute.shown(view)
+    return words.said(shown.study, shown.found, shown.course, found, **more)
+
+
+def test_the_sentence_names_the_rule_its_alpha_and_how_far_the_best_is():
+    said = sentence({"selector": "gcv"}, Evidence(0.4, ()))
+    alpha = study_for(view_of({**OPENING, "selector": "gcv"})).settings.alpha
+    assert said.sentence.startswith(f"GCV takes alpha {alpha:.3g}.")
+    assert "the best alpha" in said.sentence
+    assert "degrees of freedom" in said.sentence
+    assert "p = 0.4" in said.sentence
+
+
+def test_an_alpha_by_hand_is_compared_with_what_the_data_suggest():
+    assert sentence({"alpha": 0.3}).sentence.startswith("Alpha 0.3 was set by hand; automatic takes ")
+
+
+def test_values_of_no_timeline_are_called_so():
+    said = sentence({}, Evidence(0.005, ()))
+    assert said.tone == "bad"
+    assert "No feasible timeline has these values" in said.sentence
+
+
+def test_an_alpha_at_the_end_of_the_sweep_is_said():
+    view = view_of(OPENING)
+    shown = compute.shown(view)
+    edged = replace(shown.study, automatic=replace(shown.study.automatic, edge="upper"))
+    said = words.said(edged, shown.found, shown.course, None)
+    assert "the largest alpha of the sweep" in said.sentence
+    assert said.tone == "warn"
+
+
+def test_of_a_solver_that_takes_long_the_own_error_is_told_and_the_map_is_of_another():
+    values = {**OPENING, "solver": "feasible"}
+    study = study_for(view_of(values))
+    shown = compute.shown(view_of(values))
+    assert shown.course.solver == "tikhonov"
+    assert (
+        f"The timeline is off by {errors_of(study).distance:.3g} steps; that of Tikhonov" in sentence(values).sentence
+    )
+
+
+def test_what_is_missing_is_said():
+    assert sentence({}).sentence.endswith(words.NO_NOISE)
+    assert sentence({}, lacking=words.TESTING).sentence.endswith(words.TESTING)
+
+
+def test_evidence_is_that_of_the_library():
+    study = study_for(view_of(OPENING))
+    deviations = study.settings.noise_level / (1.0 - study.gamma_space.gammas)
+    steps = []
+    found = evidence.gathered(study, deviations, independent=True, progress=lambda done, of: steps.append((done, of)))
+    assert found.p_value == check_noise(study.gamma_space, deviations).p_value
+    rewards = float(study.world.reward_values[0]), float(study.world.reward_values[-1])
+    for horizon, action in found.certified:
+        best = certify(study.gamma_space, int(horizon), deviations, value_gamma=study.settings.value_gamma,
+                       slope=study.settings.slope, rewards=rewards).best  # fmt: skip
+        assert action == (-1 if best is None else best)
+    assert steps[-1][0] == len(found.certified)
+
+
+def test_horizons_are_close_together_where_they_are_short():
+    study = study_for(view_of({"world": "discounting_chain"}))
+    horizons = evidence.horizons_of(study)
+    assert horizons[:3] == [1, 2, 3]
+    assert horizons[-1] == 110
+    assert np.all(np.diff(np.diff(horizons)) >= -1)
+
+
+def test_the_page_opens_and_says_what_was_found():
+    page = wait(opened(screen="inverse"), lambda page: "being tested" not in told(page)["said"]["sentence"])
+    header = told(page)
+    assert header["said"]["sentence"].startswith("Automatic, by the fitted formula, takes alpha")
+    assert "p = " in header["said"]["sentence"]
+    assert header["rule"] == "fitted"
+    assert header["certified"]
+    assert link(page) == {"world": "two_branch", "action": "long", "noise": "0.001"}
+
+
+def test_a_rule_takes_the_place_of_an_alpha_by_hand_and_back():
+    page = opened(screen="inverse", world="two_branch", noise="0.001", alpha="0.3", selector="typed")
+    assert told(page)["state"]["alpha"] == 0.3
+    assert told(page)["rule"] is None
+    page.selectbox(key="selector").select("gcv")
+    run(page)
+    assert link(page) == {"world": "two_branch", "noise": "0.001", "selector": "gcv"}
+    alpha = told(page)["state"]["alpha"]
+    page.selectbox(key="selector").select("typed")
+    run(page)
+    assert float(link(page)["alpha"]) == pytest.approx(alpha, rel=1e-3)
+
+
+def test_another_world_keeps_noise_and_solver_but_not_alpha():
+    page = opened(screen="inverse", world="two_branch", noise="0.001", alpha="0.3", selector="typed", solver="tsvd")
+    page.selectbox(key="world").select("fig6_chain")
+    run(page)
+    assert link(page)["world"] == "fig6_chain"
+    assert link(page)["solver"] == "tsvd"
+    assert "alpha" not in link(page)
+
+
+def test_a_trained_agent_and_a_file_can_be_looked_at():
+    page = opened(screen="inverse")
+    page.segmented_control(key="kind").set_value("agent")
+    run(page)
+    assert "agent" in link(page)
+    assert told(page)
+    page.segmented_control(key="kind").set_value("data")
+    run(page)
+    assert any("open a file" in info.value for info in page.info)
+    page.segmented_control(key="kind").set_value("world")
+    run(page)
+    assert link(page)["world"] == "two_branch"
+
+
+def test_a_file_is_opened_here_although_the_page_of_worlds_opens_such_files():
+    space, file = study_for(view_of({"world": "two_branch"})).gamma_space, io.BytesIO()
+    np.savez(file, gamma_space=space.values, constant_channel=space.constant, gammas=space.gammas, thetas=space.thetas)
+    page = opened(screen="inverse")
+    page.segmented_control(key="kind").set_value("data")
+    run(page)
+    page.file_uploader[0].set_value(("own.npz", file.getvalue(), "application/octet-stream"))
+    run(page)
+    assert not page.error
+    assert set(link(page)) == {"data", "noise"}
+    assert told(page)["said"]["sentence"].startswith("Automatic")
+
+
+def test_the_leaderboard_lists_every_solver_and_opens_one():
+    page = opened("leaderboard", screen="inverse")
+    (table,) = page.dataframe
+    assert list(table.value["Solver"])[:2] == ["Tikhonov", "Tikhonov, first differences"]
+    assert table.value["W1 (steps)"].notna().all()
+
+
+def test_settings_that_do_not_fit_are_refused_and_can_be_undone():
+    page = opened(screen="inverse", world="two_branch", noise="0.001")
+    page.number_input(key="gamma_min").set_value(0.99)
+    run(page)
+    assert page.error
+    press(page, "Undo the last change")
+    assert not page.error
+
+
+def test_a_timeline_that_is_stopped_early_turns_the_choice():
+    page = opened("memory", screen="inverse", world="two_branch")
+    before = next(caption.value for caption in page.caption if caption.value.startswith("As decoded"))
+    assert "Changed" not in before
+    page.number_input(key="m.horizon").set_value(2)
+    run(page)
+    after = next(caption.value for caption in page.caption if caption.value.startswith("As decoded"))
+    assert "Changed: short is chosen at every T." in after
+    assert link(page)["m.horizon"] == "2"
+
+
+def test_a_change_of_the_timeline_is_in_the_link():
+    page = opened(screen="inverse", world="two_branch", **{"m.gamma": "0.8", "m.worst": "2"})
+    assert any("worst must be a number" in warning.value for warning in page.warning)
+    assert link(page)["m.gamma"] == "0.8"
+
+
+def test_grids_are_judged_and_one_is_used():
+    page = wait(opened("grids", screen="inverse", world="two_branch", gammas="6"), lambda page: bool(page.dataframe))
+    (table,) = page.dataframe
+    assert list(table.value["Grid"])[:2] == ["designed", "inverse-log"]
+    found = grids.judged(task_for(3, 0.0), 6, lambda done, of: None)
+    assert [each.name for each in found] == list(table.value["Grid"])
+    assert found[0].error == min(each.error for each in found if len(each.gammas) == 6)
