@@ -8,11 +8,11 @@ from typing import Any
 import numpy as np
 
 from app.agents.jobs import Control
-from app.session.url import by_name
 from laplace_core.acting.rollout import MOST_SEED, MOST_STEPS, RANDOM, Rollout, length_of, titles_of
 from laplace_core.acting.rules import RULES, for_deadline
 from laplace_core.agents.agent import Agent
 from laplace_core.agents.capabilities import HasDiscounts
+from laplace_core.exchange.links import by_name
 from laplace_core.parameters import Parameter
 from laplace_core.training.checkpoint import Loaded
 

@@ -16,13 +16,13 @@ from app.components.waiting import offer, progress
 from app.components.widgets import discount, download, field, select
 from app.session import store
 from app.session.jobs import Wish
-from app.session.message import name_of
 from laplace_core.acting.flags import Flags
 from laplace_core.acting.frames import animation
 from laplace_core.acting.rollout import Rollout, titles_of
 from laplace_core.acting.rollout_file import rollout_npz
 from laplace_core.agents.capabilities import HasDiscounts
 from laplace_core.environments import Environment, environment_of
+from laplace_core.exchange.messages import name_of
 from laplace_core.subjects import View
 from laplace_core.training.checkpoint import Loaded
 

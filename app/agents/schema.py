@@ -9,7 +9,6 @@ import numpy as np
 
 from app.agents import episode
 from app.catalogue import checkpoints
-from app.session.url import Check, Entries, Old, Schema, Values
 from app.view.schema import ACTION, DRAWN, LOOK, OLD_SWITCHES, check_reached
 from laplace_core import InputError, Settings
 from laplace_core.acting.deadlines import suited_steps
@@ -17,6 +16,7 @@ from laplace_core.agents.capabilities import HasGammaSpace
 from laplace_core.caching import cached
 from laplace_core.code.interpolation import with_added
 from laplace_core.environments import Environment, environment_of
+from laplace_core.exchange.links import Check, Entries, Old, Schema, Values
 from laplace_core.parameters import Parameter
 from laplace_core.payloads.state import ADDED
 from laplace_core.study.settings import ENCODING_NAMES, Resolved, resolve_for_gamma_space

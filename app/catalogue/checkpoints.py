@@ -8,9 +8,9 @@ from pathlib import Path
 
 from app import session
 from app.catalogue import training_runs
-from app.session.url import Entries, by_name, check_of
 from laplace_core import InputError
 from laplace_core.caching import cached
+from laplace_core.exchange.links import Entries, by_name, check_of
 from laplace_core.experiments import shipped_agents
 from laplace_core.experiments.shipped_agents import plain
 from laplace_core.experiments.shipping import TrainingCurve

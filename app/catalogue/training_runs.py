@@ -8,10 +8,10 @@ from functools import lru_cache
 from pathlib import Path
 
 from app.session import owner
-from app.session.limits import Limits, limits, may_train
 from laplace_core import InputError
 from laplace_core.agents.settings import LoopSettings
 from laplace_core.files.folders import writable
+from laplace_core.supervise.limits import Limits, limits, may_train
 from laplace_core.training.curves import Curves, Reader
 from laplace_core.training.job import owner_of
 from laplace_core.training.queue import Queue, Run

@@ -7,11 +7,11 @@ from typing import Any
 
 from app.catalogue import checkpoints, training_runs
 from app.race.jobs import Control
-from app.session.url import Check, Entries, Schema, Values, by_name
 from laplace_core import InputError
 from laplace_core.acting.deadlines import longest_horizon, rules_of_race, trained_discount, usual_horizon
 from laplace_core.acting.race import MOST_RACES, MOST_START
 from laplace_core.acting.rules import suited
+from laplace_core.exchange.links import Check, Entries, Schema, Values, by_name
 from laplace_core.parameters import Parameter
 from laplace_core.training.checkpoint import Loaded
 

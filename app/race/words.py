@@ -6,11 +6,11 @@ from collections.abc import Mapping
 from typing import Any
 
 from app.catalogue import checkpoints
-from app.catalogue.names import capital
 from app.race.jobs import Control
 from app.race.schema import AGAINST, AGENT
 from laplace_core.acting.race import Race
 from laplace_core.acting.rules import words_of
+from laplace_core.words import capital
 
 
 def sides(control: Control) -> tuple[str, str]:

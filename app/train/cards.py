@@ -14,12 +14,10 @@ from streamlit.delta_generator import DeltaGenerator
 
 from app import session
 from app.catalogue import training_runs
-from app.catalogue.names import capital, world_title
 from app.components.copy import copy_button
 from app.components.waiting import attempt
 from app.components.widgets import download
 from app.session import store
-from app.session.limits import limits
 from app.session.typed import in_markdown
 from app.train import form
 from app.train.pictures import colour_of
@@ -27,10 +25,13 @@ from laplace_core import InputError
 from laplace_core.agents.settings import algorithm_title
 from laplace_core.figures.theme import NEUTRAL
 from laplace_core.supervise.jobs import duration
+from laplace_core.supervise.limits import limits
 from laplace_core.training.curves import Curves, metrics_csv
 from laplace_core.training.defaults import changed, command_of
 from laplace_core.training.progress import Progress, read_progress
 from laplace_core.training.queue import FAILED, FINISHED, STOPPED, STOPPING, TRAINING, WAITING, Run
+from laplace_core.words import capital
+from laplace_core.worlds.titles import world_title
 
 SHOWN = 12
 """Cards before the button for all."""

@@ -8,7 +8,6 @@ from html import escape
 import streamlit as st
 
 from app.catalogue import checkpoints, training_runs
-from app.catalogue.names import world_title
 from app.catalogue.training_runs import settings_of
 from app.components.chart import chart
 from app.session import store
@@ -20,6 +19,7 @@ from laplace_core.figures import training as figures
 from laplace_core.figures.theme import ACTION_COLOURS, action_colour
 from laplace_core.figures.training import TALL, Band, Line
 from laplace_core.training.queue import Run
+from laplace_core.worlds.titles import world_title
 
 _MOST_OFFERED = 24
 

@@ -6,8 +6,8 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
-from app.session.url import Known, Old
 from laplace_core import InputError
+from laplace_core.exchange.links import Known, Old
 from laplace_core.parameters import Parameter
 from laplace_core.study.horizon import row_horizons
 from laplace_core.study.settings import BY_NAME, Resolved

@@ -6,7 +6,6 @@ from collections.abc import Sequence
 
 import streamlit as st
 
-from app.catalogue.names import world_title
 from app.components.widgets import field, select
 from app.session import store
 from app.session.typed import in_markdown
@@ -16,6 +15,7 @@ from laplace_core import PRESETS, World
 from laplace_core.study.settings import BY_NAME, Resolved
 from laplace_core.subjects import state_in
 from laplace_core.worlds import parameters_of
+from laplace_core.worlds.titles import world_title
 
 _TITLES = {
     "gammas": "Discounts",

@@ -8,24 +8,24 @@ import streamlit as st
 from streamlit.delta_generator import DeltaGenerator
 
 from app.catalogue import tabular
-from app.catalogue.names import capital
 from app.components.chart import chart
 from app.components.waiting import attempt, place_in_line
 from app.components.widgets import download, field, select
 from app.session import store
 from app.session.jobs import Wish
 from app.session.typed import in_markdown
-from app.session.url import by_name
 from app.view import compute
 from app.view.schema import Values
 from app.worlds import learners, sources
 from app.worlds.sources import LEARN
 from laplace_core import InputError, World, load_world
+from laplace_core.exchange.links import by_name
 from laplace_core.subjects import View, learned_file
 from laplace_core.supervise.jobs import duration
 from laplace_core.tabular import LEARN_SCHEMA, Learned, LearnSettings, learned_bytes, resolve_learning
 from laplace_core.tabular.settings import DECIDED_NAMES, ResolvedLearning
 from laplace_core.tabular.work import Watched, Work
+from laplace_core.words import capital
 
 _SHOWN = {
     "episodes": "Episodes",

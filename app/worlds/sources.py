@@ -9,11 +9,11 @@ from dataclasses import replace
 from typing import Any
 
 from app import session
-from app.session.url import fits as fits_in_link
-from app.session.url import query_of
 from app.view.schema import PARAM, Values
 from laplace_core import PRESETS, InputError, Settings, World, load_world
 from laplace_core.caching import cached
+from laplace_core.exchange.links import fits as fits_in_link
+from laplace_core.exchange.links import query_of
 from laplace_core.files.packed_text import MOST, pack, unpack
 from laplace_core.study.settings import BY_NAME, ENCODING_NAMES, Resolved, resolve, resolve_for_gamma_space
 from laplace_core.subjects import Exact, GammaSpaceFile, Learner, Subject, View, plain_name

@@ -14,11 +14,11 @@ import numpy as np
 
 from app.agents import schema
 from app.catalogue import checkpoints
-from app.session.url import query_of
 from app.view import compute
 from app.worlds.schema import LINK
 from app.worlds.sources import view_of
 from laplace_core.environments import environment_of
+from laplace_core.exchange.links import query_of
 
 LINKS = json.loads((Path(__file__).parents[1] / "data" / "links_of_0_2.json").read_text(encoding="utf-8"))
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from laplace_core import PRESETS
+from laplace_core.worlds.presets import PRESETS
 
 TITLES = {"own": "Your own world", "timeline": "Your own timeline", "data": "Your own gamma-space"}
 """What is looked at without being listed, by its name in a link."""
@@ -13,8 +13,3 @@ def world_title(name: str) -> str:
     if name in TITLES:
         return TITLES[name]
     return PRESETS[name].title if name in PRESETS else name.replace("gym:", "gymnasium ")
-
-
-def capital(words: str) -> str:
-    """Words as the beginning of a sentence."""
-    return words[:1].upper() + words[1:]
