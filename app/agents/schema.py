@@ -7,7 +7,6 @@ from typing import Any
 
 import numpy as np
 
-from app.agents import episode
 from app.catalogue import checkpoints
 from app.view.schema import ACTION, DRAWN, LOOK, OLD_SWITCHES, check_reached
 from laplace_core import InputError, Settings
@@ -21,6 +20,7 @@ from laplace_core.parameters import Parameter
 from laplace_core.payloads.state import ADDED
 from laplace_core.study.settings import ENCODING_NAMES, Resolved, resolve_for_gamma_space
 from laplace_core.subjects import Observed, View
+from laplace_core.trained import rollouts
 from laplace_core.training.checkpoint import Loaded
 
 OBSERVED = "o."  # prefix of the components of an observation
@@ -43,7 +43,7 @@ def _of_agent(values: Values) -> dict[str, Parameter]:
     scene = environment_of(loaded.environment)
     states = Parameter("state", None, help="State that is observed.", kind=str, choices=scene.states)
     own = {"state": states} if scene.states else {}
-    return {**_READING, **_LOOKING, **episode.parameters(loaded.agent), **own}
+    return {**_READING, **_LOOKING, **rollouts.parameters(loaded.agent), **own}
 
 
 def _components(values: Values) -> dict[str, Parameter]:
@@ -74,10 +74,10 @@ def _is_reached(name: str) -> Check:
 
 
 def _deadline_is_reached(values: Values) -> None:
-    if "checkpoint" in values and values.get(episode.HORIZON) is not None:
-        limit = episode.limit_of(checkpoints.checkpoint(str(values["checkpoint"])))
-        if values[episode.HORIZON] > limit:
-            raise InputError(f"{episode.HORIZON} {values[episode.HORIZON]:,} is longer than any episode, {limit:,}.")
+    if "checkpoint" in values and values.get(rollouts.HORIZON) is not None:
+        limit = rollouts.limit_of(checkpoints.checkpoint(str(values["checkpoint"])))
+        if values[rollouts.HORIZON] > limit:
+            raise InputError(f"{rollouts.HORIZON} {values[rollouts.HORIZON]:,} is longer than any episode, {limit:,}.")
 
 
 LINK = Schema(
@@ -91,7 +91,7 @@ LINK = Schema(
         Check(_action_is_known, drops=("action",)),
         _is_reached("horizon"),
         _is_reached("used"),
-        Check(_deadline_is_reached, drops=(episode.HORIZON,)),
+        Check(_deadline_is_reached, drops=(rollouts.HORIZON,)),
     ),
 )
 

@@ -116,6 +116,13 @@ def checkpoint(name: str) -> Loaded:
     return shipped_agents.load(SHIPPED, name)
 
 
+def file_of(name: str) -> str:
+    """Where a checkpoint lies; of one that was opened only its owner knows."""
+    if name.startswith(RUN):
+        return f"runs/{name.removeprefix(RUN)}/best.safetensors"
+    return f"checkpoints/{name}.safetensors" if name in shipped() else "opened.safetensors"
+
+
 NAMED = (
     Entries(by_name(Parameter("checkpoint", None, help="The agent.", kind=str))),
     check_of("checkpoint", lambda name: checkpoint(name)),

@@ -120,7 +120,7 @@ def lens(
         world: drawn in the first place; without it the fit over the discounts stands there.
         pin: how a view is kept as A, where it can be.
         lead: ``id`` and ``step`` of the episode whose player (:mod:`app.components.player`) the lens follows.
-        followed: what was observed, to be drawn on the timeline; see :func:`app.agents.episode.followed`.
+        followed: what was observed, to be drawn on the timeline; see :func:`laplace_core.trained.rollouts.followed`.
     """
     widget, digest = f"lens {key}", messages.name_of(data)
     channel = session.channel(widget)

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from streamlit.testing.v1 import AppTest
 
-from app.agents import jobs, schema, truth
+from app.agents import schema
 from app.catalogue import checkpoints
 from app.session import KEY
 from app.view import compute
@@ -26,6 +26,7 @@ from laplace_core.code.interpolation import with_added
 from laplace_core.environments import environment_of, vector
 from laplace_core.experiments import shipped_agents
 from laplace_core.study.settings import resolve_for_gamma_space
+from laplace_core.trained import truths
 from laplace_core.training.checkpoint import load_checkpoint, new_agent, save_checkpoint
 from tests.support.lens_reference import unpacked
 from tests.support.pages import charts, link, run, wait
@@ -219,8 +220,7 @@ def test_a_value_that_could_only_be_clamped_is_named_and_left_out(shipped, query
 def few(monkeypatch):
     """Simulations of a moment."""
     for bound, small in (("COUNT", 2), ("EPISODES", 2), ("EACH", 3), ("STEPS", 20)):
-        monkeypatch.setattr(jobs, bound, small)
-        monkeypatch.setattr(truth, bound, small)
+        monkeypatch.setattr(truths, bound, small)
 
 
 def simulated(page: AppTest) -> AppTest:
