@@ -6,7 +6,6 @@ import numpy as np
 import streamlit as st
 
 from app.agents import returns, rollout_form
-from app.agents.schema import action_of, observation_of
 from app.components.chart import chart
 from app.session import store
 from laplace_core import figures
@@ -16,6 +15,7 @@ from laplace_core.agents.capabilities import HasTimeToGo
 from laplace_core.environments import Environment
 from laplace_core.figures.theme import Figure
 from laplace_core.trained import rollouts
+from laplace_core.trained.observations import action_of, observation_of
 from laplace_core.trained.rollouts import RolledOut
 from laplace_core.training.checkpoint import Loaded
 

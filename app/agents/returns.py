@@ -8,7 +8,6 @@ from html import escape
 import streamlit as st
 
 from app.agents import jobs
-from app.agents.schema import DEFAULTS
 from app.catalogue import checkpoints
 from app.components.chart import chart
 from app.components.waiting import attempt, offer, progress
@@ -18,6 +17,7 @@ from laplace_core.acting.return_laws import SimulatedReturns, laws_npz
 from laplace_core.acting.rollout import Rollout
 from laplace_core.figures.returns import ReturnRow, rows_height
 from laplace_core.trained import returns
+from laplace_core.trained.observations import DEFAULTS
 from laplace_core.training.checkpoint import Loaded
 
 

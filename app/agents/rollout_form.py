@@ -8,7 +8,6 @@ import streamlit as st
 
 from app.agents import jobs
 from app.agents.jobs import Rolling
-from app.agents.schema import OBSERVED
 from app.components.player import player
 from app.components.waiting import offer, progress
 from app.components.widgets import discount, download, field, select
@@ -22,6 +21,7 @@ from laplace_core.environments import Environment, environment_of
 from laplace_core.exchange.messages import name_of
 from laplace_core.subjects import View
 from laplace_core.trained import rollouts
+from laplace_core.trained.observations import OBSERVED
 from laplace_core.trained.rollouts import AT, GAMMA, HORIZON, PARAMETERS, RULE, SEED, SHOWN, Control, RolledOut
 from laplace_core.training.checkpoint import Loaded
 

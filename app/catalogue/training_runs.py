@@ -113,12 +113,6 @@ def _reader(path: Path) -> Reader:
     return Reader(path)
 
 
-def settings_of(run: Run) -> LoopSettings:
-    """The settings of a run whose folder holds some that can be read."""
-    assert run.settings is not None  # others are neither drawn nor compared
-    return run.settings
-
-
 def curves(run: Run) -> Curves:
     """The curves of a run so far; the same object while nothing is new."""
     return _reader(run.folder / "metrics.jsonl").look()

@@ -395,7 +395,7 @@ export interface Camera {
   tilt: number;
 }
 
-/** What came after an action in an episode: app/agents/episode.py. */
+/** What came after an action in an episode: laplace_core/trained/rollouts.py. */
 export interface Followed {
   rewards: number[];
   action: number;

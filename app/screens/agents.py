@@ -7,7 +7,7 @@ import streamlit as st
 from app.agents import peer, returns, rollout_form, truth
 from app.agents.card import card
 from app.agents.jobs import Rolling
-from app.agents.schema import LINK, OBSERVED, observation_of, view_of
+from app.agents.schema import LINK
 from app.catalogue import checkpoints
 from app.components.waiting import attempt
 from app.components.widgets import left_out, select, upload
@@ -19,6 +19,7 @@ from laplace_core.agents.capabilities import HasGammaSpace
 from laplace_core.environments import Environment, environment_of
 from laplace_core.payloads.state import LIVE
 from laplace_core.trained import rollouts
+from laplace_core.trained.observations import OBSERVED, observation_of, view_of
 from laplace_core.training.checkpoint import Loaded
 
 

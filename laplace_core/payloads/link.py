@@ -1,4 +1,4 @@
-"""What the links of all pages with a lens may hold beside the settings of the study."""
+"""What a link may hold of a lens: the settings of a study that can be drawn, the action, and how it is looked at."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
-from laplace_core import InputError
+from laplace_core.errors import InputError
 from laplace_core.exchange.links import Known, Old
 from laplace_core.parameters import Parameter
 from laplace_core.study.horizon import row_horizons
