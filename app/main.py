@@ -13,8 +13,9 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent))  # streamlit put
 
 from app.catalogue import training_runs
 from app.components import chart
-from app.session import collector, limits
+from app.session import collector
 from laplace_core import InputError
+from laplace_core.supervise import limits
 
 st.set_page_config(page_title="Laplace code workbench", page_icon="∑", layout="wide")
 st.html(Path(__file__).with_name("style.css"))

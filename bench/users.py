@@ -21,13 +21,14 @@ from urllib.parse import parse_qsl, urlencode, urlsplit
 
 import numpy as np
 
-from app.session.url import query_of
 from app.worlds.schema import LINK
-from app.worlds.sources import packed_timeline, view_of
+from app.worlds.sources import view_of
 from laplace_core import load_world, study
+from laplace_core.exchange.links import query_of
 from laplace_core.files.packed_text import pack
 from laplace_core.study.verdict import judge
 from laplace_core.worlds import dump_world
+from laplace_core.worlds.timeline import packed_timeline
 from tests.browser.support import FLAGS, MAIN, find_chromium, served
 
 WARM = 10

@@ -9,13 +9,14 @@ from typing import Protocol
 
 import numpy as np
 
+from laplace_core.caching import cached
 from laplace_core.code.gamma_space import GammaSpace
 from laplace_core.errors import InputError
 from laplace_core.study.npz import read_gamma_space, states_of
 from laplace_core.study.pipeline import Study, study, study_of_gamma_space
 from laplace_core.study.settings import Resolved
 from laplace_core.tabular import Learned
-from laplace_core.worlds import World
+from laplace_core.worlds import World, dump_world
 
 
 class Subject(Hashable, Protocol):
@@ -246,6 +247,32 @@ class View:
                 "settings = Settings(" + settings.replace("result = study(world, settings)", line),
             ]
         )
+
+
+@cached(16)
+def about(learned: Learned, world: World) -> Learned:
+    """The same tables about the world object that the page holds, so that what is cached per world is found again."""
+    return replace(learned, world=world)
+
+
+@cached(16)
+def fits(learned: Learned, world: World) -> bool:
+    """Whether an agent from a file learned this very world."""
+    return dump_world(learned.world) == dump_world(world)
+
+
+@cached(32)
+def learner(world: World, learned: Learned, index: int | None) -> Learner:
+    """The same object for the same words, so that what is cached per learner is found again."""
+    return Learner(world, learned, index)
+
+
+def shown_seed(learned: Learned, word: str) -> int | None:
+    """The index of the learner that a link names; None for the mean of several."""
+    seeds = len(learned.basis)
+    if seeds == 1:
+        return 0
+    return min(int(word), seeds - 1) if word.isdecimal() else None
 
 
 def learned_file(world: World) -> str:

@@ -167,9 +167,9 @@ def test_a_circle_is_noticed():
 
 
 def test_imports_within_functions_count():
-    assert imported("def f():\n    from laplace_core.study import pipeline\n    import app.session.url") == {
+    assert imported("def f():\n    from laplace_core.study import pipeline\n    import app.session.store") == {
         "laplace_core.study.pipeline",
-        "app.session.url",
+        "app.session.store",
     }
     assert imported("from laplace_core.study.pipeline import study") == {"laplace_core.study.pipeline"}
 

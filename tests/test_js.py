@@ -14,7 +14,6 @@ from typing import Any
 import numpy as np
 import pytest
 
-from app.agents.episode import followed
 from laplace_core import GammaSpace, Settings, load_world, study, study_of_gamma_space
 from laplace_core.acting.return_laws import ReturnLaw
 from laplace_core.acting.rollout import Rollout
@@ -27,6 +26,7 @@ from laplace_core.payloads.lens import structure
 from laplace_core.payloads.player import payload as player_payload
 from laplace_core.payloads.player import rounded
 from laplace_core.payloads.state import state_of
+from laplace_core.trained.rollouts import followed
 from tests.support.inverse_agreement import fixture as inverse
 from tests.support.lens_agreement import fixture, network, packed, payloads, random_cases, verdicts
 from tests.support.lens_reference import seen, unpacked

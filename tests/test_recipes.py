@@ -9,8 +9,6 @@ import re
 import numpy as np
 import pytest
 
-from app.agents import episode
-from app.race import schema, words
 from laplace_core.acting.continuations import steps_known
 from laplace_core.acting.deadlines import rules_of_race
 from laplace_core.acting.race import race
@@ -20,6 +18,7 @@ from laplace_core.agents import SETTINGS, LaplaceSettings
 from laplace_core.agents.peer_settings import C51Settings
 from laplace_core.agents.registry import AGENTS
 from laplace_core.cli import main
+from laplace_core.trained import races, rollouts
 from laplace_core.training.checkpoint import load_checkpoint, new_agent, save_checkpoint
 from tests.support.workshop import ROOT, Workshop
 
@@ -58,13 +57,13 @@ def test_a_rule_of_control(toy, tmp_path, capsys):
 
     # The forms, the links and the words of the pages.
     assert titles_of(agent)["last"] == TITLE
-    assert episode.parameters(agent)[episode.RULE].parse("last") == "last"
-    assert episode.control_of({episode.RULE: "last"}, 9).horizon == 9
+    assert rollouts.parameters(agent)[rollouts.RULE].parse("last") == "last"
+    assert rollouts.control_of({rollouts.RULE: "last"}, 9).horizon == 9
     save_checkpoint(tmp_path / "agent.safetensors", agent, 0, None)
     loaded = load_checkpoint(tmp_path / "agent.safetensors")
-    control = schema.Control(loaded, "greedy", None, loaded, "last", 3)
+    control = races.Control(loaded, "greedy", None, loaded, "last", 3)
     assert "last" in rules_of_race(agent)
-    assert words.sides(control) == ("greedy", "last action")
+    assert races.sides(control) == ("greedy", "last action")
     assert race("two_branch", *control.entrants, 0, horizon=3).right.rule == "last"
 
     # The command line.

@@ -5,9 +5,7 @@ from __future__ import annotations
 import numpy as np
 import streamlit as st
 
-from app.agents import episode, returns, rollout_form
-from app.agents.jobs import RolledOut
-from app.agents.schema import action_of, observation_of
+from app.agents import returns, rollout_form
 from app.components.chart import chart
 from app.session import store
 from laplace_core import figures
@@ -16,6 +14,9 @@ from laplace_core.acting.rollout import Rollout, acting_gamma
 from laplace_core.agents.capabilities import HasTimeToGo
 from laplace_core.environments import Environment
 from laplace_core.figures.theme import Figure
+from laplace_core.trained import rollouts
+from laplace_core.trained.observations import action_of, observation_of
+from laplace_core.trained.rollouts import RolledOut
 from laplace_core.training.checkpoint import Loaded
 
 
@@ -24,9 +25,9 @@ def view(loaded: Loaded, scene: Environment, rolled: RolledOut | None) -> None:
     rollout, at = None, 0
     with st.container():  # what is below keeps its place without the player, too
         if rolled is not None:
-            rollout, at = rolled.rollout, episode.step_of(store.chosen(), rolled.rollout)
+            rollout, at = rolled.rollout, rollouts.step_of(store.chosen(), rolled.rollout)
             rollout_form.show(rolled, scene)
-    seen = observation_of(scene, store.chosen()) if rollout is None else episode.observation_at(rollout, at)
+    seen = observation_of(scene, store.chosen()) if rollout is None else rollouts.observation_at(rollout, at)
     taken = None if rollout is None else int(rollout.actions[at])
     action = _action(scene, taken)
     picture, alt = _of_state(loaded, scene, seen, action, rollout=rollout, at=at)
@@ -41,7 +42,7 @@ def view(loaded: Loaded, scene: Environment, rolled: RolledOut | None) -> None:
             figure = figures.returns_over_episode(
                 rollout.received, rollout.predicted, quantiles, at, gamma=gamma, truncated=not rollout.terminated
             )
-            chart(figure, "episode", "Predicted and observed return over the episode.")
+            chart(figure, "episode", "Predicted and observed return over the rollouts.")
     returns.section(loaded, seen, action, scene.actions[action], alpha=None, rollout=rollout, step=at)
 
 
@@ -50,14 +51,14 @@ def _action(scene: Environment, taken: int | None) -> int:
     if taken is None:
         key, options, now = "action", scene.actions, scene.actions[action_of(scene, store.chosen())]
     else:
-        key, options = episode.ACTION, (episode.TAKEN, *scene.actions)
+        key, options = rollouts.ACTION, (rollouts.TAKEN, *scene.actions)
         wanted = store.chosen().get(key)
-        now = wanted if wanted in options else episode.TAKEN
+        now = wanted if wanted in options else rollouts.TAKEN
     st.segmented_control(
         "Action shown", options, key=store.put(key, now), on_change=store.keep, args=(key,), required=True,
         help="Drawn heavier here, and taken first in the comparison below.",
     )  # fmt: skip
-    return taken if taken is not None and now == episode.TAKEN else scene.actions.index(now)
+    return taken if taken is not None and now == rollouts.TAKEN else scene.actions.index(now)
 
 
 def _of_state(

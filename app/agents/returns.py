@@ -5,31 +5,19 @@ from __future__ import annotations
 from collections.abc import Sequence
 from html import escape
 
-import numpy as np
 import streamlit as st
 
 from app.agents import jobs
-from app.agents.schema import DEFAULTS
 from app.catalogue import checkpoints
 from app.components.chart import chart
 from app.components.waiting import attempt, offer, progress
 from app.components.widgets import download
 from laplace_core import figures
-from laplace_core.acting.return_laws import (
-    COUNT,
-    INDEPENDENT,
-    LEARNED,
-    ReturnLaw,
-    SimulatedReturns,
-    has_return_law,
-    laws_npz,
-    return_laws,
-    says_more_than_a_mean,
-)
+from laplace_core.acting.return_laws import SimulatedReturns, laws_npz
 from laplace_core.acting.rollout import Rollout
-from laplace_core.caching import cached
-from laplace_core.environments import vector
 from laplace_core.figures.returns import ReturnRow, rows_height
+from laplace_core.trained import returns
+from laplace_core.trained.observations import DEFAULTS
 from laplace_core.training.checkpoint import Loaded
 
 
@@ -43,16 +31,16 @@ def section(
         action, name: the first action, and what it is called.
         alpha: regularisation of the opened agent's inverse.
     """
-    agents = _beside(loaded)
+    agents = returns.beside(loaded, checkpoints.same_environment(loaded))
     if not agents:
         return
     st.html('<div class="panel-title">the same return in different codes: P(return ≤ x)</div>')
     alphas = [alpha if each is loaded and alpha else DEFAULTS["alpha"] for each in agents]
-    laws = [law_of(each, observation, action, one) for each, one in zip(agents, alphas, strict=True)]
+    laws = [returns.law_of(each, observation, action, one) for each, one in zip(agents, alphas, strict=True)]
     observed = _offered(agents, rollout, step, action, name=name)
     twice = len(agents) > len({each.algorithm for each in agents})
     rows = [
-        ReturnRow(_title(each, law, opened=twice and each is loaded), law, observed[i] if observed else None)
+        ReturnRow(returns.title(each, law, opened=twice and each is loaded), law, observed[i] if observed else None)
         for i, (each, law) in enumerate(zip(agents, laws, strict=True))
     ]
     left, right = st.container(key="codes").columns([2, 1], gap="medium")
@@ -60,23 +48,11 @@ def section(
     chart(figures.returns_side_by_side(rows), "codes", alt, rows_height(len(rows)), place=left)
     with right:
         st.html(_table(rows))
-        st.caption(_notes(agents, laws, observation, action=action, alphas=alphas))
+        st.caption(returns.notes(agents, laws, observation, action=action, alphas=alphas))
         algorithms = [each.algorithm for each in agents]
         file = f"returns_{loaded.environment.replace(':', '-')}_step_{step}.npz"
         contents = "Locations and masses of every law, and the observed returns."
         download("Save returns (NPZ)", lambda: laws_npz(algorithms, laws, observed), file, help=contents)
-
-
-def _beside(loaded: Loaded) -> list[Loaded]:
-    """The opened agent, and then those that ship for its environment and say more than a mean."""
-    others = [other for other in checkpoints.same_environment(loaded) if says_more_than_a_mean(other.agent)]
-    own = [loaded] if has_return_law(loaded.agent) else []
-    return own + [other for other in others if not _same(other, loaded)]
-
-
-def _same(one: Loaded, other: Loaded) -> bool:
-    """Whether a run or a file is what ships."""
-    return one is other or (one.settings == other.settings and one.step == other.step)
 
 
 def _offered(
@@ -91,7 +67,7 @@ def _offered(
         wish = jobs.returns(agents, rollout, step, action)
         job = wish.look()
         if job is None:
-            told = _offer(agents[0], step, name)
+            told = returns.offer(agents[0], step, name)
             offer(wish, "Simulate returns", key="simulate returns", words=told, place=words, button_place=button)
             return None
         if job.going:
@@ -99,50 +75,8 @@ def _offered(
             return None
         observed = attempt(job.result)
         if observed is not None:
-            words.caption(_summary(observed, step, name))
+            words.caption(returns.summary(observed, step, name))
         return observed
-
-
-def _offer(loaded: Loaded, step: int, name: str) -> str:
-    times = f"{COUNT} times" if vector.chance(loaded.environment) else "once, because nothing here is by chance"
-    return f"As learned. Simulated: {name} at step {step}, then each agent's own greedy policy, {times}."
-
-
-def _summary(observed: Sequence[SimulatedReturns], step: int, name: str) -> str:
-    most, count = max(observed, key=lambda one: one.missing), len(observed[0].returns)
-    times = f"{count} times" if count > 1 else "once, because nothing here is by chance"
-    cut = f"the cut at {most.steps} steps leaves out at most {most.missing:.2g}" if most.missing else "all ended"
-    return f"{name.capitalize()} at step {step}, then each agent's own greedy policy, {times}; {cut}. Shaded: W1."
-
-
-@cached(128)
-def law_of(loaded: Loaded, observation: tuple[float, ...], action: int, alpha: float) -> ReturnLaw:
-    """What an agent says of one return."""
-    return return_laws(loaded.agent, np.array(observation), [action], alpha)[0]
-
-
-def _title(loaded: Loaded, law: ReturnLaw, *, opened: bool) -> str:
-    """The algorithm, and where what is drawn is not what was learned, what it is."""
-    name = loaded.settings.TITLE + (" (opened)" if opened else "")
-    note = loaded.settings.RETURN_LAW or ("" if law.kind == LEARNED else law.kind)
-    return f"{name}, {note}" if note else name
-
-
-def _notes(
-    agents: Sequence[Loaded], laws: Sequence[ReturnLaw], observation: tuple[float, ...], *, action: int,
-    alphas: Sequence[float],
-) -> str:  # fmt: skip
-    """What the table's numbers mean, and why a stand-in's mean is not the agent's value."""
-    words = ["All in discounted reward; ± is one standard error; by chance: W1 of as many draws from their own law."]
-    for each, law, alpha in zip(agents, laws, alphas, strict=True):
-        if law.kind == INDEPENDENT:
-            value = each.agent.action_values(np.array(observation)[None], each.agent.acting_head)[0, action]
-            words.append(
-                f"{each.settings.TITLE} knows the rewards of each step and not how they hang together: its law is a "
-                f"stand-in, whose mean is what the inverse at α {alpha:g} leaves of its value {value:.4g}."
-            )
-            break
-    return " ".join(words)
 
 
 def _table(rows: Sequence[ReturnRow]) -> str:

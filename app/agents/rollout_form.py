@@ -4,26 +4,25 @@ from __future__ import annotations
 
 from typing import Any
 
-import numpy as np
 import streamlit as st
 
-from app.agents import episode, jobs
-from app.agents.episode import AT, GAMMA, HORIZON, PARAMETERS, RULE, SEED, SHOWN
-from app.agents.jobs import Control, RolledOut, Rolling
-from app.agents.schema import OBSERVED
+from app.agents import jobs
+from app.agents.jobs import Rolling
 from app.components.player import player
 from app.components.waiting import offer, progress
 from app.components.widgets import discount, download, field, select
 from app.session import store
 from app.session.jobs import Wish
-from app.session.message import name_of
-from laplace_core.acting.flags import Flags
 from laplace_core.acting.frames import animation
 from laplace_core.acting.rollout import Rollout, titles_of
 from laplace_core.acting.rollout_file import rollout_npz
 from laplace_core.agents.capabilities import HasDiscounts
 from laplace_core.environments import Environment, environment_of
+from laplace_core.exchange.messages import name_of
 from laplace_core.subjects import View
+from laplace_core.trained import rollouts
+from laplace_core.trained.observations import OBSERVED
+from laplace_core.trained.rollouts import AT, GAMMA, HORIZON, PARAMETERS, RULE, SEED, SHOWN, Control, RolledOut
 from laplace_core.training.checkpoint import Loaded
 
 _SLOWEST = 0.05  # seconds for a step on the screen, where life is faster
@@ -37,12 +36,12 @@ def form(loaded: Loaded) -> None:
     field(PARAMETERS[SEED], control.seed, "Start seed", keep=_keep, place=left, help=None)
     if control.horizon is not None:
         key = store.put(HORIZON, control.horizon)
-        right.number_input("T (steps)", 1, episode.limit_of(loaded), step=1, key=key, on_change=_keep, args=(key,))
+        right.number_input("T (steps)", 1, rollouts.limit_of(loaded), step=1, key=key, on_change=_keep, args=(key,))
     elif control.rule == "greedy" and isinstance(loaded.agent, HasDiscounts):
         gammas = loaded.agent.gammas
         with right:
             discount("Discount", gammas, GAMMA, control.gamma or gammas[loaded.agent.acting_head], keep=_keep)
-    if not episode.shown(store.chosen()):
+    if not rollouts.shown(store.chosen()):
         st.button("Roll out", type="primary", width="stretch", on_click=_begin, args=(jobs.rolling(loaded, control),))
 
 
@@ -67,11 +66,11 @@ def _close() -> None:
 
 def asked(loaded: Loaded) -> Wish[RolledOut] | None:
     """The rollout that the page shows, if it shows one."""
-    return jobs.rolling(loaded, _control(loaded)) if episode.shown(store.chosen()) else None
+    return jobs.rolling(loaded, _control(loaded)) if rollouts.shown(store.chosen()) else None
 
 
 def _control(loaded: Loaded) -> Control:
-    return episode.control_of(store.chosen(), episode.limit_of(loaded), next(iter(titles_of(loaded.agent))))
+    return rollouts.control_of(store.chosen(), rollouts.limit_of(loaded), next(iter(titles_of(loaded.agent))))
 
 
 def beside(rolling: Rolling | None, scene: Environment) -> None:
@@ -100,7 +99,7 @@ def _files(rollout: Rollout) -> None:
 
 def _edit(rollout: Rollout, scene: Environment) -> None:
     """Callback: the sliders take over what is under the cursor, within their range."""
-    observation = episode.observation_at(rollout, episode.step_of(store.chosen(), rollout))
+    observation = rollouts.observation_at(rollout, rollouts.step_of(store.chosen(), rollout))
     for i, (value, part) in enumerate(zip(observation, scene.components, strict=True)):
         store.choose(f"{OBSERVED}{i}", min(part.high, max(part.low, value)))
     _close()
@@ -125,22 +124,16 @@ def show(rolled: RolledOut, scene: Environment, view: View | None = None) -> Non
 
     Without a view there is nothing decoded that artefacts could be in.
     """
-    rollout, at = rolled.rollout, episode.step_of(store.chosen(), rolled.rollout)
+    rollout, at = rolled.rollout, rollouts.step_of(store.chosen(), rolled.rollout)
     flags: dict[str, Any] | None = {"alpha": 0.0, "names": [], "marks": []}
     if view is not None:
         search = jobs.artefacts(rolled, view).look()
-        flags = None if search is None or search.going else _marks(search.result(), view.settings.alpha)
+        flags = None if search is None or search.going else rollouts.marks_of(search.result(), view.settings.alpha)
     player(
         rolled.packed, at, store.page_name(), [(part.name, part.unit) for part in scene.components],
         action_names=scene.actions, on_step=lambda step: store.choose(AT, min(step, len(rollout) - 1)),
         seconds=max(_SLOWEST, environment_of(rollout.environment).seconds), flags=flags,
     )  # fmt: skip
-
-
-def _marks(flags: Flags, alpha: float) -> dict[str, Any]:
-    """What the player draws: names, and at every step which of them are there, a bit each."""
-    marks = flags.marks @ (1 << np.arange(len(flags.names)))
-    return {"alpha": alpha, "names": list(flags.names), "marks": marks.astype(int).tolist()}
 
 
 def lead(rolled: RolledOut, step: int) -> dict[str, Any]:

@@ -1,1 +1,1 @@
-"""Every agent there is, whatever page shows it, and what worlds are called."""
+"""Every agent and every run there is, whatever page shows it."""

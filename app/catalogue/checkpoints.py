@@ -8,13 +8,13 @@ from pathlib import Path
 
 from app import session
 from app.catalogue import training_runs
-from app.session.url import Entries, by_name, check_of
 from laplace_core import InputError
 from laplace_core.caching import cached
+from laplace_core.exchange.links import Entries, by_name, check_of
 from laplace_core.experiments import shipped_agents
-from laplace_core.experiments.shipped_agents import plain
 from laplace_core.experiments.shipping import TrainingCurve
 from laplace_core.parameters import Parameter
+from laplace_core.trained.observations import titled
 from laplace_core.training.checkpoint import Loaded, load_checkpoint, parse_checkpoint
 
 SHIPPED = Path(__file__).resolve().parents[2] / "checkpoints"
@@ -38,10 +38,6 @@ def title(name: str) -> str:
     if name.startswith(RUN):
         return f"run: {name.removeprefix(RUN).replace('_', ' ')}"
     return shipped_agents.title(name)
-
-
-def titled(loaded: Loaded) -> str:
-    return f"{plain(loaded.environment)} · {loaded.settings.TITLE}"
 
 
 def curves(name: str) -> tuple[TrainingCurve, ...]:
@@ -114,6 +110,13 @@ def checkpoint(name: str) -> Loaded:
             raise InputError(f"the run {run.name} has no checkpoint yet: it comes with the first evaluation.")
         return _trained(path, path.stat().st_mtime_ns)
     return shipped_agents.load(SHIPPED, name)
+
+
+def file_of(name: str) -> str:
+    """Where a checkpoint lies; of one that was opened only its owner knows."""
+    if name.startswith(RUN):
+        return f"runs/{name.removeprefix(RUN)}/best.safetensors"
+    return f"checkpoints/{name}.safetensors" if name in shipped() else "opened.safetensors"
 
 
 NAMED = (

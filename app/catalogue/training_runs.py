@@ -8,10 +8,10 @@ from functools import lru_cache
 from pathlib import Path
 
 from app.session import owner
-from app.session.limits import Limits, limits, may_train
 from laplace_core import InputError
 from laplace_core.agents.settings import LoopSettings
 from laplace_core.files.folders import writable
+from laplace_core.supervise.limits import Limits, limits, may_train
 from laplace_core.training.curves import Curves, Reader
 from laplace_core.training.job import owner_of
 from laplace_core.training.queue import Queue, Run
@@ -111,12 +111,6 @@ def change(what: str, name: str) -> None:
 @lru_cache(maxsize=64)
 def _reader(path: Path) -> Reader:
     return Reader(path)
-
-
-def settings_of(run: Run) -> LoopSettings:
-    """The settings of a run whose folder holds some that can be read."""
-    assert run.settings is not None  # others are neither drawn nor compared
-    return run.settings
 
 
 def curves(run: Run) -> Curves:

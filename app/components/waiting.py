@@ -9,11 +9,11 @@ from typing import Any, TypeVar
 
 import streamlit as st
 
-from app.catalogue.names import capital
 from app.session.jobs import Wish
 from app.session.typed import in_markdown
 from laplace_core import InputError
 from laplace_core.supervise.jobs import Job, duration
+from laplace_core.words import capital
 
 Result = TypeVar("Result")
 LOOK_EVERY = 0.4  # seconds between two looks at work that is not done

@@ -7,15 +7,15 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from app.components.inverse.payload import FOLLOWS, Swept, payload, swept
 from app.view.compute import study_for
-from app.view.subjects import Exact, Subject, View
 from laplace_core import InputError, Study
 from laplace_core.caching import cached
 from laplace_core.inverse import is_linear
 from laplace_core.inverse.solvers import selecting
+from laplace_core.payloads.inverse import FOLLOWS, Swept, payload, swept
 from laplace_core.study.course import Course, Ranked, course, ranking
 from laplace_core.study.settings import Resolved
+from laplace_core.subjects import Exact, Subject, View
 
 ALPHAS, FEW_ALPHAS = 100, 24
 """Of a course, of a linear solver and of one that takes longer."""

@@ -1,37 +1,17 @@
-"""What follows from the size of the noise alone, whatever alpha is: a job, because it takes seconds."""
+"""The test of the values and the certificates of a study, as a job, because they take seconds."""
 
 from __future__ import annotations
 
 from collections.abc import Hashable
-from dataclasses import dataclass
 
-import numpy as np
-
-from app.session.jobs import Kind, Progress, Wish
+from app.session.jobs import Wish, background
 from laplace_core import Study
-from laplace_core.inverse.certificate import certify
-from laplace_core.inverse.consistency import check_noise
-from laplace_core.study.pipeline import WorldStudy, noise_of
+from laplace_core.study.evidence import Evidence, gathered, seconds_to_gather
+from laplace_core.study.pipeline import noise_of
+from laplace_core.supervise.jobs import Kind, Progress
 
-MOST_HORIZONS = 14
 MOST_KEPT = 24
-USUAL_NOISE = 1e-3
-
-
-@dataclass(frozen=True)
-class Evidence:
-    """What the noise allows to say.
-
-    Attributes:
-        p_value: of the test whether any feasible timeline has these values.
-        certified: horizons, and the action that is certainly best there, -1 where none is.
-    """
-
-    p_value: float
-    certified: tuple[tuple[float, int], ...]
-
-
-_found: Kind[Evidence] = Kind("tests of values", MOST_KEPT)
+_found: Kind[Evidence] = Kind("tests of values", MOST_KEPT, line=background)
 
 
 def wish(study: Study, key: Hashable, *, independent: bool) -> Wish[Evidence] | None:
@@ -47,34 +27,6 @@ def wish(study: Study, key: Hashable, *, independent: bool) -> Wish[Evidence] | 
     def make(progress: Progress) -> Evidence:
         return gathered(study, deviations, independent=independent, progress=progress)
 
-    actions, discounts, _ = study.gamma_space.values.shape
-    # The time axis has more windows, the smaller the noise is.
-    finer = np.sqrt(np.clip(USUAL_NOISE / (study.settings.noise_level or USUAL_NOISE), 1.0, 100.0))
-    seconds = float(finer) * (actions * discounts / 60.0 + 0.05 * MOST_HORIZONS * actions)
-    return Wish(_found, key, make, lambda: seconds, slot="evidence", lower="lower gammas or steps")
-
-
-def gathered(study: Study, deviations: np.ndarray, *, independent: bool, progress: Progress) -> Evidence:
-    """The test and the certificates of a study, one after the other."""
-    horizons = horizons_of(study)
-    progress(0, 1 + len(horizons))
-    space, s = study.gamma_space, study.settings
-    test = check_noise(space, deviations, independent=independent)
-    rewards = None
-    if isinstance(study, WorldStudy):
-        rewards = float(study.world.reward_values[0]), float(study.world.reward_values[-1])
-    certified = []
-    for done, horizon in enumerate(horizons, start=1):
-        progress(done, 1 + len(horizons))
-        found = certify(
-            space, horizon, deviations, value_gamma=s.value_gamma, slope=s.slope, rewards=rewards,
-            independent=independent,
-        )  # fmt: skip
-        certified.append((float(horizon), -1 if found.best is None or not found.consistent else found.best))
-    return Evidence(test.p_value, tuple(certified))
-
-
-def horizons_of(study: Study) -> list[int]:
-    """Whole horizons of a study, close together where they are short."""
-    last = int(study.horizons[-1])
-    return np.unique(np.rint(np.geomspace(1, max(1, last), MOST_HORIZONS)).astype(int)).tolist()
+    return Wish(
+        _found, key, make, lambda: seconds_to_gather(study), slot="evidence", lower="lower gammas or steps"
+    )  # fmt: skip

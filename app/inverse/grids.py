@@ -11,16 +11,17 @@ import streamlit as st
 from app.components.waiting import attempt, offer, progress
 from app.components.widgets import download
 from app.session import store
-from app.session.jobs import Kind, Progress, Wish
+from app.session.jobs import Wish, background
 from app.view.compute import study_for
-from app.view.subjects import View
 from laplace_core.inverse.grids import POWERS, Judged, Task, design, standard_grids, task_for, tuned
+from laplace_core.subjects import View
+from laplace_core.supervise.jobs import Kind, Progress
 
 MOST_KEPT = 12
 SECONDS = 5e-4
 """Of a design, by the number of discounts times the horizon."""
 MOST_DISCOUNTS = 100
-_judged: Kind[tuple[Judged, ...]] = Kind("judged grids", MOST_KEPT)
+_judged: Kind[tuple[Judged, ...]] = Kind("judged grids", MOST_KEPT, line=background)
 
 
 def wish(count: int, horizon: int, noise: float, value_gamma: float) -> Wish[tuple[Judged, ...]]:

@@ -11,9 +11,9 @@ from app.inverse import compute
 from app.inverse.words import SOLVER_TITLES
 from app.session import store
 from app.view.compute import study_for
-from app.view.subjects import View
 from laplace_core.inverse.selectors import TYPED
 from laplace_core.study.course import Ranked
+from laplace_core.subjects import View
 
 COLUMNS = {
     "solver": "Solver",

@@ -10,10 +10,10 @@ from app.inverse.words import chosen_over
 from app.session import store
 from app.session.typed import in_markdown
 from app.view.compute import study_for
-from app.view.subjects import View
 from laplace_core import InputError, figures
 from laplace_core.parameters import Parameter
 from laplace_core.study.edited import Edit, edit
+from laplace_core.subjects import View
 
 EDIT = "m."
 """Prefix of the entries of an edit, in the session and in the link."""

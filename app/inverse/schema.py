@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from app.inverse import memory, subjects
-from app.session.url import Check, Entries, Schema, Values, by_name, check_of
-from app.view.schema import ACTION, check_reached
-from app.view.subjects import PARAM
 from laplace_core import InputError
+from laplace_core.exchange.links import Check, Entries, Schema, Values, by_name, check_of
 from laplace_core.parameters import Parameter
+from laplace_core.payloads.link import ACTION, PARAM, check_reached
 from laplace_core.study.pipeline import grids
 from laplace_core.study.settings import ResolvedForWorld
 from laplace_core.worlds import parameters_of

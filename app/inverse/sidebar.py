@@ -4,19 +4,20 @@ from __future__ import annotations
 
 import streamlit as st
 
-from app.catalogue.names import world_title
 from app.components.widgets import field, left_out, select, upload
 from app.inverse import subjects
 from app.inverse.words import RULE_TITLES, SOLVER_TITLES
 from app.session import store
 from app.session.typed import in_markdown
 from app.view.compute import study_for
-from app.view.subjects import PARAM, View
 from laplace_core import World
 from laplace_core.inverse import ALPHA_CHOICES
 from laplace_core.inverse.selectors import TYPED
+from laplace_core.payloads.link import PARAM
 from laplace_core.study.settings import BY_NAME, Resolved
+from laplace_core.subjects import View
 from laplace_core.worlds import parameters_of
+from laplace_core.worlds.titles import world_title
 
 _OF_SUBJECT = ("world", "agent", "data", "state", "action", "alpha", "horizon", "gammas", "spacing", "gamma_min",
                "gamma_max", "thetas", "steps")  # fmt: skip

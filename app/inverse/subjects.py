@@ -10,13 +10,14 @@ import numpy as np
 
 from app import session
 from app.components.inverse import AXES
-from app.session.url import Values
-from app.view.subjects import PARAM, Exact, FromFile, Observed, Subject, View
 from laplace_core import PRESETS, InputError, Settings, World, load_world
 from laplace_core.caching import cached
+from laplace_core.exchange.links import Values
 from laplace_core.parameters import Parameter
+from laplace_core.payloads.link import PARAM
 from laplace_core.study.npz import read_gamma_space
 from laplace_core.study.settings import BY_NAME, ENCODING_NAMES, Resolved, resolve, resolve_for_gamma_space
+from laplace_core.subjects import Exact, FromFile, Observed, Subject, View
 from laplace_core.worlds import TOY_TEXT
 
 WORLDS = (*PRESETS, *(f"gym:{name}" for name in TOY_TEXT))

@@ -7,13 +7,13 @@ from collections.abc import Mapping
 import numpy as np
 
 from app.components.inverse import Rule, Said
-from app.components.inverse.payload import Swept
-from app.inverse.evidence import Evidence
 from laplace_core import Study
 from laplace_core.inverse import AUTO, SELECTORS, SOLVERS
 from laplace_core.inverse.consistency import LEVEL
 from laplace_core.inverse.selectors import TYPED
+from laplace_core.payloads.inverse import Swept
 from laplace_core.study.course import Course, errors_of, turns
+from laplace_core.study.evidence import Evidence
 
 RULES: Mapping[str, Rule] = {
     "gcv": Rule("GCV", "Cross-validation: how well a value that is left out would be predicted.",
@@ -34,7 +34,7 @@ RULES: Mapping[str, Rule] = {
                 "distance of its cumulative periodogram from a line"),
     "quasiopt": Rule("Quasi-optimality", "Where the timeline changes least from one alpha to the next.",
                      "|x(α_i+1) − x(α_i)|"),
-    "fitted": Rule("Fitted formula", "A formula that was fitted to random worlds; automatic takes it.",
+    "fitted": Rule("Fitted network", "What a small network says that was fitted to random worlds; automatic takes it.",
                    "|log α − log α_fitted|"),
 }  # fmt: skip
 """By the names of ``SELECTORS``: a title, what the rule makes small, and its formula."""

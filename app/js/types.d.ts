@@ -395,7 +395,7 @@ export interface Camera {
   tilt: number;
 }
 
-/** What came after an action in an episode: app/agents/episode.py. */
+/** What came after an action in an episode: laplace_core/trained/rollouts.py. */
 export interface Followed {
   rewards: number[];
   action: number;
@@ -662,7 +662,7 @@ export interface NonnegativeColumns {
   at(alpha: number): Float64Array;
 }
 
-/** A payload of the page of the inverse: app/components/inverse/payload.py. B bins, r components, a alphas. */
+/** A payload of the page of the inverse: laplace_core/payloads/inverse.py. B bins, r components, a alphas. */
 export interface InverseModel {
   header: {
     solver: string;

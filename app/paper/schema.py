@@ -2,6 +2,6 @@
 
 from __future__ import annotations
 
-from app.session.url import Entries, Schema
+from laplace_core.exchange.links import Entries, Schema
 
 LINK = Schema(opening=dict, steps=(Entries({}),))

@@ -8,10 +8,11 @@ from pathlib import Path
 
 import streamlit as st
 
+from app.catalogue.checkpoints import SHIPPED
 from app.components.chart import chart
 from app.components.widgets import download
-from app.paper.pictures import CANNOT_DRAW, Picture, picture
 from laplace_core.experiments.paper.claims import STATES, Found
+from laplace_core.experiments.paper.pictures import CANNOT_DRAW, Picture, picture
 
 _FEW = 12
 """Lines of a table that are shown beside the picture; longer tables unfold."""
@@ -79,7 +80,7 @@ def _claims(found: Found) -> str:
 
 def _picture(found: Found) -> Picture | None:
     try:
-        return picture(found)
+        return picture(found, SHIPPED)
     except CANNOT_DRAW:
         st.warning(f"{found.results.path.name} cannot be drawn: it holds something else than results.")
         return None

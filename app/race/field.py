@@ -8,18 +8,19 @@ from typing import Any
 
 import streamlit as st
 
+from app.catalogue import checkpoints
 from app.components.chart import chart
 from app.components.copy import copy_button
 from app.components.track import COLOURS
 from app.components.waiting import attempt, offer, progress
 from app.components.widgets import download
-from app.race import form, jobs, schema, words
-from app.race.jobs import Control
-from app.race.schema import AT, COUNT, MANY, START
+from app.race import form, jobs
+from app.race.schema import AGAINST, AGENT
 from app.session import store
 from laplace_core import figures
 from laplace_core.acting.race import Races
 from laplace_core.acting.race_file import races_csv, races_npz
+from laplace_core.trained.races import AT, COUNT, MANY, START, USUAL_COUNT, Control, command, field_verdict, sides
 
 _KEY = "differences"
 
@@ -27,7 +28,7 @@ _KEY = "differences"
 def section(control: Control) -> None:
     """A button; then progress; then the picture."""
     values = store.chosen()
-    count = int(values.get(COUNT, schema.USUAL_COUNT))
+    count = int(values.get(COUNT, USUAL_COUNT))
     st.html('<div class="panel-title">from many starts</div>')
     wish = jobs.field(control, count)
     job = wish.look() if values.get(MANY) == "yes" else None
@@ -51,14 +52,14 @@ def section(control: Control) -> None:
 
 
 def _shown(control: Control, races: Races, summary: dict[str, Any]) -> None:
-    form.verdict(*words.field_verdict(summary, control))
+    form.verdict(*field_verdict(summary, control))
     if summary["equal"] == 1.0:  # a hundred dots in one place
         with st.columns([1, 2.4])[0]:
             _files(control, races)
         return
     left, right = st.columns([2.4, 1], gap="medium")
     with left:
-        _picture(races, summary, words.sides(control))
+        _picture(races, summary, sides(control))
     with right:
         _facts(control, summary)
         _starts(races)
@@ -87,7 +88,7 @@ def _open(start: int) -> None:
 
 
 def _facts(control: Control, summary: dict[str, Any]) -> None:
-    left, right = map(escape, words.sides(control))
+    left, right = map(escape, sides(control))
     low, high = summary["interval"]
     rows = [
         (f'<i style="background:{COLOURS[0]}"></i>{left}', f"{summary['left']:.1f}"),
@@ -118,6 +119,12 @@ def _files(control: Control, races: Races) -> None:
     with st.container(horizontal=True, gap="small"):
         columns = "A row a start: start seed, returns, difference, steps."
         contents = "The same as arrays, and how they came about."
-        download("CSV", lambda: races_csv(races, *words.sides(control)), f"{file}.csv", help=columns)
+        download("CSV", lambda: races_csv(races, *sides(control)), f"{file}.csv", help=columns)
         download("NPZ", lambda: races_npz(races, settings), f"{file}.npz", help=contents)
-    copy_button("Copy as command", words.command(store.chosen(), control, len(races.starts)), "race command")
+    copy_button("Copy as command", _command(control, len(races.starts)), "race command")
+
+
+def _command(control: Control, count: int) -> str:
+    values = store.chosen()
+    file, other = (checkpoints.file_of(str(values[name])) if name in values else None for name in (AGENT, AGAINST))
+    return command(control, count, str(file), other)

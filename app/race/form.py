@@ -11,15 +11,16 @@ from app.catalogue import checkpoints
 from app.components.track import track
 from app.components.waiting import attempt, offer, progress
 from app.components.widgets import discount, download, field, select
-from app.race import jobs, schema, words
-from app.race.jobs import Control
-from app.race.schema import AGAINST, AGENT, AT, COUNT, GAMMA, HORIZON, LEFT, RIGHT, START
+from app.race import jobs, schema
+from app.race.schema import AGAINST, AGENT
 from app.session import store
 from laplace_core.acting.race import FIRST_START, Race
 from laplace_core.acting.race_file import race_gif, race_npz
 from laplace_core.acting.rules import title_of
 from laplace_core.agents.capabilities import HasDiscounts
 from laplace_core.environments import environment_of
+from laplace_core.trained import races
+from laplace_core.trained.races import AT, COUNT, GAMMA, HORIZON, LEFT, RIGHT, START, USUAL_COUNT, Control
 
 PATIENCE = 2.5  # seconds that the page waits for a race before it speaks of progress
 SECONDS = 0.06  # a step on the screen
@@ -37,8 +38,8 @@ def choose() -> None:
 
 def form(control: Control) -> None:
     """Deadline, start, and how either side acts; a change counts at once."""
-    known, key = schema.parameters(control.right, control.left), store.put(HORIZON, control.horizon)
-    stops = schema.horizons(control.right, control.horizon)
+    known, key = races.parameters(control.right, control.left), store.put(HORIZON, control.horizon)
+    stops = races.horizons(control.right, control.horizon)
     st.select_slider("Deadline T (steps)", stops, key=key, on_change=_keep, args=(key,), help=known[HORIZON].help)
     field(known[START], 0, "Start", keep=_keep)
     field(known[LEFT], control.left_rule, "Left side", titles=title_of, keep=_keep)
@@ -52,7 +53,7 @@ def form(control: Control) -> None:
         titles, key = {name: checkpoints.title(name) for name in others}, store.show(AGAINST, _SAME)
         select("Agent of the left side", (_SAME, *others), key, titles, keep=_rival, help=schema.RIVAL.help)
     field(known[RIGHT], control.right_rule, "Right side", titles=title_of, keep=_keep)
-    field(known[COUNT], schema.USUAL_COUNT, "Starts to race over", step=50)
+    field(known[COUNT], USUAL_COUNT, "Starts to race over", step=50)
 
 
 def _keep(key: str) -> None:
@@ -97,7 +98,7 @@ def verdict(tone: str, sentence: str) -> None:
 
 def show(control: Control, race: Race, packed: bytes) -> None:
     """The verdict and the track."""
-    verdict(*words.verdict(race, control))
+    verdict(*races.verdict(race, control))
     remark = environment_of(control.environment).remark
     if remark:
         st.caption(remark)
@@ -105,7 +106,7 @@ def show(control: Control, race: Race, packed: bytes) -> None:
     store.clamp(AT, last)
     at = min(int(store.chosen().get(AT, last)), last)
     track(
-        packed, at, store.page_name(), words.sides(control), action_names=environment_of(control.environment).actions,
+        packed, at, store.page_name(), races.sides(control), action_names=environment_of(control.environment).actions,
         on_step=lambda step: store.choose(AT, None if step >= last else step), seconds=SECONDS,
     )  # fmt: skip
     _footer(control, race, at)
@@ -115,14 +116,14 @@ def _footer(control: Control, race: Race, at: int) -> None:
     agents = {"left": store.chosen().get(AGAINST, store.chosen()[AGENT]), "right": store.chosen()[AGENT]}
     file = f"race_{race.left.environment}_T_{race.horizon}_start_{race.start}"
     with st.container(horizontal=True, vertical_alignment="center", gap="small"):
-        for side, name in zip(agents, words.sides(control), strict=True):
-            query = {"checkpoint": str(agents[side])} | words.inside(control, side, FIRST_START + race.start, at)
+        for side, name in zip(agents, races.sides(control), strict=True):
+            query = {"checkpoint": str(agents[side])} | races.inside(control, side, FIRST_START + race.start, at)
             st.page_link(
                 "screens/agents.py", label=f"Look inside: {name}", icon=":material/frame_inspect:", query_params=query,
                 help="The same episode with gamma-space and tau-space of every step.",
             )  # fmt: skip
         if race.left.frames and race.right.frames:
-            names, moving = words.sides(control), "Both episodes side by side, moving."
+            names, moving = races.sides(control), "Both episodes side by side, moving."
             download("GIF", lambda: race_gif(race, names, SECONDS), f"{file}.gif", help=moving)
         contents = "Observations, actions, rewards and values of every step of both episodes."
         download("NPZ", lambda: race_npz(race), f"{file}.npz", help=contents)

@@ -1,4 +1,4 @@
-"""The race that a page shows, as values of its link: the agents, the rules, the deadline, the start; and its words."""
+"""What the link of the page of races may hold: the agents, the rules, the deadline, the start."""
 
 from __future__ import annotations
 
@@ -6,27 +6,16 @@ from collections.abc import Mapping
 from typing import Any
 
 from app.catalogue import checkpoints, training_runs
-from app.race.jobs import Control
-from app.session.url import Check, Entries, Schema, Values, by_name
 from laplace_core import InputError
-from laplace_core.acting.deadlines import longest_horizon, rules_of_race, trained_discount, usual_horizon
-from laplace_core.acting.race import MOST_RACES, MOST_START
-from laplace_core.acting.rules import suited
+from laplace_core.exchange.links import Check, Entries, Schema, Values, by_name
 from laplace_core.parameters import Parameter
-from laplace_core.training.checkpoint import Loaded
+from laplace_core.trained import races
+from laplace_core.trained.races import Control
 
 AGENT, AGAINST = "checkpoint", "d.against"
-HORIZON, START, LEFT, GAMMA, RIGHT, AT, MANY, COUNT = (
-    "d.T", "d.start", "d.left", "d.gamma", "d.right", "d.at", "d.many", "d.starts",
-)  # fmt: skip
 FIRST_AGENT = "laplace_LunarLander-v3"
 """What a visitor without a link sees: an environment in which a deadline matters."""
-USUAL_COUNT = 100
-_STOPPED = "Both episodes are stopped after so many steps."
-_HELD_OUT = "No agent was trained or chosen on any of these starts."
-_RIGHT_HELP = "The rule by which the agent acts for the time to go."
 RIVAL = Parameter(AGAINST, None, help="Another agent of this environment.", kind=str)
-_STOPS = (1, 2, 3, 4, 5, 6, 8, 10, 15, 20, 25, 30, 40, 50, 60, 80, 100, 125, 150, 200, 250, 300, 400, 500, 700, 1000)
 
 
 def opening() -> Values:
@@ -47,27 +36,6 @@ def _environment(name: str) -> str | None:
     return checkpoints.checkpoint(name).environment
 
 
-def horizons(loaded: Loaded, shown: int) -> list[int]:
-    """Stops of the slider of T, denser where it is short; with the one that is shown."""
-    limit = longest_horizon(loaded.agent, loaded.environment)
-    return sorted({*(stop for stop in _STOPS if stop < limit), limit, shown})
-
-
-def parameters(loaded: Loaded, other: Loaded | None = None) -> dict[str, Parameter]:
-    """What a link may hold besides the agents."""
-    left, played = rules_of_race((other or loaded).agent), (loaded.agent, loaded.environment)
-    return by_name(
-        Parameter(HORIZON, usual_horizon(*played), 1, longest_horizon(*played), _STOPPED),
-        Parameter(START, 0, 0, MOST_START, f"Both sides begin from it. {_HELD_OUT}"),
-        Parameter(LEFT, None, help="The rule that the right side is compared with.", kind=str, choices=left),
-        Parameter(GAMMA, None, 1e-6, 0.999999, "It takes the best action at this discount.", float),
-        Parameter(RIGHT, None, help=_RIGHT_HELP, kind=str, choices=rules_of_race(loaded.agent)),
-        Parameter(AT, None, 0, 10_000, "Steps that are over under the cursor.", int),
-        Parameter(MANY, "no", help="Whether many starts are raced over.", choices=("no", "yes")),
-        Parameter(COUNT, USUAL_COUNT, 2, MOST_RACES, "From start 0 on; more starts make the interval narrower."),
-    )
-
-
 def _is_rival(values: Values) -> None:
     """The other agent is one of the same environment, and can be opened."""
     if AGAINST not in values or AGENT not in values:
@@ -82,7 +50,7 @@ def _of_race(values: Values) -> dict[str, Parameter]:
     if AGENT not in values:
         return {}
     other = checkpoints.checkpoint(str(values[AGAINST])) if AGAINST in values else None
-    return parameters(checkpoints.checkpoint(str(values[AGENT])), other)
+    return races.parameters(checkpoints.checkpoint(str(values[AGENT])), other)
 
 
 LINK = Schema(
@@ -104,9 +72,4 @@ def control_of(values: Mapping[str, Any]) -> Control:
     """
     right = checkpoints.checkpoint(str(values[AGENT]))
     left = checkpoints.checkpoint(str(values[AGAINST])) if AGAINST in values else right
-    played = right.agent, right.environment
-    horizon = min(int(values.get(HORIZON, usual_horizon(*played))), longest_horizon(*played))
-    left_rule = str(values.get(LEFT, rules_of_race(left.agent)[0]))
-    right_rule = str(values.get(RIGHT, suited(right.agent, horizon)))
-    gamma = trained_discount(left.agent, values.get(GAMMA)) if left_rule == "greedy" else None
-    return Control(left, left_rule, gamma, right, right_rule, horizon)
+    return races.control_of(values, left, right)

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import streamlit as st
 
-from app.agents import episode, peer, returns, rollout_form, truth
+from app.agents import peer, returns, rollout_form, truth
 from app.agents.card import card
 from app.agents.jobs import Rolling
-from app.agents.schema import LINK, OBSERVED, observation_of, view_of
+from app.agents.schema import LINK
 from app.catalogue import checkpoints
 from app.components.waiting import attempt
 from app.components.widgets import left_out, select, upload
@@ -18,6 +18,8 @@ from laplace_core import InputError
 from laplace_core.agents.capabilities import HasGammaSpace
 from laplace_core.environments import Environment, environment_of
 from laplace_core.payloads.state import LIVE
+from laplace_core.trained import rollouts
+from laplace_core.trained.observations import OBSERVED, observation_of, view_of
 from laplace_core.training.checkpoint import Loaded
 
 
@@ -80,14 +82,14 @@ def _view(loaded: Loaded, scene: Environment, rolling: Rolling | None) -> None:
     if rolling is not None and rolled is None:
         return
     if rolled is not None:
-        store.clamp(episode.AT, len(rolled.rollout) - 1)
+        store.clamp(rollouts.AT, len(rolled.rollout) - 1)
     if not isinstance(loaded.agent, HasGammaSpace):
         peer.view(loaded, scene, rolled)
         return
     rollout, observation, simulated, at = None, observation_of(scene, store.chosen()), None, 0
     if rolled is not None:
-        rollout, at = rolled.rollout, episode.step_of(store.chosen(), rolled.rollout)
-        observation = episode.observation_at(rollout, at)
+        rollout, at = rolled.rollout, rollouts.step_of(store.chosen(), rolled.rollout)
+        observation = rollouts.observation_at(rollout, at)
     above = st.container()
     try:
         view = view_of(loaded, scene, store.chosen(), observation)
@@ -98,7 +100,7 @@ def _view(loaded: Loaded, scene: Environment, rolling: Rolling | None) -> None:
         return
     lead = followed = None
     if rolled is not None and rollout is not None:
-        lead, followed = rollout_form.lead(rolled, at), episode.followed(rollout, at)
+        lead, followed = rollout_form.lead(rolled, at), rollouts.followed(rollout, at)
         with above:
             rollout_form.show(rolled, scene, view)
             simulated = truth.ask(view, loaded, rollout, at)

@@ -10,11 +10,11 @@ from app.inverse import compute, evidence, grids, leaderboard, memory, sidebar, 
 from app.inverse.schema import LINK
 from app.inverse.words import NO_NOISE, OFFERED, RULES, TESTING, said
 from app.session import store
-from app.session.jobs import Job
 from app.view.compute import horizon_of, is_large
-from app.view.subjects import View
 from laplace_core import InputError
 from laplace_core.inverse.selectors import TYPED
+from laplace_core.subjects import View
+from laplace_core.supervise.jobs import Job
 
 LOOK_EVERY = 0.1  # seconds between two looks at a test that is not done
 SOON = 0.25  # seconds that the tests of the noise are waited for, so that what is soon done is drawn once

@@ -8,9 +8,9 @@ from app.catalogue import checkpoints
 from app.components.waiting import attempt
 from app.components.widgets import left_out
 from app.race import field, form, schema
-from app.race.jobs import Control
 from app.session import store
 from laplace_core.acting.race import Race
+from laplace_core.trained.races import Control
 
 
 def page() -> None:

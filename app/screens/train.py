@@ -9,9 +9,9 @@ from app.components.owner import keep_owner
 from app.components.waiting import attempt
 from app.components.widgets import left_out
 from app.session import store
-from app.session.limits import limits
 from app.train import cards, form, pictures, server
 from app.train.schema import LINK, OPENING
+from laplace_core.supervise.limits import limits
 from laplace_core.training.queue import Run
 
 LOOK_EVERY = 1.0  # seconds between two looks at the runs, while one is going

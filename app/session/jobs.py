@@ -13,9 +13,9 @@ from streamlit import runtime
 from streamlit.runtime.scriptrunner import get_script_run_ctx
 
 from app import session
-from app.session.limits import limits
 from laplace_core.supervise import jobs
 from laplace_core.supervise.jobs import Asked, Line
+from laplace_core.supervise.limits import limits
 
 Result = TypeVar("Result")
 

@@ -14,10 +14,10 @@ from typing import Any, TypeVar
 
 import streamlit as st
 
-from app.session.echoes import Shown
-from app.session.message import Channel
 from laplace_core import InputError
 from laplace_core.caching import BUDGET, Cache, weigh
+from laplace_core.exchange.echoes import Shown
+from laplace_core.exchange.messages import Channel
 
 KEY = "session"
 """Of the record in ``st.session_state``."""

@@ -2,7 +2,7 @@
 
 Only values that were set by hand (or by a link, a remedy, a preset view) are kept; everything else follows the
 world or the agent. So a link holds what matters, and a changed world brings its own defaults along. This module knows
-no page: what it may hold, a page says by its schema (:mod:`app.session.url`).
+no page: what it may hold, a page says by its schema (:mod:`laplace_core.exchange.links`).
 """
 
 from __future__ import annotations
@@ -13,9 +13,9 @@ from typing import Any
 import streamlit as st
 
 from app import session
-from app.session.echoes import Shown, touches
 from app.session.typed import in_markdown
-from app.session.url import Schema, fits, query_of
+from laplace_core.exchange.echoes import Shown, touches
+from laplace_core.exchange.links import Schema, fits, query_of
 
 
 def page_name() -> str:

@@ -14,23 +14,22 @@ from streamlit.delta_generator import DeltaGenerator
 
 from app import session
 from app.catalogue import training_runs
-from app.catalogue.names import capital, world_title
 from app.components.copy import copy_button
 from app.components.waiting import attempt
 from app.components.widgets import download
 from app.session import store
-from app.session.limits import limits
 from app.session.typed import in_markdown
 from app.train import form
 from app.train.pictures import colour_of
 from laplace_core import InputError
-from laplace_core.agents.settings import algorithm_title
 from laplace_core.figures.theme import NEUTRAL
-from laplace_core.supervise.jobs import duration
+from laplace_core.supervise.limits import limits
+from laplace_core.training import words
 from laplace_core.training.curves import Curves, metrics_csv
-from laplace_core.training.defaults import changed, command_of
-from laplace_core.training.progress import Progress, read_progress
-from laplace_core.training.queue import FAILED, FINISHED, STOPPED, STOPPING, TRAINING, WAITING, Run
+from laplace_core.training.defaults import command_of
+from laplace_core.training.progress import read_progress
+from laplace_core.training.queue import FAILED, STOPPED, STOPPING, Run
+from laplace_core.words import capital
 
 SHOWN = 12
 """Cards before the button for all."""
@@ -98,11 +97,9 @@ def _card(runs: Sequence[Run], run: Run, *, looked: bool) -> None:
             _more(run, None)
         return
     settings, curves, progress = run.settings, training_runs.curves(run), read_progress(run.folder)
-    title = f"{algorithm_title(settings.ALGORITHM)} · {world_title(settings.environment)} · seed {settings.seed}"
-    _head(run, title, colour_of(runs, run), looked=looked)
-    share, words = _progress(run, progress, curves)
-    st.progress(share, words)
-    st.html(f'<div class="run-note">{escape(curves.in_words)}<br>{escape(_different(run))}</div>')
+    _head(run, words.title(settings), colour_of(runs, run), looked=looked)
+    st.progress(*words.progress(run, progress, curves, limits().trainings))
+    st.html(f'<div class="run-note">{escape(curves.in_words)}<br>{escape(words.set_by_hand(settings))}</div>')
     if run.error:
         st.html(f'<div class="run-error">{escape(capital(run.error or "it failed."))}</div>')
     with st.container(horizontal=True, gap="small"):
@@ -122,38 +119,11 @@ def _card(runs: Sequence[Run], run: Run, *, looked: bool) -> None:
 
 
 def _head(run: Run, title: str, colour: str, *, looked: bool) -> None:
-    word = {FAILED: "failed", WAITING: f"waiting, place {run.place}"}.get(run.state, run.state)
     shown = " shown" if looked else ""
     st.html(
         f'<div class="run-head{shown}"><i style="background:{colour}"></i><b>{escape(title)}</b>'
-        f'<span class="run-state {run.state}">{escape(word)}</span></div>'
+        f'<span class="run-state {run.state}">{escape(words.state(run))}</span></div>'
     )
-
-
-def _progress(run: Run, progress: Progress | None, curves: Curves) -> tuple[float, str]:
-    """Share of the steps that are done, and words for it."""
-    of = training_runs.settings_of(run).steps
-    reported = [int(steps[-1]) for steps in (curves.episode_steps, curves.steps) if len(steps)]
-    step = min(of, max(progress.step if progress else 0, *reported, 0))  # the last round of environments may go beyond
-    step = of if run.state == FINISHED else step
-    words = [f"{step:,} of {of:,} steps"]
-    if run.state == WAITING:
-        words.append(f"waits for one of the {limits().trainings} places")
-    elif run.state == STOPPING:
-        words.append("its resume point is being written")
-    elif run.state == TRAINING and not reported:
-        words.append("starting" if not step else "first episodes")
-    if run.state == TRAINING and progress and progress.steps_per_second:
-        words.append(f"{progress.steps_per_second:,.0f} steps/s")
-        if progress.seconds_left is not None:
-            words.append(f"{duration(progress.seconds_left)} left")
-    return min(1.0, step / of), " · ".join(words)
-
-
-def _different(run: Run) -> str:
-    words = changed(training_runs.settings_of(run))
-    listed = ", ".join(words[:6]) + (", ..." if len(words) > 6 else "")
-    return f"set by hand: {listed}" if words else "settings that suit it"
 
 
 def _do(what: str, name: str) -> None:
@@ -194,9 +164,9 @@ def _more(run: Run, curves: Curves | None) -> None:
             with right:
                 _file("Metrics (JSONL)", metrics, f"{run.name}.jsonl")
                 _file("Metrics (CSV)", metrics, f"{run.name}.csv", metrics_csv)
-            words = attempt(lambda: command_of(training_runs.settings_of(run), f"runs/{run.name}_again"))
-            if words is not None:
-                command = shlex.join(["python", "-m", "laplace_core", *words])
+            made = attempt(lambda: command_of(words.settings_of(run), f"runs/{run.name}_again"))
+            if made is not None:
+                command = shlex.join(["python", "-m", "laplace_core", *made])
                 copy_button("Copy the command", command, f"command {run.name}")
         st.caption(f"In {in_markdown(run.folder)}")
         if run.name in session.part(_Cards).to_remove:

@@ -8,18 +8,19 @@ import streamlit as st
 
 from app import session
 from app.catalogue import training_runs
-from app.catalogue.names import capital, world_title
 from app.components.waiting import attempt
 from app.components.widgets import field, select
 from app.session import store
-from app.session.limits import limits, may_train
 from app.session.typed import in_markdown
-from app.session.url import by_name
 from app.train.schema import FORM, OPENING, TRAIN, suited, wanted
 from laplace_core import InputError
 from laplace_core.agents.settings import ENVIRONMENTS, LOOP_SCHEMA, SETTINGS, LoopSettings, algorithm_title
+from laplace_core.exchange.links import by_name
 from laplace_core.parameters import Parameter
+from laplace_core.supervise.limits import limits, may_train
 from laplace_core.training.defaults import fields
+from laplace_core.words import capital
+from laplace_core.worlds.titles import world_title
 
 _FORM = "training"  # what refusals of this form go by
 _NAMES = {"gammas": "Discounts", "thetas": "Sensitivities", "spacing": "Spacing"}

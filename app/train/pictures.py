@@ -8,8 +8,6 @@ from html import escape
 import streamlit as st
 
 from app.catalogue import checkpoints, training_runs
-from app.catalogue.names import world_title
-from app.catalogue.training_runs import settings_of
 from app.components.chart import chart
 from app.session import store
 from app.session.typed import in_markdown
@@ -20,6 +18,8 @@ from laplace_core.figures import training as figures
 from laplace_core.figures.theme import ACTION_COLOURS, action_colour
 from laplace_core.figures.training import TALL, Band, Line
 from laplace_core.training.queue import Run
+from laplace_core.training.words import family, label, settings_of
+from laplace_core.worlds.titles import world_title
 
 _MOST_OFFERED = 24
 
@@ -31,13 +31,6 @@ def looked_at(runs: Sequence[Run]) -> Run | None:
     return next(iter(named or readable), None)
 
 
-def family(runs: Sequence[Run], run: Run) -> list[Run]:
-    """Runs of the same environment, the oldest first: their returns mean the same."""
-    environment = settings_of(run).environment
-    same = [other for other in runs if other.settings and other.settings.environment == environment]
-    return same[::-1]
-
-
 def colour_of(runs: Sequence[Run], run: Run) -> str:
     return action_colour([other.name for other in family(runs, run)].index(run.name))
 
@@ -45,14 +38,6 @@ def colour_of(runs: Sequence[Run], run: Run) -> str:
 def shipped_colour(algorithm: str) -> str:
     """From the end of the colours, which runs have from the beginning."""
     return action_colour(len(ACTION_COLOURS) - 1 - list(SETTINGS).index(algorithm))
-
-
-def label(run: Run) -> str:
-    """Short words for a run among those of its environment."""
-    s = settings_of(run)
-    usual = f"{s.ALGORITHM}_{s.environment.replace(':', '-')}_{s.seed}"
-    rest = run.name.removeprefix(usual).strip("_") if run.name.startswith(usual) else run.name
-    return f"{algorithm_title(s.ALGORITHM)}, seed {s.seed}" + (f" ({rest})" if rest else "")
 
 
 def pictures(runs: Sequence[Run], run: Run) -> None:

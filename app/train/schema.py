@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from app.session.url import Check, Entries, Schema, Values, by_name
 from laplace_core import InputError
 from laplace_core.agents.settings import ENVIRONMENTS, SETTINGS, LoopSettings
+from laplace_core.exchange.links import Check, Entries, Schema, Values, by_name
 from laplace_core.parameters import Parameter
 from laplace_core.training.defaults import suited_settings, with_looks
 from laplace_core.training.run_folder import RUN_NAME

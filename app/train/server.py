@@ -9,9 +9,9 @@ import streamlit as st
 
 from app.catalogue import training_runs
 from app.session import jobs
-from app.session.limits import ENVIRONMENTS, limits, may_train
 from laplace_core.agents import ENVIRONMENTS as KNOWN
 from laplace_core.caching import BUDGET
+from laplace_core.supervise.limits import ENVIRONMENTS, limits, may_train
 from laplace_core.training.disk import held
 from laplace_core.training.queue import Run
 

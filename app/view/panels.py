@@ -15,8 +15,8 @@ from app.components.waiting import LOOK_EVERY, attempt
 from app.session import crowd, store
 from app.session.typed import in_markdown
 from app.view import compute
-from app.view.schema import PARAM
 from laplace_core.payloads.lens import Simulated
+from laplace_core.payloads.link import PARAM
 from laplace_core.payloads.state import checked, state_of, values_of
 from laplace_core.study.artefacts import Artefact
 from laplace_core.study.settings import BY_NAME, SWITCHES

@@ -10,6 +10,7 @@ from app.worlds import sources
 from app.worlds.schema import OPENING
 from laplace_core import World, load_world
 from laplace_core.study.settings import BY_NAME
+from laplace_core.worlds.timeline import FIRST_TIMELINE
 
 _KEPT_ACROSS_WORLDS = {"normalise", "policy", "softness", "look", "pin", "compare", "deadline", "source"}
 _BROUGHT_ALONG = ("own", "timeline", "data", "pin")  # what Reset leaves: it cannot be had again
@@ -36,7 +37,7 @@ def choose_world(key: str = "world") -> None:
         # A gamma-space from a file has no world to begin with.
         edit_world(sources.world_of(store.chosen()) or load_world(sources.FIRST_WORLD))
     elif name == sources.TIMELINE:
-        go_to(world=name, timeline=store.chosen().get("timeline", sources.FIRST_TIMELINE), edit="yes")
+        go_to(world=name, timeline=store.chosen().get("timeline", FIRST_TIMELINE), edit="yes")
     else:
         go_to(world=name)
 

@@ -24,6 +24,7 @@ from laplace_core.worlds import (
     world_rows,
 )
 from laplace_core.worlds.table import as_cells, from_cells, with_rows
+from laplace_core.worlds.timeline import FIRST_TIMELINE, packed_timeline, timeline_rows_of
 
 MOST_ROWS = 2_000
 _CONTENTS = (
@@ -48,7 +49,7 @@ def open_group(world: World | None) -> None:
         if world is not None and world_name() not in sources.BROUGHT:
             st.button("Edit this world as a table", on_click=edit_world, args=(world,), width="stretch")
         if world_name() != sources.TIMELINE:
-            drawn = {"world": sources.TIMELINE, "timeline": sources.FIRST_TIMELINE, "edit": "yes"}
+            drawn = {"world": sources.TIMELINE, "timeline": FIRST_TIMELINE, "edit": "yes"}
             st.button("Draw a timeline", on_click=go_to, kwargs=drawn, width="stretch")
 
 
@@ -170,7 +171,7 @@ def _timeline_table(world: World) -> None:
     word = str(store.chosen()[sources.TIMELINE])
     st.html('<div class="panel-title">your timeline: at future step tau, this reward comes with this probability</div>')
     key = _version(word, sources.TIMELINE)
-    base, rest = sources.timeline_rows_of(_table(sources.TIMELINE).base)
+    base, rest = timeline_rows_of(_table(sources.TIMELINE).base)
     table, beside = st.columns([3, 1.2])
     with beside:
         _download(world)
@@ -193,4 +194,4 @@ def _timeline_table(world: World) -> None:
     except InputError as error:
         beside.warning(f"Not taken over yet: {in_markdown(error)}")
         return
-    _edited(sources.TIMELINE, word, sources.packed_timeline([from_cells(row) for row in rows], chosen_rest))
+    _edited(sources.TIMELINE, word, packed_timeline([from_cells(row) for row in rows], chosen_rest))

@@ -12,12 +12,12 @@ from app.components.chart import chart
 from app.components.lens import Pin
 from app.session import store
 from app.session.typed import in_markdown
-from app.session.url import query_of
 from app.view import compute
 from app.worlds import learning, sources
 from app.worlds.actions import world_name
 from app.worlds.schema import unpinned
 from laplace_core import InputError
+from laplace_core.exchange.links import query_of
 from laplace_core.files.packed_text import pack
 from laplace_core.payloads.state import state_of
 from laplace_core.subjects import View

@@ -6,16 +6,16 @@ from collections.abc import Sequence
 
 import streamlit as st
 
-from app.catalogue.names import world_title
 from app.components.widgets import field, select
 from app.session import store
 from app.session.typed import in_markdown
-from app.view.schema import PARAM
 from app.worlds import actions, sources
 from laplace_core import PRESETS, World
+from laplace_core.payloads.link import PARAM
 from laplace_core.study.settings import BY_NAME, Resolved
 from laplace_core.subjects import state_in
 from laplace_core.worlds import parameters_of
+from laplace_core.worlds.titles import world_title
 
 _TITLES = {
     "gammas": "Discounts",

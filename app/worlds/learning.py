@@ -8,24 +8,24 @@ import streamlit as st
 from streamlit.delta_generator import DeltaGenerator
 
 from app.catalogue import tabular
-from app.catalogue.names import capital
 from app.components.chart import chart
 from app.components.waiting import attempt, place_in_line
 from app.components.widgets import download, field, select
 from app.session import store
 from app.session.jobs import Wish
 from app.session.typed import in_markdown
-from app.session.url import by_name
 from app.view import compute
-from app.view.schema import Values
-from app.worlds import learners, sources
+from app.worlds import learners
 from app.worlds.sources import LEARN
 from laplace_core import InputError, World, load_world
-from laplace_core.subjects import View, learned_file
+from laplace_core.exchange.links import by_name
+from laplace_core.payloads.link import Values
+from laplace_core.subjects import View, about, fits, learned_file
 from laplace_core.supervise.jobs import duration
-from laplace_core.tabular import LEARN_SCHEMA, Learned, LearnSettings, learned_bytes, resolve_learning
+from laplace_core.tabular import LEARN_SCHEMA, Learned, LearnSettings, learned_bytes, resolve_learning, words
 from laplace_core.tabular.settings import DECIDED_NAMES, ResolvedLearning
 from laplace_core.tabular.work import Watched, Work
+from laplace_core.words import capital
 
 _SHOWN = {
     "episodes": "Episodes",
@@ -135,13 +135,13 @@ def current(world: World) -> tuple[Learned | None, Watched | None]:
     learned = None if watched is None else watched.learned()
     if watched is not None and learned is not None and watched.running and learned.basis.size > LARGE:
         compute.forget()
-    return None if learned is None else sources.about(learned, world), watched
+    return None if learned is None else about(learned, world), watched
 
 
 def _opened(values: Values, world: World) -> Learned | None:
     """What the agent of a view has learned, if it learned this world."""
     learned = tabular.agent(str(values["agent"]))
-    return sources.about(learned, world) if sources.fits(learned, world) else None
+    return about(learned, world) if fits(learned, world) else None
 
 
 def learned_in(values: Values, world: World) -> tuple[Learned | None, bool]:
@@ -166,7 +166,7 @@ def learned_in(values: Values, world: World) -> tuple[Learned | None, bool]:
     learned = watched.learned()
     if learned is None and not watched.running:
         raise InputError("its learning ended before anything was learned.")
-    return (None, True) if learned is None else (sources.about(learned, world), False)
+    return (None, True) if learned is None else (about(learned, world), False)
 
 
 def strip(view: View, watched: Watched | None) -> None:
@@ -219,9 +219,7 @@ def _progress(view: View, watched: Watched | None) -> None:
         if view.learned is None:
             st.info(f"Nothing is learned with these settings yet: the pictures are exact. {_cost(_present(view))}")
         else:
-            shown = view.learned.settings
-            who = f"each of {shown.seeds} learners" if shown.seeds > 1 else "one learner"
-            st.caption(f"Learned in {_done(view.learned)} episodes by {who}, policy {shown.policy}.")
+            st.caption(words.learned(view.learned))
         return
     if watched.error:
         st.error(in_markdown(capital(watched.error)))
@@ -235,29 +233,7 @@ def _progress(view: View, watched: Watched | None) -> None:
         return
     assert view.world is not None  # a run learns of a world
     seeds = learning_of(view.world).seeds if view.learned is None else view.learned.settings.seeds
-    each = f" by each of {seeds} learners" if seeds > 1 else ""
-    words = [f"{progress['episodes'] // seeds:,} of {progress['of'] // seeds:,} episodes{each}"]
-    words.append(f"{progress['steps_per_second']:,} steps/s")
-    if progress["error"] is not None:
-        words.append(f"error {_percent(progress['error'])} of the range")
-    if watched.running and progress["eta"] is not None:
-        words.append(f"{progress['eta']:.0f} s left")
-    elif not progress["finished"]:
-        words.insert(0, "cancelled at")
-    st.progress(min(1.0, progress["episodes"] / progress["of"]), " · ".join(words))
-
-
-def _done(learned: Learned) -> str:
-    """Episodes that were learned; of a run that was cancelled fewer than it was meant to learn."""
-    fewest, most, of = min(learned.episodes), max(learned.episodes), learned.settings.episodes
-    done = f"{most:,}" if fewest == most else f"{fewest:,} to {most:,}"
-    return done if fewest == of else f"{done} of {of:,}"
-
-
-def _percent(share: float) -> str:
-    if share < 1e-6:
-        return "below 0.0001%"
-    return f"{100 * share:.0f}%" if share >= 0.0995 else f"{100 * share:.2g}%"
+    st.progress(*words.progress(progress, seeds, running=watched.running))
 
 
 def _which(learned: Learned, place: DeltaGenerator) -> None:

@@ -7,13 +7,13 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from app.catalogue import tabular
-from app.session.url import Check, Entries, Schema, Values, by_name, check_of
-from app.view.schema import ACTION, DRAWN, LOOK, OLD_SWITCHES, PARAM, check_reached
 from app.worlds import sources
 from app.worlds.sources import LEARN
 from laplace_core import InputError, Settings, World
+from laplace_core.exchange.links import Check, Entries, Schema, Values, by_name, check_of
 from laplace_core.files.packed_text import unpack
 from laplace_core.parameters import Parameter
+from laplace_core.payloads.link import ACTION, DRAWN, LOOK, OLD_SWITCHES, PARAM, check_reached
 from laplace_core.study.pipeline import grids
 from laplace_core.study.settings import BY_NAME, resolve
 from laplace_core.tabular import LEARN_SCHEMA

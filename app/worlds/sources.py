@@ -2,24 +2,24 @@
 
 from __future__ import annotations
 
-import json
 import re
 from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
 from app import session
-from app.session.url import fits as fits_in_link
-from app.session.url import query_of
-from app.view.schema import PARAM, Values
 from laplace_core import PRESETS, InputError, Settings, World, load_world
 from laplace_core.caching import cached
+from laplace_core.exchange.links import fits as fits_in_link
+from laplace_core.exchange.links import query_of
 from laplace_core.files.packed_text import MOST, pack, unpack
+from laplace_core.payloads.link import PARAM, Values
 from laplace_core.study.settings import BY_NAME, ENCODING_NAMES, Resolved, resolve, resolve_for_gamma_space
-from laplace_core.subjects import Exact, GammaSpaceFile, Learner, Subject, View, plain_name
+from laplace_core.subjects import Exact, GammaSpaceFile, Subject, View, learner, plain_name, shown_seed
 from laplace_core.tabular import Learned
 from laplace_core.tabular.reading import study_settings
 from laplace_core.worlds import TOY_TEXT, dump_world, parse_world, timeline_world
+from laplace_core.worlds.timeline import timeline_rows_of
 
 WORLDS = (*PRESETS, *(f"gym:{name}" for name in TOY_TEXT))
 FIRST_WORLD = "two_branch"
@@ -34,29 +34,6 @@ WORLD_IS_GONE = (
 _DIGEST = re.compile(r"[0-9a-f]{12}")  # no packed word is one: all of those begin with eN
 LEARN = "l."
 """Prefix of the settings of learning, in the session and in the URL."""
-
-
-def packed_timeline(rows: list[dict], rest: str) -> str:
-    return pack(json.dumps({"rest": rest, "rows": [[row.get(name) for name in TIMELINE_COLUMNS] for row in rows]}))
-
-
-TIMELINE_COLUMNS = ("action", "tau", "reward", "probability")
-_FIRST_ROWS = [("now", 0, 5.0, 1.0), ("later", 3, 3.0, 0.6), ("later", 8, 10.0, 0.8)]
-FIRST_TIMELINE = packed_timeline([dict(zip(TIMELINE_COLUMNS, row, strict=True)) for row in _FIRST_ROWS], "zero")
-
-
-def timeline_rows_of(word: str) -> tuple[list[dict], str]:
-    """Rows and what the rest of a step does, from a packed timeline.
-
-    Raises:
-        InputError: not a packed timeline.
-    """
-    try:
-        timeline = json.loads(unpack(word))
-        rows = [dict(zip(TIMELINE_COLUMNS, row, strict=True)) for row in timeline["rows"]]
-        return rows, str(timeline["rest"])
-    except (ValueError, TypeError, KeyError, RecursionError):
-        raise InputError("the link holds no timeline; copy it again in full.") from None
 
 
 @cached(16)
@@ -132,24 +109,6 @@ def world_values(world: World) -> dict[str, Any]:
     return {"world": OWN, OWN: word_of(world)}
 
 
-@cached(16)
-def about(learned: Learned, world: World) -> Learned:
-    """The same tables about the world object that the page holds, so that what is cached per world is found again."""
-    return replace(learned, world=world)
-
-
-@cached(16)
-def fits(learned: Learned, world: World) -> bool:
-    """Whether an agent from a file learned this very world."""
-    return dump_world(learned.world) == dump_world(world)
-
-
-@cached(32)
-def learner(world: World, learned: Learned, index: int | None) -> Learner:
-    """The same object for the same words, so that what is cached per learner is found again."""
-    return Learner(world, learned, index)
-
-
 def view_of(values: Values, learned: Learned | None = None) -> View:
     """What a set of values shows: exact, or as it was learned.
 
@@ -175,19 +134,11 @@ def view_of(values: Values, learned: Learned | None = None) -> View:
         if learned is not None:
             wanted = replace(wanted, paper_grid=None)  # it learned at its own discounts
             wanted = study_settings(learned.settings, wanted)
-            subject = learner(world, learned, _shown_seed(values, learned))
+            subject = learner(world, learned, shown_seed(learned, str(values.get("learner", "mean"))))
         settings = resolve(wanted, world)
     names = subject.action_names
     action = names.index(values["action"]) if values.get("action") in names else 0
     return View(subject, settings, action)
-
-
-def _shown_seed(values: Values, learned: Learned) -> int | None:
-    seeds = len(learned.basis)
-    shown = str(values.get("learner", "mean"))
-    if seeds == 1:
-        return 0
-    return min(int(shown), seeds - 1) if shown.isdecimal() else None
 
 
 def file_name(world: World) -> str:

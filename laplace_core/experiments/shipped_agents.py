@@ -5,7 +5,6 @@ A folder is looked at once: :func:`forget` is for one whose files were changed m
 
 from __future__ import annotations
 
-import re
 from functools import cache
 from pathlib import Path
 
@@ -14,6 +13,7 @@ from laplace_core.caching import cached
 from laplace_core.errors import InputError
 from laplace_core.experiments.shipping import TABULAR, TrainingCurve, curves_of, damaged, manifest
 from laplace_core.training.checkpoint import Loaded, load_checkpoint
+from laplace_core.worlds.titles import plain
 
 
 @cache
@@ -56,11 +56,6 @@ def title(name: str) -> str:
     """A checkpoint's name as a person reads it."""
     algorithm, environment = parts_of(name)
     return f"{plain(environment)} · {algorithm_title(algorithm)}"
-
-
-def plain(environment: str) -> str:
-    """An environment's name without its version."""
-    return re.sub(r"-v\d+$", "", environment).removeprefix("gym:")
 
 
 def load(folder: Path, name: str) -> Loaded:

@@ -1,4 +1,4 @@
-"""Work beside the caller: processes that learn or train, how they start, are identified, and end; jobs in threads."""
+"""Work beside the caller: processes that learn or train, how they start and end; jobs in threads; a server's limits."""
 
 from laplace_core.supervise.lock import is_taken, take
 from laplace_core.supervise.note import FILE, PLAIN, last_line, read_process, read_small, refusal_in, write_process

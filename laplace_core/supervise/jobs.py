@@ -13,7 +13,7 @@ import time
 import weakref
 from collections.abc import Callable, Hashable
 from dataclasses import dataclass, field
-from typing import Any, Generic, NamedTuple, TypeVar, cast
+from typing import Any, Generic, NamedTuple, Self, TypeVar, cast
 
 from laplace_core.caching import BUDGET, Budget, Cache, weigh
 from laplace_core.errors import InputError
@@ -421,6 +421,18 @@ class Asked:
 
 
 @dataclass(frozen=True)
+class Task(Generic[Result]):
+    """Work that can be asked for, whoever wants it; its fields are those of a :class:`Wish`."""
+
+    key: Hashable
+    make: Callable[[Progress], Result]
+    estimate: Callable[[], float]
+    slot: str
+    lower: str = "ask for less"
+    by_itself: float = SHORT
+
+
+@dataclass(frozen=True)
 class Wish(Generic[Result]):
     """Work that a session wants; which one that is, says a class that is made of this one.
 
@@ -441,6 +453,11 @@ class Wish(Generic[Result]):
     slot: str
     lower: str = "ask for less"
     by_itself: float = SHORT
+
+    @classmethod
+    def of(cls, kind: Kind[Result], task: Task[Result]) -> Self:
+        """The wish for a task, whose job is one of a kind."""
+        return cls(kind, task.key, task.make, task.estimate, task.slot, task.lower, task.by_itself)
 
     @property
     def asked(self) -> Asked:

@@ -6,12 +6,14 @@ A row says that after ``action``, at step ``tau``, ``reward`` comes with ``proba
 
 from __future__ import annotations
 
+import json
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 
 from laplace_core.errors import InputError
+from laplace_core.files.packed_text import pack, unpack
 from laplace_core.worlds.model import END, MAX_OUTCOMES, MAX_STATES, PROBABILITY_TOLERANCE, Outcome, World
 from laplace_core.worlds.table import is_blank_row, name_in, number_in, probability_in
 
@@ -162,3 +164,26 @@ def _outcomes(
         for successor, q in ways
         if p * q > 0
     ]
+
+
+def packed_timeline(rows: Iterable[Mapping[str, object]], rest: str) -> str:
+    """The rows of a timeline and its rest as one word."""
+    return pack(json.dumps({"rest": rest, "rows": [[row.get(name) for name in TIMELINE_COLUMNS] for row in rows]}))
+
+
+_FIRST_ROWS = [("now", 0, 5.0, 1.0), ("later", 3, 3.0, 0.6), ("later", 8, 10.0, 0.8)]
+FIRST_TIMELINE = packed_timeline([dict(zip(TIMELINE_COLUMNS, row, strict=True)) for row in _FIRST_ROWS], "zero")
+
+
+def timeline_rows_of(word: str) -> tuple[list[dict[str, Any]], str]:
+    """Rows and what the rest of a step does, from a packed timeline.
+
+    Raises:
+        InputError: not a packed timeline.
+    """
+    try:
+        timeline = json.loads(unpack(word))
+        rows = [dict(zip(TIMELINE_COLUMNS, row, strict=True)) for row in timeline["rows"]]
+        return rows, str(timeline["rest"])
+    except (ValueError, TypeError, KeyError, RecursionError):
+        raise InputError("the link holds no timeline; copy it again in full.") from None

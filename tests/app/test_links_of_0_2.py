@@ -14,11 +14,12 @@ import numpy as np
 
 from app.agents import schema
 from app.catalogue import checkpoints
-from app.session.url import query_of
 from app.view import compute
 from app.worlds.schema import LINK
 from app.worlds.sources import view_of
 from laplace_core.environments import environment_of
+from laplace_core.exchange.links import query_of
+from laplace_core.trained import observations
 
 LINKS = json.loads((Path(__file__).parents[1] / "data" / "links_of_0_2.json").read_text(encoding="utf-8"))
 
@@ -32,7 +33,7 @@ def opened(link: str):
         return values, notes, view_of(values)
     values, notes = schema.LINK.read(query)
     loaded = checkpoints.checkpoint(str(values["checkpoint"]))
-    return values, notes, schema.view_of(loaded, environment_of(loaded.environment), values)
+    return values, notes, observations.view_of(loaded, environment_of(loaded.environment), values)
 
 
 def test_there_are_twenty_of_them():

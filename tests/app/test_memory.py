@@ -19,7 +19,7 @@ import pytest
 import streamlit as st
 from streamlit.runtime.memory_uploaded_file_manager import MemoryUploadedFileManager
 
-from app.session import limits, record
+from app.session import record
 from app.view import compute
 from app.view.export import MOST_LINES
 from laplace_core import InputError, Settings, World, figures, load_world
@@ -30,6 +30,7 @@ from laplace_core.study.compare import Difference
 from laplace_core.study.settings import resolve
 from laplace_core.study.size import largest_study
 from laplace_core.subjects import Exact, View
+from laplace_core.supervise import limits
 from tests.support.pages import choose, link, opened, pin, run, shown, upload, verdict
 from tests.support.unpacking import unpacked
 
@@ -98,7 +99,7 @@ def test_the_process_grows_by_no_more_than_its_budget():
     script = textwrap.dedent(
         """
         import psutil
-        from app.session import limits
+        from laplace_core.supervise import limits
         from app.view import compute
         from laplace_core.subjects import Exact, View
         from laplace_core import Settings, load_world

@@ -8,11 +8,11 @@ import re
 import pytest
 from playwright.sync_api import expect
 
-from app.worlds.sources import FIRST_TIMELINE
 from laplace_core import Settings, load_world, study, study_of_gamma_space
 from laplace_core.files.packed_text import pack, unpack
 from laplace_core.study.npz import read_gamma_space
 from laplace_core.worlds import dump_world, parse_world
+from laplace_core.worlds.timeline import FIRST_TIMELINE
 from tests.browser.support import comes_to_show, open_at, settled
 from tests.support.malformed_saved import with_arrays
 from tests.support.malformed_worlds import TEXT

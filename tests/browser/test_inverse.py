@@ -56,7 +56,7 @@ def hold(page, name, across, up=0.5):
 @pytest.mark.parametrize("name", ["lcurve", "rule-gcv"])
 def test_a_drag_moves_the_timeline_at_once_and_the_link_when_it_ends(page, address, name):
     sentence = open_at(page, address, "world=two_branch&noise=0.001&action=long")
-    expect(sentence).to_contain_text("Automatic, by the fitted formula, takes alpha")
+    expect(sentence).to_contain_text("Automatic, by the fitted network, takes alpha")
     before, first, runs = drawn(page), alpha(page), runs_asked(page)
     move = hold(page, name, 0.75, 0.4)
     move(0.9, 0.6)

@@ -9,11 +9,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from app.agents.jobs import COUNT, STEPS
 from laplace_core.acting.continuations import continue_from
 from laplace_core.acting.rollout import roll_out
 from laplace_core.acting.simulated_truth import empirical
 from laplace_core.inverse import decode
+from laplace_core.trained.truths import COUNT, STEPS
 from laplace_core.training.checkpoint import load_checkpoint
 from tests.browser.support import settled
 from tests.browser.test_agents import saved, scrub

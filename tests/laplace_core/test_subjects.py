@@ -5,7 +5,6 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from app.agents.schema import observe
 from app.catalogue.checkpoints import checkpoint
 from app.catalogue.tabular import agent
 from app.view import compute
@@ -13,6 +12,7 @@ from laplace_core import GammaSpace, InputError, Settings, Study, load_world, st
 from laplace_core.study.settings import Resolved, resolve, resolve_for_gamma_space
 from laplace_core.subjects import Exact, FromFile, Learner, Subject, View, state_in
 from laplace_core.tabular.reading import study_settings
+from laplace_core.trained.observations import observe
 
 WORLD = load_world("two_branch")
 EXACT = resolve(Settings(world="two_branch", thetas=20), WORLD)

@@ -7,12 +7,12 @@ from typing import Any
 
 import numpy as np
 
-from app.components.inverse.payload import FOLLOWS, payload, swept
 from laplace_core import Settings, Study, load_world, study
 from laplace_core.inverse import LINEAR, decode_matrix, is_linear, transform_matrix
 from laplace_core.inverse.bands import bands
 from laplace_core.inverse.components import sweep_of
 from laplace_core.inverse.solvers import selecting
+from laplace_core.payloads.inverse import FOLLOWS, payload, swept
 from laplace_core.study.course import course
 from laplace_core.study.pipeline import deviations_of, noise_of, problem_for
 from tests.support.lens_agreement import packed

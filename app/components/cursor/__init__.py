@@ -12,7 +12,7 @@ import streamlit as st
 
 from app import session
 from app.components import assets
-from app.session import message
+from laplace_core.exchange import messages
 from laplace_core.payloads.packing import pack
 
 HELD = 4
@@ -32,7 +32,7 @@ def under_cursor(
         on_step: called with the step at which the cursor came to rest, before the rerun, as a widget's callback.
     """
     widget = f"{kind} {key}"
-    channel, digest = session.channel(widget), message.name_of(data)
+    channel, digest = session.channel(widget), messages.name_of(data)
     channel.place(digest, at)
 
     def rested() -> None:

@@ -1,7 +1,7 @@
 """The pictures of the page of the inverse, all of which follow one alpha while it is dragged in the browser.
 
-The browser gets the components of the data once (:mod:`app.components.inverse.payload`), and Python the state when it
-is let go of. What is sent, and what the browser makes of it, is a rule of its own: :mod:`app.session.message`.
+The browser gets the components of the data once (:mod:`laplace_core.payloads.inverse`), and Python the state when it is
+released. What is sent, and what the browser makes of it, is a rule of its own: :mod:`laplace_core.exchange.messages`.
 """
 
 from __future__ import annotations
@@ -14,7 +14,8 @@ import streamlit as st
 
 from app import session
 from app.components import assets
-from app.session import message
+from laplace_core.exchange import messages
+from laplace_core.payloads.packing import pack
 
 _HELD = 2
 """Payloads that a browser keeps (js/inverse/inverse.js)."""
@@ -55,14 +56,14 @@ def inverse(
     """Draw the pictures.
 
     Args:
-        data: from :func:`app.components.inverse.payload.payload`.
+        data: from :func:`laplace_core.payloads.inverse.payload`.
         state: what is seen.
         rules: by name, what the rules of the payload are called.
         rule: the one that chose alpha; None of an alpha that was set by hand.
         on_release: called with a state that was let go of, before the rerun, as a widget's callback.
         certified: horizons, and the action that is certainly best there, -1 where none is.
     """
-    widget, digest = f"inverse {key}", message.name_of(data)
+    widget, digest = f"inverse {key}", messages.name_of(data)
     channel, shown = session.channel(widget), asdict(state)
     sent = channel.show(digest, shown)
     header = {
@@ -83,7 +84,7 @@ def inverse(
             channel.release(asdict(found))
             on_release(found)
 
-    packed = message.pack(header, channel.due(digest, data))
+    packed = pack(header, channel.due(digest, data))
     assets.component("inverse")(key=widget, data=packed, on_released_change=released, height="content")
 
 

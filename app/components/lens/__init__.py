@@ -16,7 +16,7 @@ import streamlit as st
 
 from app import session
 from app.components import assets
-from app.session import message
+from laplace_core.exchange import messages
 from laplace_core.payloads.packing import pack
 
 _HELD = 2
@@ -109,7 +109,7 @@ def lens(
 ) -> None:
     """Draw the lens; the state that is released has to pass through :func:`laplace_core.payloads.state.checked`.
 
-    What is sent, and what the browser makes of it, is a rule of its own: :mod:`app.session.message`.
+    What is sent, and what the browser makes of it, is a rule of its own: :mod:`laplace_core.exchange.messages`.
 
     Args:
         data: from :func:`laplace_core.payloads.lens.payload`.
@@ -120,9 +120,9 @@ def lens(
         world: drawn in the first place; without it the fit over the discounts stands there.
         pin: how a view is kept as A, where it can be.
         lead: ``id`` and ``step`` of the episode whose player (:mod:`app.components.player`) the lens follows.
-        followed: what was observed, to be drawn on the timeline; see :func:`app.agents.episode.followed`.
+        followed: what was observed, to be drawn on the timeline; see :func:`laplace_core.trained.rollouts.followed`.
     """
-    widget, digest = f"lens {key}", message.name_of(data)
+    widget, digest = f"lens {key}", messages.name_of(data)
     channel = session.channel(widget)
     sent = channel.show(digest, state)
     header = {

@@ -1,5 +1,5 @@
 // A cursor over steps, dragged, stepped or played, over what the server sends once; Python hears where it comes to
-// rest. The rule of payloads and revisions is written down in app/session/message.py.
+// rest. The rule of payloads and revisions is written down in laplace_core/exchange/messages.py.
 /** @import { Message, Mounted, Stepper } from '../types.js' */
 import { element } from '../draw/elements.js';
 

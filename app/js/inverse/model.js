@@ -1,4 +1,4 @@
-// A payload of the page of the inverse as a model: app/components/inverse/payload.py says what it holds.
+// A payload of the page of the inverse as a model: laplace_core/payloads/inverse.py says what it holds.
 /** @import { InverseModel } from '../types.js' */
 import { product, transposed } from '../core/algebra.js';
 import { columnsOf } from './nonnegative.js';

@@ -1,5 +1,5 @@
 // The lens inside Streamlit: a message is a small JSON and, if the browser does not hold it yet, a payload. The rule
-// of payloads, revisions and releases is written down in app/session/message.py.
+// of payloads, revisions and releases is written down in laplace_core/exchange/messages.py.
 /** @import { Message } from '../types.js' */
 import { element } from '../draw/elements.js';
 import { mount, shapeOf } from './lens.js';

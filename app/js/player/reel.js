@@ -93,7 +93,7 @@ export const ownAt = ({ acting_gamma: gamma, steps, terminated }, step) =>
   !terminated && gamma ** (steps - step) > 0.05;
 
 /**
- * What the lens draws on the timeline of a step: see app/agents/episode.py.
+ * What the lens draws on the timeline of a step: see laplace_core/trained/rollouts.py.
  * @param {Reel} reel
  * @param {number} step
  * @returns {Followed}

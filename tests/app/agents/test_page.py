@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from streamlit.testing.v1 import AppTest
 
-from app.agents import jobs, schema, truth
+from app.agents import schema
 from app.catalogue import checkpoints
 from app.session import KEY
 from app.view import compute
@@ -26,6 +26,7 @@ from laplace_core.code.interpolation import with_added
 from laplace_core.environments import environment_of, vector
 from laplace_core.experiments import shipped_agents
 from laplace_core.study.settings import resolve_for_gamma_space
+from laplace_core.trained import observations, truths
 from laplace_core.training.checkpoint import load_checkpoint, new_agent, save_checkpoint
 from tests.support.lens_reference import unpacked
 from tests.support.pages import charts, link, run, wait
@@ -83,7 +84,7 @@ def test_a_slider_changes_what_is_seen_and_the_link(shipped):
 def test_what_is_shown_is_what_the_agent_holds(shipped):
     loaded = load_checkpoint(shipped / "laplace_CartPole-v1.safetensors")
     scene = environment_of("CartPole-v1")
-    view = schema.view_of(loaded, scene, {"o.0": 0.5, "o.3": -1.0, "action": "push right"})
+    view = observations.view_of(loaded, scene, {"o.0": 0.5, "o.3": -1.0, "action": "push right"})
     found = compute.study_for(view)
     wanted = loaded.agent.gamma_space(np.array([0.5, 0.0, 0.0, -1.0]))
     np.testing.assert_array_equal(found.gamma_space.values, wanted.values)
@@ -95,10 +96,10 @@ def test_a_tabular_agent_is_asked_about_a_state(shipped):
     page = opened(checkpoint="laplace_two_branch", state="long 1")
     assert next(box for box in page.selectbox if box.label == "State").value == "long 1"
     scene = environment_of("two_branch")
-    assert schema.observation_of(scene, {"state": "long 1"}) == tuple(np.eye(3)[scene.states.index("long 1")])
+    assert observations.observation_of(scene, {"state": "long 1"}) == tuple(np.eye(3)[scene.states.index("long 1")])
     # The timeline of a world that is over after three steps has no more rows, as on the page of worlds.
     loaded = load_checkpoint(shipped / "laplace_two_branch.safetensors")
-    assert schema.view_of(loaded, scene, {}).settings.steps == 3
+    assert observations.view_of(loaded, scene, {}).settings.steps == 3
 
 
 def test_a_bad_link_opens_with_a_note(subtests, shipped):
@@ -219,8 +220,7 @@ def test_a_value_that_could_only_be_clamped_is_named_and_left_out(shipped, query
 def few(monkeypatch):
     """Simulations of a moment."""
     for bound, small in (("COUNT", 2), ("EPISODES", 2), ("EACH", 3), ("STEPS", 20)):
-        monkeypatch.setattr(jobs, bound, small)
-        monkeypatch.setattr(truth, bound, small)
+        monkeypatch.setattr(truths, bound, small)
 
 
 def simulated(page: AppTest) -> AppTest:
@@ -278,14 +278,14 @@ def test_the_link_adds_discounts_and_softens_the_slope(shipped):
     header, arrays = unpacked(payload_of(page))
     assert told(page, "laplace_lens")["state"]["slope_share"] == 0.5
     assert header["added"] == 2
-    at = np.array(schema.observation_of(environment_of("CartPole-v1"), {}))
+    at = np.array(observations.observation_of(environment_of("CartPole-v1"), {}))
     space = with_added(loaded.agent.gamma_space(at), 2)
     np.testing.assert_array_equal(arrays["gammas"], space.gammas)
     np.testing.assert_array_equal(arrays["differences"], space.differences)
     np.testing.assert_array_equal(arrays["places"], loaded.agent.sensitivities.places)
     # What stands under the lens is of the softer slope, too.
     scene = environment_of("CartPole-v1")
-    view = schema.view_of(loaded, scene, {"added": 2, "slope_share": 0.5})
+    view = observations.view_of(loaded, scene, {"added": 2, "slope_share": 0.5})
     found = compute.study_for(view)
     soft = space.differences @ softening(loaded.agent.sensitivities.places, 0.5, open_ends=True)
     np.testing.assert_allclose(found.gamma_space.differences, soft, rtol=1e-9, atol=1e-9)

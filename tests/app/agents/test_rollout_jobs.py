@@ -7,10 +7,12 @@ import threading
 import pytest
 
 from app.agents import jobs
-from app.agents.jobs import MOST_KEPT, Control, Rolling, rolling
+from app.agents.jobs import MOST_KEPT, Rolling, rolling
 from laplace_core import InputError
 from laplace_core.agents import LaplaceSettings
 from laplace_core.caching import BUDGET
+from laplace_core.trained import rollouts
+from laplace_core.trained.rollouts import Control
 from laplace_core.training.checkpoint import Loaded, load_checkpoint, new_agent, save_checkpoint
 
 
@@ -90,7 +92,7 @@ def test_a_cancelled_one_ends_at_the_next_step_and_is_begun_anew(loaded, monkeyp
             progress(i + 1, 1000)
             steps.append(i)
 
-    monkeypatch.setattr(jobs, "roll_out", slow)
+    monkeypatch.setattr(rollouts, "roll_out", slow)
     one = taken(loaded, Control())
     assert begun.wait(30)
     one.leave("")

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from app.components.inverse import State, checked
-from app.components.inverse.payload import payload, swept
 from laplace_core import Settings, load_world, study
 from laplace_core.inverse import choose_alpha
+from laplace_core.payloads.inverse import payload, swept
 from laplace_core.study.course import course
 from laplace_core.study.pipeline import noise_of, problem_for
 from tests.support.lens_reference import unpacked

@@ -10,14 +10,14 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from app.inverse import compute, evidence, grids, words
-from app.inverse.evidence import Evidence
+from app.inverse import compute, grids, words
 from app.inverse.subjects import OPENING, view_of
 from app.view.compute import study_for
 from laplace_core.inverse.certificate import certify
 from laplace_core.inverse.consistency import check_noise
 from laplace_core.inverse.grids import task_for
 from laplace_core.study.course import errors_of
+from laplace_core.study.evidence import Evidence, gathered, horizons_of
 from tests.support.pages import link, opened, press, run, wait
 
 
@@ -86,7 +86,7 @@ def test_evidence_is_that_of_the_library():
     study = study_for(view_of(OPENING))
     deviations = study.settings.noise_level / (1.0 - study.gamma_space.gammas)
     steps = []
-    found = evidence.gathered(study, deviations, independent=True, progress=lambda done, of: steps.append((done, of)))
+    found = gathered(study, deviations, independent=True, progress=lambda done, of: steps.append((done, of)))
     assert found.p_value == check_noise(study.gamma_space, deviations).p_value
     rewards = float(study.world.reward_values[0]), float(study.world.reward_values[-1])
     for horizon, action in found.certified:
@@ -98,7 +98,7 @@ def test_evidence_is_that_of_the_library():
 
 def test_horizons_are_close_together_where_they_are_short():
     study = study_for(view_of({"world": "discounting_chain"}))
-    horizons = evidence.horizons_of(study)
+    horizons = horizons_of(study)
     assert horizons[:3] == [1, 2, 3]
     assert horizons[-1] == 110
     assert np.all(np.diff(np.diff(horizons)) >= -1)
@@ -107,7 +107,7 @@ def test_horizons_are_close_together_where_they_are_short():
 def test_the_page_opens_and_says_what_was_found():
     page = wait(opened(screen="inverse"), lambda page: "being tested" not in told(page)["said"]["sentence"])
     header = told(page)
-    assert header["said"]["sentence"].startswith("Automatic, by the fitted formula, takes alpha")
+    assert header["said"]["sentence"].startswith("Automatic, by the fitted network, takes alpha")
     assert "p = " in header["said"]["sentence"]
     assert header["rule"] == "fitted"
     assert header["certified"]

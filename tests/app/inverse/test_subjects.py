@@ -12,9 +12,9 @@ from hypothesis import strategies as st
 from app.inverse import compute, subjects
 from app.inverse.schema import LINK
 from app.inverse.subjects import OPENING, STUDIED, view_of
-from app.session.url import query_of
 from app.view.compute import study_for
 from laplace_core import InputError, load_world
+from laplace_core.exchange.links import query_of
 
 NAMES = [*STUDIED, "world", "agent", "data", "action", "axis", "p.r1", "p.", "other"]
 WORDS = st.text(max_size=40) | st.sampled_from(

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import contextlib
 import json
 import shutil
 from html import unescape
@@ -12,12 +11,12 @@ import plotly.graph_objects as go
 import pytest
 
 from app.agents import schema as agents
-from app.paper import pictures, results
+from app.paper import results
 from app.race import schema as race
 from app.train import schema as train
 from app.worlds import schema as worlds
 from laplace_core.experiments.paper.claims import ENTRIES, look
-from tests.laplace_core.experiments.test_claims import AGENTS, BY_NAME, COMMITTED, FILES, damages
+from tests.laplace_core.experiments.test_claims import AGENTS, COMMITTED
 from tests.support.pages import charts, downloads, numbers, opened
 
 SCHEMAS = {"worlds": worlds, "agents": agents, "race": race, "train": train}
@@ -59,16 +58,6 @@ def test_there_is_a_picture_of_all_that_is_measured_and_plotly_takes_it():
     assert "the paper" in [trace["name"] for trace in drawn["paper table1"]["data"]]
 
 
-def test_acting_through_tau_space_is_drawn():
-    row = {"mean": 30.0, "against greedy": {"mean": 5.0, "interval": [1.0, 9.0]}}
-    found = look(BY_NAME["fig4"], COMMITTED, AGENTS)
-    summary = {"T 50": {"greedy": row, "neural": row}, "T 100": {"neural": row}}
-    acting = type(found)(BY_NAME["acting"], type(found.results)(COMMITTED, 3, 9, summary=summary), [], [None, None])
-    figure = pictures.picture(acting).figure
-    go.Figure(figure)
-    assert [trace["name"] for trace in figure["data"]] == ["T 50", "T 100"]
-
-
 @pytest.mark.parametrize("entry", [entry for entry in ENTRIES if entry.view], ids=lambda entry: entry.name)
 def test_a_view_is_a_link_that_holds(entry):
     values, notes = SCHEMAS[entry.view.page].LINK.read(dict(entry.view.values))
@@ -100,16 +89,6 @@ def test_rows_that_cannot_be_drawn_are_one_sentence(monkeypatch, tmp_path):
         "fig6.json cannot be drawn: it holds something else than results."
     ]
     assert "paper fig6" not in charts(page)
-
-
-def test_what_is_damaged_is_drawn_or_refused(tmp_path):
-    """Whatever a file holds, no picture raises anything that the page does not expect."""
-    for path in FILES:
-        for text in damages(json.loads(path.read_text())):
-            (tmp_path / path.name).write_text(text)
-            found = look(BY_NAME[path.stem], tmp_path, AGENTS)
-            with contextlib.suppress(pictures.CANNOT_DRAW):
-                pictures.picture(found)
 
 
 def test_a_link_to_it_holds_nothing():

@@ -14,18 +14,18 @@ from streamlit.testing.v1 import AppTest
 
 from app.catalogue import checkpoints
 from app.components.track import COLOURS
-from app.race import jobs, words
-from app.race.jobs import Control
+from app.race import jobs
 from laplace_core import figures
 from laplace_core.acting import estimates
 from laplace_core.acting.cost import StepCost
-from laplace_core.acting.deadlines import rules_of_race
-from laplace_core.acting.race import FIRST_START, Entrant, Races, race
+from laplace_core.acting.race import Entrant, Races, race
 from laplace_core.acting.race import races as races_of
 from laplace_core.agents import SETTINGS, LaplaceSettings
 from laplace_core.experiments import shipped_agents
 from laplace_core.figures.race import piles
 from laplace_core.payloads.track import payload
+from laplace_core.trained import races as trained
+from laplace_core.trained.races import Control
 from laplace_core.training.checkpoint import Loaded, load_checkpoint, new_agent, save_checkpoint
 from tests.support.pages import MAIN, charts, link, press, run, wait
 
@@ -123,21 +123,21 @@ def test_many_starts_are_raced_over_on_a_click_and_lead_to_one(shipped):
 
 
 def test_cancel_leads_back_to_the_button(shipped, monkeypatch):
-    real = jobs.races
+    real = trained.races
 
     def slow(*given, progress, **named):
         while True:
             time.sleep(0.02)
             progress(1, 100)
 
-    monkeypatch.setattr(jobs, "races", slow)
+    monkeypatch.setattr(trained, "races", slow)
     page = run(opened(checkpoint="laplace_two_branch", d_starts="3"))
     press(page, "Race over 3 starts")
     assert page.get("progress")
     press(page, "Cancel")
     assert "Race over 3 starts" in [button.label for button in page.button]
     assert "d.many" not in link(page)
-    monkeypatch.setattr(jobs, "races", real)
+    monkeypatch.setattr(trained, "races", real)
     press(page, "Race over 3 starts")
     settled(page)
     assert "Over 3 starts" in verdicts(page)[1]
@@ -206,45 +206,6 @@ def loaded(tmp_path, name: str, settings) -> Loaded:
 def control(tmp_path) -> Control:
     one = loaded(tmp_path, "a.safetensors", LaplaceSettings(environment="two_branch", hidden=4, features=4, gammas=3))
     return Control(one, "greedy", None, one, "fading", 3)
-
-
-def test_an_agent_of_fixed_horizons_has_one_rule(tmp_path):
-    other = loaded(tmp_path, "b.safetensors", SETTINGS["fixed_horizon"](environment="two_branch", hidden=4))
-    assert rules_of_race(other.agent) == ("own",)
-
-
-def test_the_words_are_those_of_who_leads(control):
-    fields = {"starts": 9, "left": 1.0, "right": 3.0, "difference": 2.0, "interval": [1.5, 2.5], "equal": 0.0}
-    assert words.field_verdict(fields, control) == (
-        "ahead",
-        "Over 9 starts: greedy 1.0, fading deadline 3.0 on average. Fading deadline is ahead by 2.0 (95% 1.5 to 2.5).",
-    )
-    tone, sentence = words.field_verdict(fields | {"difference": -2.0, "interval": [-2.5, -1.5]}, control)
-    assert (tone, sentence.split(". ")[1]) == ("behind", "Greedy is ahead by 2.0 (95% 1.5 to 2.5).")
-    tone, sentence = words.field_verdict(fields | {"interval": [-0.1, 4.0]}, control)
-    assert tone == "level"
-    assert "covers 0" in sentence
-    assert words.field_verdict(fields | {"interval": [0.05, 4.0]}, control)[0] == "ahead"
-    assert "same return" in words.field_verdict(fields | {"equal": 1.0}, control)[1]
-
-
-def test_two_sides_that_are_one_are_told_so(control):
-    same = Control(control.left, "fading", None, control.right, "fading", 3)
-    one = race("two_branch", *same.entrants, 0, horizon=3)
-    assert "same rule" in words.verdict(one, same)[1]
-
-
-def test_the_command_repeats_the_view(control):
-    values = {"checkpoint": "run:mine"}
-    found = words.command(values, Control(control.left, "greedy", 0.9, control.right, "readout", 7), 50)
-    assert found == (
-        "laplace race runs/mine/best.safetensors --horizon 7 --rule readout --against greedy --gamma 0.9 --seeds 50"
-    )
-
-
-def test_a_link_leads_into_the_same_episode(control):
-    query = words.inside(control, "right", FIRST_START + 2, 8)
-    assert query == {"r.shown": "yes", "r.seed": "2000000002", "r.rule": "fading", "r.at": "7", "r.horizon": "3"}
 
 
 def test_the_payload_holds_both_sides_and_where_their_pictures_end(tmp_path):
@@ -326,3 +287,9 @@ def test_twenty_races_of_as_many_sessions_all_finish(control):
     wishes = [jobs.racing(control, start) for start in range(20)]
     asked = [wish.kind.take(wish.key, wish.make, 20.0, f"session {start}") for start, wish in enumerate(wishes)]
     assert [job.result()[0].start for job in asked] == list(range(20))
+
+
+def test_a_command_names_where_an_agent_lies(shipped):
+    names = ("run:mine", "laplace_two_branch", "0123456789ab")
+    files = ["runs/mine/best.safetensors", "checkpoints/laplace_two_branch.safetensors", "opened.safetensors"]
+    assert [checkpoints.file_of(name) for name in names] == files

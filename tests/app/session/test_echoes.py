@@ -10,8 +10,8 @@ import streamlit as st
 
 from app import session
 from app.session import store
-from app.session.echoes import Shown, is_echo
 from app.worlds import actions
+from laplace_core.exchange.echoes import Shown, is_echo
 
 
 @pytest.fixture(autouse=True)

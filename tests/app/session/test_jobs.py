@@ -6,8 +6,8 @@ import pytest
 
 from app.session import jobs, record
 from app.session.jobs import Wish, background, is_there, learners
-from app.session.limits import limits
 from laplace_core.supervise.jobs import SHORT
+from laplace_core.supervise.limits import limits
 from tests.support.line import Gate, Server
 
 

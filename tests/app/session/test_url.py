@@ -10,14 +10,15 @@ from hypothesis import strategies as st
 
 from app.agents.schema import LINK as AGENTS
 from app.race.schema import LINK as RACE
-from app.session.url import LEFT_OUT, LONGEST, Check, Entries, Old, Schema, Values, by_name, fits, query_of
 from app.train.schema import LINK as TRAIN
 from app.worlds.schema import LINK as WORLDS
 from laplace_core import InputError
+from laplace_core.exchange.links import LEFT_OUT, LONGEST, Check, Entries, Old, Schema, Values, by_name, fits, query_of
 from laplace_core.parameters import Parameter
 from tests.support.train_page import made
 
 APP = Path(__file__).resolve().parents[3] / "app"
+LIBRARY = APP.parent / "laplace_core"
 SHELVES = {"low": 2, "high": 5}
 
 
@@ -113,7 +114,8 @@ def test_an_older_version_is_understood(link, books):
 
 
 def test_the_sentence_stands_in_one_place():
-    assert [path.name for path in APP.rglob("*.py") if LEFT_OUT in path.read_text(encoding="utf-8")] == ["url.py"]
+    files = (path for package in (APP, LIBRARY) for path in package.rglob("*.py"))
+    assert [path.name for path in files if LEFT_OUT in path.read_text(encoding="utf-8")] == ["links.py"]
 
 
 def test_a_rival_that_cannot_be_opened_is_left_out(runs):

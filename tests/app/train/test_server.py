@@ -10,9 +10,9 @@ import pytest
 
 from app.catalogue import training_runs
 from app.session import owner
-from app.session.limits import ENVIRONMENTS, Limits, limits
 from laplace_core import InputError
 from laplace_core.parameters import schema_of
+from laplace_core.supervise.limits import ENVIRONMENTS, Limits, limits
 from laplace_core.training.job import owner_of
 from laplace_core.training.queue import STOPPED
 from tests.support.hostile import assert_one_sentence

@@ -10,11 +10,11 @@ import numpy as np
 import pytest
 
 from app.catalogue.checkpoints import SHIPPED
-from app.worlds.sources import FIRST_TIMELINE, packed_timeline, timeline_rows_of
 from laplace_core import Settings, load_world, study, study_of_gamma_space
 from laplace_core.files import packed_text as links
 from laplace_core.study.npz import read_gamma_space, study_arrays
 from laplace_core.worlds import parse_world, world_from_rows, world_rows
+from laplace_core.worlds.timeline import FIRST_TIMELINE, packed_timeline, timeline_rows_of
 from tests.support.hostile import assert_one_sentence
 from tests.support.malformed_saved import GOOD, with_arrays
 from tests.support.malformed_worlds import CASES, TEXT, VALID

@@ -9,14 +9,15 @@ import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 
-from app.session.url import query_of
-from app.view.schema import PARAM
 from app.worlds.schema import LINK, OPENING, PIN, VIEW, WORLD, unpinned
-from app.worlds.sources import BROUGHT, FIRST_TIMELINE, LEARN, packed_timeline, view_of
+from app.worlds.sources import BROUGHT, LEARN, view_of
 from laplace_core import InputError
+from laplace_core.exchange.links import query_of
 from laplace_core.files.packed_text import pack
+from laplace_core.payloads.link import PARAM
 from laplace_core.study.settings import SCHEMA
 from laplace_core.tabular import LEARN_SCHEMA
+from laplace_core.worlds.timeline import FIRST_TIMELINE, packed_timeline
 from tests.support.malformed_worlds import TEXT
 
 NAMES = [

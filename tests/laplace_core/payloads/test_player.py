@@ -10,11 +10,11 @@ import numpy as np
 import pytest
 import torch
 
-from app.agents import episode
-from app.agents.jobs import Control
 from laplace_core.acting.rollout import roll_out
 from laplace_core.agents import LaplaceSettings
 from laplace_core.payloads.player import LEVELS, payload, rounded
+from laplace_core.trained import rollouts
+from laplace_core.trained.rollouts import Control
 from laplace_core.training.checkpoint import new_agent
 
 torch.set_num_threads(1)
@@ -77,15 +77,15 @@ def test_a_thousand_steps_of_the_lander_are_less_than_ten_megabytes():
 
 
 def test_what_followed_is_told_from_the_step_on(rollout):
-    told = episode.followed(rollout, 3)
+    told = rollouts.followed(rollout, 3)
     assert told["rewards"] == rollout.rewards[3:].tolist()
     assert told["action"] == rollout.actions[3]
     assert told["over"] == (len(rollout) - 3 if rollout.terminated else None)
 
 
 def test_a_control_by_the_values_of_a_link():
-    assert episode.control_of({}, 500) == Control(0, "greedy", None, None)
-    assert episode.control_of({"r.rule": "greedy", "r.gamma": 0.9, "r.horizon": 7}, 500) == Control(gamma=0.9)
-    assert episode.control_of({"r.rule": "fading", "r.gamma": 0.9, "r.seed": 4}, 500) == Control(4, "fading", 500)
-    assert episode.control_of({"r.rule": "readout", "r.horizon": 900}, 500) == Control(0, "readout", 500)
-    assert episode.control_of({"r.rule": "random", "r.gamma": 0.9}, 500) == Control(0, "random", None)
+    assert rollouts.control_of({}, 500) == Control(0, "greedy", None, None)
+    assert rollouts.control_of({"r.rule": "greedy", "r.gamma": 0.9, "r.horizon": 7}, 500) == Control(gamma=0.9)
+    assert rollouts.control_of({"r.rule": "fading", "r.gamma": 0.9, "r.seed": 4}, 500) == Control(4, "fading", 500)
+    assert rollouts.control_of({"r.rule": "readout", "r.horizon": 900}, 500) == Control(0, "readout", 500)
+    assert rollouts.control_of({"r.rule": "random", "r.gamma": 0.9}, 500) == Control(0, "random", None)

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
 
 import numpy as np
 
-from app.catalogue import checkpoints
-from app.catalogue.names import world_title
 from laplace_core.agents.settings import algorithm_title
+from laplace_core.experiments import shipped_agents
 from laplace_core.experiments.paper.claims import Found
 from laplace_core.experiments.paper.claims.deadlines import TITLES, columns, of_paper
 from laplace_core.experiments.shipping import TrainingCurve
@@ -17,6 +18,7 @@ from laplace_core.figures import paper as figures
 from laplace_core.figures.paper import Spread
 from laplace_core.figures.theme import Figure, action_colour
 from laplace_core.figures.training import Band, shipped_curves
+from laplace_core.worlds.titles import world_title
 
 CANNOT_DRAW = (LookupError, TypeError, ValueError, AttributeError, ArithmeticError)
 """What drawing raises where a file holds something else than was written."""
@@ -32,10 +34,15 @@ class Picture:
     alt: str
 
 
-def picture(found: Found) -> Picture | None:
-    """The picture of an entry; None where nothing of it is measured."""
-    draw = _DRAWN.get(found.entry.name, _trained)
-    return draw(found) if found.results.finished else None
+def picture(found: Found, shipped: Path) -> Picture | None:
+    """The picture of an entry; None where nothing of it is measured.
+
+    Args:
+        shipped: the folder of the agents that ship.
+    """
+    if not found.results.finished:
+        return None
+    return _shipped(shipped) if found.entry.name == "fig3" else _DRAWN.get(found.entry.name, _trained)(found)
 
 
 def _codes(found: Found) -> Picture:
@@ -45,7 +52,7 @@ def _codes(found: Found) -> Picture:
     return Picture(figures.codes_of_a_return(_law(first["truth"]), laws), f"The return by the codes {names}.")
 
 
-def _law(code: dict) -> tuple[np.ndarray, np.ndarray]:
+def _law(code: dict[str, Any]) -> tuple[np.ndarray, np.ndarray]:
     return np.array(code["locations"]), np.array(code["masses"])
 
 
@@ -103,9 +110,9 @@ def _acting(found: Found) -> Picture:
     return Picture(figures.spreads("difference from greedy, 95% intervals", rows, "return"), alt)
 
 
-def _shipped(found: Found) -> Picture:
+def _shipped(folder: Path) -> Picture:
     environment = "LunarLander-v3"
-    curves = checkpoints.shipped_curves(environment)
+    curves = shipped_agents.curves_for(folder, environment)
     bands = [
         Band.of(algorithm_title(name), action_colour(i), curves[name])
         for i, name in enumerate(_COMPARED)
@@ -134,11 +141,10 @@ def _trained(found: Found) -> Picture:
 
 _DRAWN: dict[str, Callable[[Found], Picture]] = {
     "fig1_5": _codes,
-    "fig3": _shipped,
     "fig4": _toy,
     "fig6": _chain,
     "aliasing": _aliasing,
     "table1": _deadlines,
     "acting": _acting,
 }
-"""What is drawn of each entry; trainings of any other are drawn as curves."""
+"""What is drawn of each entry but of figure 3; trainings of any other are drawn as curves."""

@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 from fnmatch import fnmatchcase
 from typing import Any
 
-from laplace_core import InputError
+from laplace_core.errors import InputError
 from laplace_core.parameters import Parameter, as_text, parse_named
 
 Values = dict[str, Any]

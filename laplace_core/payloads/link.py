@@ -1,4 +1,4 @@
-"""What the links of all pages with a lens may hold beside the settings of the study."""
+"""What a link may hold of a lens: the settings of a study that can be drawn, the action, and how it is looked at."""
 
 from __future__ import annotations
 
@@ -6,8 +6,8 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
-from app.session.url import Known, Old
-from laplace_core import InputError
+from laplace_core.errors import InputError
+from laplace_core.exchange.links import Known, Old
 from laplace_core.parameters import Parameter
 from laplace_core.study.horizon import row_horizons
 from laplace_core.study.settings import BY_NAME, Resolved

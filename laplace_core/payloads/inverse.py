@@ -11,7 +11,6 @@ from typing import Any
 
 import numpy as np
 
-from app.session.message import pack, packed_blocks
 from laplace_core import Study
 from laplace_core.inverse import LINEAR, is_linear
 from laplace_core.inverse.bands import bands, reward_gain
@@ -20,6 +19,7 @@ from laplace_core.inverse.feasible import reduced_system
 from laplace_core.inverse.nonnegative import LEAST_ALPHA
 from laplace_core.inverse.selectors import chosen_index, curves_of
 from laplace_core.inverse.transform import transform_matrix
+from laplace_core.payloads.packing import pack, packed_blocks
 from laplace_core.study.course import Course
 from laplace_core.study.pipeline import noise_of, problem_for
 
@@ -63,7 +63,7 @@ def swept(study: Study) -> Swept:
 def payload(
     study: Study, action: int, found: Swept, course: Course | None = None, *, independent: bool = True
 ) -> bytes:  # fmt: skip
-    """A length, a header as JSON, and arrays, as :func:`app.session.message.packed_blocks` lays them out.
+    """A length, a header as JSON, and arrays, as :func:`laplace_core.payloads.packing.packed_blocks` lays them out.
 
     With G discounts, K rows, B bins, r components, a alphas, R rules and c alphas of the course:
         ``gammas`` ``(G,)``; ``U`` ``(G, r)``, ``s`` ``(r - free,)``, ``rows`` ``(K, r)``, ``weights`` ``(G,)``: the

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from app.session.message import Channel
+from laplace_core.exchange.messages import Channel
 
 ONE, TWO = {"alpha": 0.1}, {"alpha": 0.2}
 

@@ -1,21 +1,29 @@
-"""The rollout that a page shows, as values of its link: the control, and the step under the cursor."""
+"""Rollouts of trained agents: how they are acted, the work that this is, and what a link says of one."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import asdict, dataclass, replace
 from typing import Any
 
 import numpy as np
 
-from app.agents.jobs import Control
-from app.session.url import by_name
-from laplace_core.acting.rollout import MOST_SEED, MOST_STEPS, RANDOM, Rollout, length_of, titles_of
+from laplace_core.acting import estimates
+from laplace_core.acting.flags import Flags, flag_steps
+from laplace_core.acting.return_laws import outputs_along
+from laplace_core.acting.rollout import MOST_SEED, MOST_STEPS, RANDOM, Rollout, length_of, roll_out, titles_of
 from laplace_core.acting.rules import RULES, for_deadline
 from laplace_core.agents.agent import Agent
 from laplace_core.agents.capabilities import HasDiscounts
+from laplace_core.environments import GYMNASIUM_ENVIRONMENTS
+from laplace_core.exchange.links import by_name
 from laplace_core.parameters import Parameter
+from laplace_core.payloads.player import payload
+from laplace_core.subjects import View
+from laplace_core.supervise.jobs import Progress, Task
 from laplace_core.training.checkpoint import Loaded
 
+_FLAGS = 1e-3  # seconds that the search for artefacts takes at a step
 SHOWN, SEED, RULE, HORIZON, GAMMA, AT = "r.shown", "r.seed", "r.rule", "r.horizon", "r.gamma", "r.at"
 ACTION, TAKEN = "r.action", "taken"  # the action taken is an option of its own, which follows the cursor
 AFTER = "r.after"
@@ -30,7 +38,31 @@ PARAMETERS = by_name(
 )
 
 
-def parameters(agent: Agent) -> dict[str, Parameter]:
+@dataclass(frozen=True)
+class Control:
+    """How an episode is acted; see :func:`laplace_core.acting.rollout.roll_out`."""
+
+    seed: int = 0
+    rule: str = "greedy"
+    horizon: int | None = None
+    gamma: float | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class RolledOut:
+    """One rollout.
+
+    Attributes:
+        packed: the same for the player.
+        along: outputs of a peer along it, from :func:`laplace_core.acting.return_laws.outputs_along`.
+    """
+
+    rollout: Rollout
+    packed: bytes
+    along: dict[str, np.ndarray]
+
+
+def parameters(agent: Agent[Any]) -> dict[str, Parameter]:
     """What a link may say of a rollout of this agent."""
     rules = tuple(titles_of(agent))
     own = Parameter(RULE, rules[0], help="Control rule.", kind=str, choices=rules)
@@ -74,3 +106,37 @@ def followed(rollout: Rollout, step: int) -> dict[str, Any]:
     rewards = np.asarray(rollout.rewards[step:], dtype=float)
     over = len(rollout) - step if rollout.terminated else None
     return {"rewards": rewards.tolist(), "action": int(rollout.actions[step]), "over": over}
+
+
+def marks_of(flags: Flags, alpha: float) -> dict[str, Any]:
+    """What the player draws: names, and at every step which of them are there, a bit each."""
+    marks = flags.marks @ (1 << np.arange(len(flags.names)))
+    return {"alpha": alpha, "names": list(flags.names), "marks": marks.astype(int).tolist()}
+
+
+def rolling(loaded: Loaded, control: Control) -> Task[RolledOut]:
+    """The rollout of an agent under a control."""
+    agent, environment = loaded.agent, loaded.environment
+    pictures = environment in GYMNASIUM_ENVIRONMENTS
+
+    def make(progress: Progress) -> RolledOut:
+        rollout = roll_out(agent, environment, **asdict(control), pictures=pictures, progress=progress)
+        along = {} if rollout.spaces is not None else outputs_along(agent, rollout)
+        return RolledOut(rollout, payload(rollout, along), along)
+
+    def estimate() -> float:
+        return estimates.of_rollout(agent, environment, control.rule, control.horizon, pictures=pictures)
+
+    lower = "lower T or choose a quicker rule"
+    return Task((agent, control), make, estimate, slot="rollout", lower=lower)
+
+
+def artefacts(rolled: RolledOut, view: View) -> Task[Flags]:
+    """The search for artefacts at every step under the settings of a view."""
+    # Without a truth no artefact depends on how values are read.
+    how, rollout = (replace(view.settings, softness=0.0, deadline="time_to_go"), view.subject.added), rolled.rollout
+
+    def make(progress: Progress) -> Flags:
+        return flag_steps(rollout, *how, progress)
+
+    return Task((rollout, how), make, lambda: _FLAGS * len(rollout), slot="artefacts")

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from laplace_core import PRESETS
+import re
+
+from laplace_core.worlds.presets import PRESETS
 
 TITLES = {"own": "Your own world", "timeline": "Your own timeline", "data": "Your own gamma-space"}
 """What is looked at without being listed, by its name in a link."""
@@ -15,6 +17,6 @@ def world_title(name: str) -> str:
     return PRESETS[name].title if name in PRESETS else name.replace("gym:", "gymnasium ")
 
 
-def capital(words: str) -> str:
-    """Words as the beginning of a sentence."""
-    return words[:1].upper() + words[1:]
+def plain(environment: str) -> str:
+    """An environment's name without its version."""
+    return re.sub(r"-v\d+$", "", environment).removeprefix("gym:")
