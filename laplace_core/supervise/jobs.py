@@ -27,6 +27,8 @@ SHORT = 10.0
 at their full length: most of what starts in this way is done in one or two seconds."""
 GRACE = 45.0
 """Seconds that work goes on without a session that wants it: a page that is loaded again is another session."""
+RELOAD = 2.0
+"""Seconds that a session which is not there still counts when another one cancels: somebody may be loading a page."""
 TICK = 1.0
 """Seconds between two looks at which sessions are there."""
 WAITING, RUNNING, DONE, REFUSED, ENDED = "waiting", "running", "done", "refused", "ended"
@@ -125,10 +127,15 @@ class Job(Generic[Result]):
             self._wanted[name] = self._line.clock()
 
     def leave(self, name: str) -> None:
-        """A session waits for it no more; it ends with the last one."""
+        """A session waits for it no more; it ends with the last one.
+
+        A page that was loaded again is another session: the one before must not keep alive what this one cancels.
+        """
         with self._line.lock:
             self._wanted.pop(name, None)
-            if not self._wanted:
+            now = self._line.clock()
+            if not any(self._line.is_there(other) or now - since <= RELOAD for other, since in self._wanted.items()):
+                self._wanted.clear()
                 self.end()
 
     def wanted(self) -> bool:

@@ -18,6 +18,7 @@ from laplace_core.supervise.jobs import (
     FULL,
     GRACE,
     REFUSED,
+    RELOAD,
     SHORT,
     TICK,
     Asked,
@@ -208,6 +209,22 @@ def test_a_session_that_leaves_ends_what_nobody_else_waits_for():
     assert over(job).state == ENDED
     with pytest.raises(InputError, match="this was cancelled: ask for it again"):
         job.result()
+
+
+def test_a_page_that_was_loaded_again_cancels_for_the_session_before():
+    server = Server()
+    kind = server.kind()
+    gate, job = held(server, kind)  # of the session "first"
+    server.gone.add("first")
+    job.want("reloaded")
+    job.leave("reloaded")
+    assert job.going  # "first" was there a moment ago: somebody else may be loading the page
+    job.want("reloaded")
+    server.now += RELOAD + 0.1
+    job.leave("reloaded")
+    assert job.gone
+    gate.step()
+    assert over(job).state == ENDED
 
 
 def test_a_job_is_ended_at_the_limit_with_a_sentence():
