@@ -164,6 +164,6 @@ def shares(title: str, bars: Mapping[str, float], chance: float) -> Figure:
         height=max(220, 110 + 30 * len(names)),
         shapes=[line],
         annotations=[label],
-        xaxis=axis("share told apart", range=[0, 1.02], tickformat=".0%"),
+        xaxis=axis("share distinguished", range=[0, 1.02], tickformat=".0%"),
         yaxis=axis("", automargin=True, categoryorder="array", categoryarray=names[::-1]),
     )

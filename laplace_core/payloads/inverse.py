@@ -24,7 +24,7 @@ from laplace_core.study.course import Course
 from laplace_core.study.pipeline import noise_of, problem_for
 
 FOLLOWS = "nonnegative"
-"""The solver that is not linear and follows a drag in the browser; the others answer when alpha is let go of."""
+"""The solver that is not linear and follows a drag in the browser; the others answer when alpha is released."""
 
 LEAST_DRAWN = 1e-7
 """Of the largest singular value: alphas from which on pictures begin."""

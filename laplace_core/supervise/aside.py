@@ -4,7 +4,8 @@ Whoever asks wants only the latest call: an earlier one that nobody else wants i
 others wait. Small calls go before large ones. The process starts with the first call, ends after a while without one,
 and ends with the process that started it.
 
-A process of our own and not a pool's: a pool can neither give up one call nor end with a server that is stopped in the
+What is sent between the two is pickled: both are ours, and no file or link from outside is read in this way. A process
+of our own and not a pool's: a pool can neither give up one call nor end with a server that is stopped in the
 middle of it.
 """
 
@@ -193,10 +194,12 @@ class _Process:
 
         Raises:
             _Died: it is gone.
+            Exception: a call that cannot be pickled.
         """
         assert self._process.stdin is not None  # it is a pipe
+        call = pickle.dumps((function, arguments), protocol=pickle.HIGHEST_PROTOCOL)  # whole, or nothing is written
         try:
-            pickle.dump((function, arguments), self._process.stdin, protocol=pickle.HIGHEST_PROTOCOL)
+            self._process.stdin.write(call)
             self._process.stdin.flush()
         except OSError:
             raise _Died from None
@@ -242,8 +245,16 @@ def serve(parent: int) -> None:
                 answer = (True, function(*arguments))
             except Exception as error:  # noqa: BLE001 - raised again where it is waited for
                 answer = (False, error)
-            pickle.dump(answer, answers, protocol=pickle.HIGHEST_PROTOCOL)
+            answers.write(_packed(answer))
             answers.flush()
+
+
+def _packed(answer: tuple[bool, object]) -> bytes:
+    """An answer, whole; one that cannot be pickled is an error that says so."""
+    try:
+        return pickle.dumps(answer, protocol=pickle.HIGHEST_PROTOCOL)
+    except Exception as error:  # noqa: BLE001 - whatever a result raises when it is packed
+        return pickle.dumps((False, TypeError(f"the result cannot be sent: {error}")))
 
 
 if __name__ == "__main__":

@@ -60,7 +60,7 @@ def inverse(
         state: what is seen.
         rules: by name, what the rules of the payload are called.
         rule: the one that chose alpha; None of an alpha that was set by hand.
-        on_release: called with a state that was let go of, before the rerun, as a widget's callback.
+        on_release: called with a state that was released, before the rerun, as a widget's callback.
         certified: horizons, and the action that is certainly best there, -1 where none is.
     """
     widget, digest = f"inverse {key}", messages.name_of(data)

@@ -117,7 +117,7 @@ def _summary(rows: Sequence[Row]) -> Result:
 EXPERIMENT = Measurement(
     name="aliasing",
     title="Section 6: two states with one return",
-    question="Which codes tell apart two states that differ only in when their reward comes?",
+    question="Which codes distinguish two states that differ only in when their reward comes?",
     parts=[{"seed": seed} for seed in (0, 8, 16)],
     measure=_measure,
     summary=_summary,

@@ -84,8 +84,8 @@ def _chain(found: Found) -> Picture:
 
 def _aliasing(found: Found) -> Picture:
     bars = {name: each["right"] / each["of"] for name, each in found.results.summary.items()}
-    alt = "Share of the codes of two states that are told apart, by the kind of code."
-    return Picture(figures.shares("codes of two states told apart", bars, _CHANCE), alt)
+    alt = "Share of the codes of two states that are distinguished, by the kind of code."
+    return Picture(figures.shares("codes of two states, distinguished", bars, _CHANCE), alt)
 
 
 def _deadlines(found: Found) -> Picture:

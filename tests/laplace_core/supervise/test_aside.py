@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import signal
 import subprocess
 import sys
 import threading
@@ -15,7 +16,7 @@ import pytest
 from laplace_core import InputError
 from laplace_core.supervise import aside
 from laplace_core.supervise.aside import Aside
-from tests.support.jobs import die, die_once, note_and_wait, priority, refuse, square
+from tests.support.jobs import die, die_once, note_and_wait, priority, refuse, square, unsendable
 from tests.support.quick_runs import until
 
 ROOT = Path(__file__).parents[3]
@@ -56,6 +57,18 @@ def test_what_a_call_raises_is_told(made):
     assert calls.is_over("good", 60)
     assert isinstance(kept["bad"], InputError)
     assert str(kept["bad"]) == "number 2 is refused."
+    assert kept["good"] == 9
+
+
+def test_what_cannot_be_sent_is_told_and_costs_no_other_call(made):
+    calls, kept = made()
+    calls.ask("a", "no call", lambda: 1)
+    calls.ask("b", "no answer", unsendable)
+    calls.ask("c", "good", square, 3)
+    for key in ("no call", "no answer", "good"):
+        assert calls.is_over(key, 60)
+    assert "lambda" in str(kept["no call"])
+    assert str(kept["no answer"]).startswith("the result cannot be sent: ")
     assert kept["good"] == 9
 
 
@@ -149,6 +162,7 @@ time.sleep(600)
     parent.kill()
     parent.wait()
     until(lambda: not psutil.pid_exists(child))
+    assert parent.returncode == -signal.SIGKILL
 
 
 def test_many_threads_ask_at_once(made):

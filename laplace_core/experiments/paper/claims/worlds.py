@@ -219,9 +219,9 @@ _TOLD_APART, _CHANCE = 0.9, 0.5
 
 def _aliasing_lines(results: Results) -> list[Line]:
     return [
-        Line(f"told apart by the {_CODES.get(name, name)} code", "", f"{each['right']:g} of {each['of']:g}")
+        Line(f"distinguished by the {_CODES.get(name, name)} code", "", f"{each['right']:g} of {each['of']:g}")
         for name, each in results.summary.items()
-    ] or [Line("codes of two states that are told apart")]
+    ] or [Line("codes of two states that are distinguished")]
 
 
 def _tells_apart(results: Results) -> Finding | None:
@@ -234,7 +234,7 @@ def _tells_apart(results: Results) -> Finding | None:
     return Finding(
         AGREES if told and beaten else IN_PART if told else DIFFERS,
         f"Of two states with one distribution of the return, {100 * shares['laplace']:.0f}% of the learned Laplace "
-        f"codes are told apart and at most {100 * others[best]:.0f}% of any other ({_CODES.get(best, best)}); chance "
+        f"codes are distinguished, and at most {100 * others[best]:.0f}% of any other ({_CODES.get(best, best)}); chance "
         f"alone makes {100 * _CHANCE:.0f}%.",
     )
 
