@@ -506,18 +506,23 @@ function softened(sensitivities, share, open2) {
 }
 
 // app/js/core/model.js
-function read(bytes) {
-  const view = new DataView(bytes.buffer, bytes.byteOffset), length = view.getUint32(0, true);
-  const header = JSON.parse(new TextDecoder().decode(bytes.subarray(4, 4 + length))), arrays = (
-    /** @type {Arrays} */
-    {}
-  );
+function unpacked(bytes) {
+  const view = new DataView(bytes.buffer, bytes.byteOffset), length = view.getUint32(0, true), header = JSON.parse(new TextDecoder().decode(bytes.subarray(4, 4 + length))), arrays = {};
   for (const [name, [kind, at, shape]] of Object.entries(header.arrays)) {
     const count = shape.reduce((a, b) => a * b, 1), size = { f8: 8, f4: 4, u2: 2 }[kind];
     const block = bytes.slice(4 + length + at, 4 + length + at + count * size).buffer;
     arrays[name] = kind === "f8" ? new Float64Array(block) : Float64Array.from(new (kind === "f4" ? Float32Array : Uint16Array)(block));
   }
-  return { ...open(header, arrays), bytes };
+  return { header, arrays };
+}
+function read(bytes) {
+  const { header, arrays } = unpacked(bytes);
+  return { ...open(
+    header,
+    /** @type {Arrays} */
+    /** @type {unknown} */
+    arrays
+  ), bytes };
 }
 function open(header, arrays) {
   const A = header.actions.length, K = header.steps, dt = header.time_step, H = arrays.thetas.length;

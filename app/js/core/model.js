@@ -4,26 +4,36 @@ import { product, transposed } from './algebra.js';
 import { filled } from './network.js';
 
 /**
- * A model of a payload.
- * @param {Uint8Array} bytes - as laplace_core/payloads/lens.py packs them
- * @returns {Model & { bytes: Uint8Array }}
+ * Header and arrays of a payload.
+ * @param {Uint8Array} bytes - as laplace_core/payloads/packing.py packs them
+ * @returns {{ header: any, arrays: Record<string, Float64Array> }}
  */
-export function read(bytes) {
+export function unpacked(bytes) {
   const view = new DataView(bytes.buffer, bytes.byteOffset),
-    length = view.getUint32(0, true);
-  /** @type {Header} */
-  const header = JSON.parse(new TextDecoder().decode(bytes.subarray(4, 4 + length))),
-    arrays = /** @type {Arrays} */ ({});
+    length = view.getUint32(0, true),
+    header = JSON.parse(new TextDecoder().decode(bytes.subarray(4, 4 + length))),
+    /** @type {Record<string, Float64Array>} */
+    arrays = {};
   for (const [name, [kind, at, shape]] of Object.entries(header.arrays)) {
     const count = shape.reduce((a, b) => a * b, 1),
       size = { f8: 8, f4: 4, u2: 2 }[kind];
-    const block = bytes.slice(4 + length + at, 4 + length + at + count * size).buffer; // aligned, whatever came before
+    const block = bytes.slice(4 + length + at, 4 + length + at + count * size).buffer; // aligned, whatever is before it
     arrays[name] =
       kind === 'f8'
         ? new Float64Array(block)
         : Float64Array.from(new (kind === 'f4' ? Float32Array : Uint16Array)(block));
   }
-  return { ...open(header, arrays), bytes };
+  return { header, arrays };
+}
+
+/**
+ * A model of a payload of the lens.
+ * @param {Uint8Array} bytes
+ * @returns {Model & { bytes: Uint8Array }}
+ */
+export function read(bytes) {
+  const { header, arrays } = unpacked(bytes);
+  return { ...open(header, /** @type {Arrays} */ (/** @type {unknown} */ (arrays))), bytes };
 }
 
 /**

@@ -1,6 +1,7 @@
 // A payload of the page of the inverse as a model: laplace_core/payloads/inverse.py says what it holds.
 /** @import { InverseModel } from '../types.js' */
 import { product, transposed } from '../core/algebra.js';
+import { unpacked } from '../core/model.js';
 import { columnsOf } from './nonnegative.js';
 
 /**
@@ -9,20 +10,7 @@ import { columnsOf } from './nonnegative.js';
  * @returns {InverseModel}
  */
 export function read(bytes) {
-  const view = new DataView(bytes.buffer, bytes.byteOffset),
-    length = view.getUint32(0, true),
-    header = JSON.parse(new TextDecoder().decode(bytes.subarray(4, 4 + length))),
-    /** @type {Record<string, Float64Array>} */
-    arrays = {};
-  for (const [name, [kind, at, shape]] of Object.entries(header.arrays)) {
-    const count = shape.reduce((a, b) => a * b, 1),
-      size = { f8: 8, f4: 4, u2: 2 }[kind];
-    const block = bytes.slice(4 + length + at, 4 + length + at + count * size).buffer; // aligned, whatever came before
-    arrays[name] =
-      kind === 'f8'
-        ? new Float64Array(block)
-        : Float64Array.from(new (kind === 'f4' ? Float32Array : Uint16Array)(block));
-  }
+  const { header, arrays } = unpacked(bytes);
   return open(header, arrays);
 }
 

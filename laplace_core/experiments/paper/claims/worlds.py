@@ -234,8 +234,8 @@ def _tells_apart(results: Results) -> Finding | None:
     return Finding(
         AGREES if told and beaten else IN_PART if told else DIFFERS,
         f"Of two states with one distribution of the return, {100 * shares['laplace']:.0f}% of the learned Laplace "
-        f"codes are distinguished, and at most {100 * others[best]:.0f}% of any other ({_CODES.get(best, best)}); chance "
-        f"alone makes {100 * _CHANCE:.0f}%.",
+        f"codes are distinguished, and at most {100 * others[best]:.0f}% of any other ({_CODES.get(best, best)}); "
+        f"chance alone makes {100 * _CHANCE:.0f}%.",
     )
 
 
