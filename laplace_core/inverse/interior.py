@@ -28,6 +28,8 @@ PATIENCE, EARLY = 6, 20
 """Rounding is taken to stop a problem after so many steps without a smaller residual; its first steps do not count."""
 TO_THE_EDGE = 0.995
 """Share of the way to the edge that a step goes at most."""
+FACTORED_SINGLY = 48
+"""Unknowns from which on a loop over factorisations is faster than the inverses of all problems at once."""
 
 
 class Optimum(NamedTuple):
@@ -179,7 +181,8 @@ def _step(A: np.ndarray, axis: Axis, penalty: np.ndarray, point: _Point, residua
     later = _later(free, stretches)
     system = np.empty((n, stretches + 1, stretches + 1))
     order = np.arange(stretches)
-    system[:, :-1, :-1] = later[:, np.maximum(order[:, None], order)] - _squares(lumped)
+    never_rising = np.minimum(later[:, :, None], later[:, None, :])  # that of the later of two stretches
+    np.subtract(never_rising, _squares(lumped), out=system[:, :-1, :-1])
     system[:, order, order] += axis.survival(spared.sum(axis=1))
     system[:, -1, :-1] = system[:, :-1, -1] = -later
     system[:, -1, -1] = free.sum(axis=1)
@@ -225,11 +228,16 @@ def _factored(system: np.ndarray) -> Callable[[np.ndarray], np.ndarray]:
     scaled = system * scale[:, :, None] * scale[:, None, :]
     at = np.arange(scaled.shape[1])
     scaled[:, at, at] += 1e-14
-    if len(scaled) == 1:
+    if scaled.shape[1] >= FACTORED_SINGLY or len(scaled) == 1:
         from scipy.linalg import lu_factor, lu_solve  # slow to import
 
-        factors = lu_factor(scaled[0], overwrite_a=True, check_finite=False)
-        return lambda right: scale * lu_solve(factors, (scale * right)[0], check_finite=False)
+        factors = [lu_factor(one, overwrite_a=True, check_finite=False) for one in scaled]
+
+        def solve(right: np.ndarray) -> np.ndarray:
+            rights = zip(factors, scale * right, strict=True)
+            return scale * np.array([lu_solve(factor, one, check_finite=False) for factor, one in rights])
+
+        return solve
     inverse = np.linalg.inv(scaled)
     return lambda right: scale * (inverse @ (scale * right)[..., None])[..., 0]
 
