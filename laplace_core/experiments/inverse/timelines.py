@@ -97,7 +97,8 @@ def _table(measure: str, words: str, rows: list[dict[str, Any]]) -> list[str]:
     lines = [
         "",
         words,
-        f"{'':20} {'':6} {'empty':>8} {'Tikhonov':>9} {'one alpha for all presets':>24} {'feasible,':>10} {'alpha auto':>31}",
+        f"{'':20} {'':6} {'empty':>8} {'Tikhonov':>9} {'one alpha for all presets':>24} {'feasible,':>10} "
+        f"{'alpha auto':>31}",
         f"{'world':20} {'noise':>6} {'timeline':>8} {'at best':>9} {'non-negative':>13} {'feasible':>10} "
         f"{'at best':>10} "
         f"{'Tikhonov':>10} {'non-neg.':>10} {'feasible':>9} {'KKT':>8} {'violated':>9}",
@@ -162,7 +163,8 @@ def _measured(name: str, noise: float, cases: int, seed: int) -> _Measured:
                     start = np.abs(one.survival[..., 0] - 1.0).max()
                     violated = max(violated, float(rise), float(start), float(-one.masses.min()))
     return _Measured(
-        name, np.array(distances(np.zeros_like(truth))), np.mean(tikhonov, axis=0), {solver: np.mean(each, axis=0) for solver, each in automatic.items()},
+        name, np.array(distances(np.zeros_like(truth))), np.mean(tikhonov, axis=0),
+        {solver: np.mean(each, axis=0) for solver, each in automatic.items()},
         {solver: np.mean(each, axis=0) for solver, each in swept.items()}, kkt, violated,
     )  # fmt: skip
 
