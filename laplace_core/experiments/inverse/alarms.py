@@ -23,7 +23,7 @@ def report(cases: int, seed: int) -> tuple[dict[str, Any], str]:
     """Numbers and text: the share of alarms of each kind, with noise known and estimated from eight seeds."""
     rows: list[dict[str, Any]] = []
     for kind in KINDS:
-        count = cases if kind == "consistent" else max(1, cases // 5)
+        count = cases if kind == "consistent" else max(1, cases // 10)
         for known in (True, False):
             rng = np.random.default_rng([seed, 2, known])
             found = [_case(rng, kind, number, known=known) for number in range(count)]
