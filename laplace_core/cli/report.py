@@ -136,7 +136,7 @@ def _inverse(options: argparse.Namespace) -> None:
     seed = checked_number("seed", options.seed, int, 0, high=2**31 - 1)
     module = import_module(f"laplace_core.experiments.inverse.{options.module}")  # only this verb needs it
     if getattr(options, "fit", False):
-        print(json.dumps(module.fit(cases, seed)))
+        print(json.dumps(module.fit(cases, seed), indent=1))
         return
     numbers, text = module.report(cases, seed)
     print(json.dumps(numbers, indent=1) if options.json else text)

@@ -1,4 +1,4 @@
-"""What of a decoded timeline of expected rewards is noise, what is smoothing, and which of its bumps are real."""
+"""What of a decoded timeline of expected rewards is noise, and what is smoothing."""
 
 from __future__ import annotations
 
@@ -12,16 +12,9 @@ from laplace_core.inverse.axis import axis_of
 from laplace_core.inverse.channels import channel_gains, layered
 from laplace_core.inverse.feasible import feasible
 from laplace_core.inverse.linear import decode_matrix
-from laplace_core.inverse.nonnegative import nonnegative
 from laplace_core.inverse.problem import Problem, Solution
 
 LAYERS = 3
-SHARE = 0.5
-"""Of a bump's contrast, that another timeline must show for the bump to be in it."""
-LEAST_PROMINENCE = 0.1
-"""Of the largest expected reward in size; smaller bumps are not looked at."""
-ALPHAS = (0.5, 1.0, 2.0)
-"""Multiples of alpha at which a bump must survive."""
 
 Solver = Callable[[Problem, float], Solution]
 
@@ -138,131 +131,6 @@ def layers_of(
     problem = Problem(masses, gamma_space.gammas, steps, time_step, np.asarray(deviations, dtype=float))
     sizes = gamma_space.thetas[0] + np.concatenate([[0.0], np.cumsum(widths)])
     return Layers(problem, sizes, channel_gains(weights, independent=independent))
-
-
-# --- bumps ---
-
-
-@dataclass(frozen=True)
-class Bump:
-    """A stretch of rows whose expected reward stands out.
-
-    Attributes:
-        start: first row of it, at half of its height.
-        peak: the row where it is largest.
-        stop: the row after its last one.
-        sign: 1 of a reward, -1 of a cost.
-        contrast: how much its mean lies beyond that of the rows at either side, in units of reward.
-        probability: that it is real; see :func:`bump_probability`.
-    """
-
-    start: int
-    peak: int
-    stop: int
-    sign: int
-    contrast: float
-    probability: float = float("nan")
-
-
-def contrast(rewards: np.ndarray, start: int, stop: int, sign: int) -> np.ndarray:
-    """Mean of the rows of a stretch beyond the larger mean of its two sides, ``(..., K)`` to ``(...)``.
-
-    A side is as many rows as the stretch has, at most those that are there; the beginning of time is no side.
-    """
-    signed, width = sign * rewards, stop - start
-    sides = [signed[..., max(0, start - width) : start], signed[..., stop : stop + width]]
-    means = [side.mean(axis=-1) for side in sides if side.shape[-1]]
-    inside = signed[..., start:stop].mean(axis=-1)
-    return np.asarray(inside - (np.maximum.reduce(means) if means else 0.0))
-
-
-def find_bumps(rewards: np.ndarray) -> list[Bump]:
-    """The bumps of one timeline of expected rewards ``(K,)``, in the order of time."""
-    from scipy.signal import find_peaks, peak_widths  # slow to import
-
-    size = float(np.abs(rewards).max(initial=0.0))
-    found = []
-    for sign in (1, -1) if size > 0.0 else ():
-        padded = np.concatenate([[0.0], sign * rewards, [0.0]])  # a reward at the first step is a bump as well
-        peaks = find_peaks(padded, prominence=LEAST_PROMINENCE * size)[0]
-        peaks = peaks[padded[peaks] > 0.0]
-        _, _, left, right = peak_widths(padded, peaks, rel_height=0.5)
-        for peak, low, high in zip(peaks - 1, np.ceil(left).astype(int) - 1, np.floor(right).astype(int), strict=True):
-            start, stop = max(0, min(low, peak)), min(len(rewards), max(high, peak + 1))
-            size_of = float(contrast(rewards, start, stop, sign))
-            if size_of > 0.0:
-                found.append(Bump(int(start), int(peak), int(stop), sign, size_of))
-    return sorted(found, key=lambda bump: bump.peak)
-
-
-def is_in(bump: Bump, rewards: np.ndarray) -> np.ndarray:
-    """Whether a timeline shows a bump: bool ``(...)`` for expected rewards ``(..., K)``."""
-    return np.asarray(contrast(rewards, bump.start, bump.stop, bump.sign) >= SHARE * bump.contrast)
-
-
-def survivals(
-    layers: Layers, alpha: float, linear: Solver, *, draws: int = 12, seed: int = 0
-) -> list[list[tuple[Bump, np.ndarray]]]:
-    """Each bump of the linear decode of each action, and how often it survives, ``(3,)``.
-
-    Noise is drawn around the feasible timeline that fits; each draw is decoded by the linear solver and by the
-    non-negative one at three alphas (:data:`ALPHAS`), and by the feasible one at alpha. The three shares are those of
-    the solvers.
-    """
-    fitted = feasible(layers.problem, 0.0)
-    drawn = layers.redrawn(layers.problem.masses - fitted.residual, draws, seed)
-    decoded = linear(layers.problem, alpha).masses @ layers.sizes
-    pictures = [
-        [linear(drawn, scale * alpha).masses @ layers.sizes for scale in ALPHAS],
-        [nonnegative(drawn, scale * alpha).masses @ layers.sizes for scale in ALPHAS],
-        [feasible(drawn, alpha, 1e-4).masses @ layers.sizes],
-    ]
-    return [
-        [
-            (bump, np.array([np.mean([is_in(bump, one[:, a]) for one in kind]) for kind in pictures]))
-            for bump in find_bumps(rewards)
-        ]
-        for a, rewards in enumerate(decoded)
-    ]
-
-
-CALIBRATION = (-3.89, 2.23, 3.58, 1.91, -0.11)
-"""Log odds that a bump is real: a constant, and weights of the three shares of :func:`survivals` and of the bump's
-contrast over its noise (log): those of greatest likelihood on 4,000 worlds (``report inverse-bumps --fit --cases
-4000``). ``report inverse-bumps`` judges them on others."""
-
-
-def bump_probability(shares: np.ndarray, contrast_over_noise: np.ndarray) -> np.ndarray:
-    """Probability that bumps are real, ``(n,)``: that the true timeline shows them (:func:`is_in`).
-
-    Args:
-        shares: of :func:`survivals`, ``(n, 3)``.
-        contrast_over_noise: contrast of each over the standard deviation that noise gives its peak row, ``(n,)``.
-    """
-    odds = features(shares, contrast_over_noise) @ np.array(CALIBRATION)
-    return np.asarray(1.0 / (1.0 + np.exp(-odds)))
-
-
-def features(shares: np.ndarray, contrast_over_noise: np.ndarray) -> np.ndarray:
-    """What the log odds are linear in, ``(n, 5)``."""
-    ratio = np.log(np.clip(contrast_over_noise, 1e-3, 1e3))
-    return np.concatenate([np.ones((len(ratio), 1)), shares, ratio[:, None]], axis=1)
-
-
-def bumps(
-    gamma_space: GammaSpace, steps: int, alpha: float, deviations: np.ndarray, *, time_step: float = 1.0,
-    independent: bool = True, seed: int = 0,
-) -> list[list[Bump]]:  # fmt: skip
-    """The bumps of each action's decoded expected reward, with the probability that each is real."""
-    layers = layers_of(gamma_space, steps, deviations, time_step=time_step, independent=independent)
-    noise = layer_noise(layers, alpha)
-    found = survivals(layers, alpha, tikhonov_of_layers, seed=seed)
-    return [[_judged(bump, shares, noise) for bump, shares in action] for action in found]
-
-
-def _judged(bump: Bump, shares: np.ndarray, noise: np.ndarray) -> Bump:
-    ratio = np.array([bump.contrast / noise[bump.peak]])
-    return replace(bump, probability=float(bump_probability(shares[None], ratio)[0]))
 
 
 def layer_noise(layers: Layers, alpha: float) -> np.ndarray:

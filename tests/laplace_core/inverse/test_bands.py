@@ -1,21 +1,14 @@
-"""Bands of decoded expected rewards, and bumps in them."""
+"""Bands of decoded expected rewards."""
 
 from dataclasses import replace
 
 import numpy as np
-import pytest
 
 from laplace_core.code.gamma_space import with_noise
 from laplace_core.inverse import decode, decode_matrix
 from laplace_core.inverse.bands import (
-    CALIBRATION,
     bands,
     bands_by_draws,
-    bump_probability,
-    bumps,
-    contrast,
-    find_bumps,
-    is_in,
     layer_noise,
     layers_of,
     tikhonov_of_layers,
@@ -79,37 +72,3 @@ def test_layers_keep_the_expected_reward():
 
 
 # --- bumps ---
-
-
-def test_bumps_are_found_with_their_sign_and_rows():
-    rewards = np.array([4.0, 0.5, 0.0, 0.0, -1.0, -2.0, -1.0, 0.0, 0.0, 0.1, 0.0])
-    found = find_bumps(rewards)
-    assert [(bump.start, bump.peak, bump.stop, bump.sign) for bump in found] == [(0, 0, 1, 1), (4, 5, 7, -1)]
-    assert found[0].contrast == pytest.approx(3.5)  # the row after it holds .5
-    assert found[1].contrast == pytest.approx(4 / 3 + 0.1 / 3)  # the side after it pays .1 / 3, that before it more
-    assert find_bumps(np.zeros(5)) == []
-
-
-def test_a_step_is_no_bump():
-    rewards = np.array([0.0, 0.0, 1.0, 1.0, 1.0, 1.0])
-    assert contrast(rewards, 2, 4, 1) == 0.0
-
-
-def test_a_bump_is_in_a_timeline_that_shows_half_of_it():
-    (bump,) = find_bumps(np.array([0.0, 0.0, 2.0, 0.0, 0.0]))
-    half, less, later = np.array([[0, 0, 1.0, 0, 0], [0, 0, 0.9, 0, 0], [0, 0, 0, 0, 2.0]])
-    assert [bool(is_in(bump, each)) for each in (half, less, later)] == [True, False, False]
-
-
-def test_what_survives_is_more_probable():
-    shares = np.array([[0.0, 0.0, 0.0], [1.0, 1.0, 1.0]])
-    never, always = bump_probability(shares, np.array([1.0, 20.0]))
-    assert 0.0 < never < 0.5 < always < 1.0
-    assert len(CALIBRATION) == 5
-
-
-def test_every_bump_gets_a_probability():
-    _, noisy, deviations = noisy_space(1e-3)
-    found = bumps(noisy, ROWS, 0.1, deviations)
-    assert len(found) == 2
-    assert all(0.0 < bump.probability < 1.0 for action in found for bump in action)
