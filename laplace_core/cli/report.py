@@ -111,7 +111,7 @@ def add_report(verbs: argparse._SubParsersAction[argparse.ArgumentParser]) -> No
 INVERSE_REPORTS = {
     "inverse-certificates": ("certificates", 1000, "certified decisions: how many are claimed, and how many are wrong"),
     "inverse-consistency": ("alarms", 1000, "alarms of the test of consistency, on spaces that are and that are not"),
-    "inverse-bumps": ("bumps", 400, "probabilities of bumps against how often they are real"),
+    "inverse-bumps": ("bumps", 2000, "probabilities of bumps against how often they are real"),
     "inverse-feasible": ("timelines", 5, "feasible timelines against Tikhonov with its best alpha, on every preset"),
     "inverse-agents": ("agent_states", 20, "timelines of trained agents' states against simulated continuations"),
 }
