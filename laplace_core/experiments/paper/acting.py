@@ -20,7 +20,7 @@ from laplace_core.experiments.paper.table1 import CHECKPOINTS, HORIZONS, SEEDS, 
 from laplace_core.training.checkpoint import load_checkpoint
 
 RULES = ("greedy", "matched", "fading")
-SOLVERS = {"tikhonov": (5, 100), "tikhonov1": (3, 40), "neural": (3, 40), "nonnegative": (3, 20), "feasible": (2, 20)}
+SOLVERS = {"tikhonov": (3, 40), "tikhonov1": (3, 20), "neural": (3, 20), "nonnegative": (3, 20), "feasible": (2, 10)}
 """Agents and episodes of each solver."""
 LONGEST = {"nonnegative": 200, "feasible": 100}
 """The longest T of a slow solver: longer ones take days."""
