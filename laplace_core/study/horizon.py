@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from laplace_core.caching import cached
 from laplace_core.code.encoding import sigmoid
 from laplace_core.code.ties import greedy_action
 from laplace_core.errors import InputError
@@ -56,8 +57,15 @@ def horizon_values(rewards: np.ndarray, gamma: float, softness: float = 0.0, tim
     discounted = rewards * gamma ** (np.arange(steps) * time_step)
     if softness == 0:
         return np.cumsum(discounted, axis=-1)
-    horizons = row_horizons(steps, time_step)[:, None]
-    return discounted @ deadline_weights(horizons, steps, softness, time_step).T
+    return discounted @ _deadlines_of_rows(steps, softness, time_step).T
+
+
+@cached(8)
+def _deadlines_of_rows(steps: int, softness: float, time_step: float) -> np.ndarray:
+    """:func:`deadline_weights` of the horizon of every row, ``(K, K)``; computed once, as every view needs it."""
+    weights = deadline_weights(row_horizons(steps, time_step)[:, None], steps, softness, time_step)
+    weights.setflags(write=False)
+    return weights
 
 
 def target_discounts(
