@@ -19,6 +19,7 @@ from laplace_core.code.encoding import PAPER_GAMMAS, discount_grid, sensitivity_
 from laplace_core.code.gamma_space import GammaSpace, encode, shifted, softened, with_noise
 from laplace_core.errors import InputError
 from laplace_core.inverse import (
+    SOLVERS,
     AlphaRecord,
     Problem,
     choose_alpha,
@@ -29,6 +30,7 @@ from laplace_core.inverse import (
     rounding_of_rows,
     solve,
 )
+from laplace_core.inverse.neural import ASSUMED_NOISE
 from laplace_core.inverse.smoothing import filtered, probability_filter
 from laplace_core.planning import (
     check_policy,
@@ -286,9 +288,12 @@ def rows_decoded(settings: Resolved, row: int | None) -> int:
 
 
 def deviations_of(settings: Resolved, gammas: np.ndarray) -> np.ndarray | None:
-    """Standard deviations that the inverse divides each discount by, ``(G,)``; None where all count alike."""
+    """Standard deviations that the inverse divides each discount by, ``(G,)``; None where all count alike.
+
+    Without a noise level only their ratios are known. Most solvers need no more; the neural one takes its usual size.
+    """
     s = settings
-    return None if s.weighting == "equal" else (s.noise_level or 1.0) / (1.0 - gammas)
+    return None if s.weighting == "equal" else (s.noise_level or ASSUMED_NOISE) / (1.0 - gammas)
 
 
 def noise_of(settings: Resolved, gammas: np.ndarray) -> np.ndarray | None:
@@ -340,7 +345,9 @@ def problem_for(gamma_space: GammaSpace, settings: Resolved, row: int | None = N
 
 
 def with_alpha(gamma_space: GammaSpace, settings: AnyResolved) -> tuple[AnyResolved, AlphaRecord | None]:
-    """Settings with the alpha that their rule chooses for a gamma-space, and its record; None of a typed one.
+    """Settings with the alpha that their rule chooses for a gamma-space, and its record.
+
+    The record is None where alpha was typed, or where the solver has no alpha and there is nothing to choose.
 
     A rule looks at the values as they are, before any filter, whose output no longer has independent errors. A solver
     that is not linear takes the alpha that the rule chooses for Tikhonov; the record says so.
@@ -349,7 +356,7 @@ def with_alpha(gamma_space: GammaSpace, settings: AnyResolved) -> tuple[AnyResol
         InputError: a rule that cannot choose, for lack of a noise level or of discounts.
     """
     s = settings
-    if s.selector == "typed":
+    if s.selector == "typed" or not SOLVERS[s.solver].has_alpha:
         return s, None
     problem = problem_for(gamma_space, s, row_read(s))
     record = choose_alpha(problem, s.solver, s.selector, noise=noise_of(s, gamma_space.gammas))

@@ -68,6 +68,13 @@ def test_a_selector_decides_and_leaves_its_record(selector):
     np.testing.assert_allclose(typed.decoded.tau_space, found.decoded.tau_space, atol=1e-9)
 
 
+def test_a_solver_without_alpha_leaves_a_rule_nothing_to_choose():
+    # The neural inverse ships for 15 discounts and 200 rows.
+    typed, ruled = noisy(solver="neural", steps=60), noisy(solver="neural", steps=60, selector="auto")
+    np.testing.assert_array_equal(ruled.decoded.tau_space, typed.decoded.tau_space)
+    assert ruled.automatic is None
+
+
 def test_selectors_weigh_the_discounts_and_a_typed_alpha_does_not():
     assert noisy().settings.weighting == "equal"
     assert noisy(alpha=0.1).settings.weighting == "equal"
