@@ -7,6 +7,7 @@ worker prints a traceback.
 
 from __future__ import annotations
 
+import logging
 import os
 import re
 import signal
@@ -172,7 +173,7 @@ def _on_cluster(
         raise InputError("a cluster needs Ray: pip install -r requirements-cluster.txt.") from None
     _check_address(cluster)
     try:
-        ray.init(address=cluster, log_to_driver=False, logging_level="ERROR")
+        ray.init(address=cluster, log_to_driver=False, logging_level=logging.ERROR)
     except (ConnectionError, ValueError, RuntimeError) as error:
         raise InputError(f"there is no Ray cluster at {cluster[:80]}: {str(error).splitlines()[0][:200]}.") from None
     try:

@@ -15,7 +15,7 @@ from laplace_core.errors import InputError
 from laplace_core.experiments.paper.experiment import Experiment, train_command
 from laplace_core.experiments.paper.result_files import RESULT, cells_in, result_file
 from laplace_core.experiments.paper.runs import Training
-from laplace_core.experiments.search import EPISODES, START_SEEDS
+from laplace_core.experiments.search.objectives import EPISODES, START_SEEDS
 from laplace_core.experiments.training import evaluated, seconds_behind
 from laplace_core.files.atomic import write_whole
 from laplace_core.files.plain_json import as_json
