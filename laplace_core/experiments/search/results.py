@@ -11,6 +11,7 @@ from laplace_core.errors import InputError
 from laplace_core.files.strict_json import parse_json
 
 MOST_BYTES = 10_000_000
+_MOST_LISTED = 100
 _LARGEST, _STEPS = 1e12, re.compile("[0-9]{1,10}")
 SearchResult = Mapping[str, Any]
 """The content of a ``search.json``."""
@@ -61,6 +62,14 @@ def _text(search: SearchResult) -> str:
     most = "at most " if pruned else ""
     about = f"{len(rows) * search['seeds']} trainings, {most}{steps:,} steps, {hours:.1f} hours of one core{early}"
     return f"{search['command']}\n{about}\n{table(rows, one_at_a_time=search['one_at_a_time'])}"
+
+
+def kept(committed: Path, runs: Path) -> dict[str, Path]:
+    """Searches that there are, the newest first: in the folders of runs, then those that ship; each by its name."""
+    own = [each for pattern in ("search.json", "*/search.json") for each in runs.glob(pattern)]
+    own = sorted((each for each in own if each.is_file()), key=lambda each: -each.stat().st_mtime)
+    named = {f"{each.parent.name}, run here": each for each in own[:_MOST_LISTED]}
+    return named | {each.stem: each for each in sorted(committed.glob("*.json"))}
 
 
 def read(path: Path) -> SearchResult:

@@ -12,7 +12,7 @@ import hashlib
 import itertools
 import json
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
 from pathlib import Path
 from typing import Any
@@ -25,7 +25,7 @@ from laplace_core.errors import InputError
 from laplace_core.experiments.search import objectives
 from laplace_core.experiments.search.objectives import OBJECTIVES, SCORE
 from laplace_core.experiments.search.spaces import Space, Value, is_listed, space_of, values_of
-from laplace_core.experiments.search.storages import HEARTBEAT, JOB, check_storage
+from laplace_core.experiments.search.storages import HEARTBEAT, JOB, absolute, check_storage
 from laplace_core.experiments.search.work import GRID, PRUNERS, SAMPLERS, TROUBLE, Plan, about_of, finish
 from laplace_core.files.atomic import write_whole
 from laplace_core.parameters import as_text
@@ -166,11 +166,11 @@ class Search:
         digest = hashlib.sha256(about.encode()).hexdigest()[:10]
         base = {name: getattr(usual, name) for name in self.space} if self.one_at_a_time else {}
         return Plan(
-            self.storage or str(self.folder / _STORAGE),
+            absolute(self.storage or str(self.folder / _STORAGE)),
             self.study or f"{self.algorithm}_{self.environment.replace(':', '-')}_{digest}",
             about,
             [base | job for job in self.jobs],
-            partial(_value, search=self),
+            partial(_value, search=replace(self, folder=self.folder.absolute())),
             self.sampler,
             self.pruner,
             first=min(usual.evaluate_every, usual.steps),

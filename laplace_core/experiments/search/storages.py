@@ -85,6 +85,11 @@ def check_storage(text: str) -> None:
         raise InputError(f"the storage must be {_KINDS}, not {text[:80]!r}.")
 
 
+def absolute(text: str) -> str:
+    """The same storage for a process that is at work in another folder."""
+    return text if _POSTGRES.match(text) else str(Path(text).absolute())
+
+
 JOB = "job"
 """The attribute of a trial that says which job of the plan it does."""
 
@@ -159,7 +164,7 @@ def readable(text: str) -> Iterator[None]:
     """
     try:
         yield
-    except (SQLAlchemyError, OptunaError, OSError, ValueError, KeyError, AssertionError) as error:
+    except (SQLAlchemyError, OptunaError, OSError, ValueError, LookupError, TypeError, AssertionError) as error:
         reason = (str(getattr(error, "orig", None) or error).strip() or type(error).__name__).splitlines()[0]
         raise InputError(f"the storage {_without_password(text)[:80]} cannot be used: {reason[:200]}.") from None
 

@@ -188,25 +188,26 @@ def finish(plan: Plan, *, processes: int = 1, cluster: str | None = None) -> Ite
         InputError: a storage that cannot be used, or a job at which workers died again and again.
     """
     study = study_of(plan)
-    _queue(study, plan)
+    queue(study, plan)
     given: set[int] = set()
-
-    def news() -> Iterator[tuple[int, FrozenTrial]]:
-        with readable(plan.storage):
-            jobs = jobs_in(study, len(plan.jobs))
-        for number, job in enumerate(jobs):
-            if job.lost:
-                raise InputError(f"the workers of job {number} died {len(job.trials)} times: see what they died of.")
-            if number not in given and job.done is not None:
-                given.add(number)
-                yield number, job.done
-
-    yield from news()
+    yield from _news(study, plan, given)
     while len(given) < len(plan.jobs):
         left = [plan] * (len(plan.jobs) - len(given))
         with contextlib.closing(in_parallel(take_one, left, processes, cluster)) as results:
             for _ in results:
-                yield from news()
+                yield from _news(study, plan, given)
+
+
+def _news(study: optuna.Study, plan: Plan, given: set[int]) -> Iterator[tuple[int, FrozenTrial]]:
+    """The jobs that are done and not given yet, in their order."""
+    with readable(plan.storage):
+        jobs = jobs_in(study, len(plan.jobs))
+    for number, job in enumerate(jobs):
+        if job.lost:
+            raise InputError(f"the workers of job {number} died {len(job.trials)} times: see what they died of.")
+        if number not in given and job.done is not None:
+            given.add(number)
+            yield number, job.done
 
 
 def take_one(plan: Plan) -> int | None:
@@ -218,7 +219,7 @@ def take_one(plan: Plan) -> int | None:
     study = study_of(plan)
     while True:
         with readable(plan.storage):
-            _take_over(study, plan)
+            take_over(study, plan)
             jobs = jobs_in(study, len(plan.jobs))
         if all(job.done is not None or job.lost for job in jobs):
             return None
@@ -230,7 +231,7 @@ def take_one(plan: Plan) -> int | None:
             time.sleep(LOOK_EVERY)
 
 
-def _queue(study: optuna.Study, plan: Plan) -> None:
+def queue(study: optuna.Study, plan: Plan) -> None:
     """Queue every job that has no trial yet, or none that is left of those that it had."""
     with readable(plan.storage):
         for number, job in enumerate(jobs_in(study, len(plan.jobs))):
@@ -275,7 +276,7 @@ def _trial(study: optuna.Study, plan: Plan) -> int | None:
     return taken[0] if taken else None
 
 
-def _take_over(study: optuna.Study, plan: Plan) -> None:
+def take_over(study: optuna.Study, plan: Plan) -> None:
     """Fail the trials of workers that have died, and queue them again.
 
     By the heartbeat, which a worker on any machine has; before that is missed, where the worker was a process of this
