@@ -15,13 +15,15 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from functools import lru_cache
 from pathlib import Path
+from typing import Any
 
 import optuna
-from optuna.exceptions import ExperimentalWarning, OptunaError
+from optuna.exceptions import ExperimentalWarning, OptunaError, StorageInternalError
 from optuna.storages import BaseStorage, JournalStorage, RDBStorage, RetryHeartbeatStaleTrialCallback
 from optuna.storages._heartbeat import BaseHeartbeat
 from optuna.storages.journal import JournalFileBackend, JournalFileOpenLock
 from optuna.trial import FrozenTrial, TrialState
+from sqlalchemy import Engine, event
 from sqlalchemy.exc import SQLAlchemyError
 
 from laplace_core.errors import InputError
@@ -134,18 +136,36 @@ def _database(url: str, interval: int) -> RDBStorage:
     for left in (2, 1, 0):  # workers that begin at the same time may all be about to make the tables
         try:
             with warnings.catch_warnings(action="ignore", category=ExperimentalWarning), readable(url):
-                return RDBStorage(
+                storage = RDBStorage(
                     url,
                     {"connect_args": connect},
                     heartbeat_interval=interval,
                     grace_period=MISSED * interval,
                     heartbeat_stale_trial_callback=queue_again,
                 )
+                if connect:
+                    _one_at_a_time(storage.engine)
+                return storage
         except InputError:
             if not left:
                 raise
             time.sleep(0.5)
     raise AssertionError("the last attempt returns or raises")
+
+
+def _one_at_a_time(engine: Engine) -> None:
+    """Let every transaction of an SQLite file wait for its turn as soon as it begins.
+
+    Optuna takes a queued trial by a read and a write, with a lock on the row between them that SQLite does not know:
+    two workers would take the same one.
+    """
+
+    def connected(connection: Any, _record: object) -> None:
+        connection.isolation_level = None  # the driver begins nothing by itself
+
+    event.listen(engine, "connect", connected)
+    event.listen(engine, "begin", lambda connection: connection.exec_driver_sql("BEGIN IMMEDIATE"))
+    engine.dispose()  # of what was connected before
 
 
 def _check_driver() -> None:
@@ -164,9 +184,13 @@ def readable(text: str) -> Iterator[None]:
     """
     try:
         yield
-    except (SQLAlchemyError, OptunaError, OSError, ValueError, LookupError, TypeError, AssertionError) as error:
+    except (*FAILURES, OptunaError, OSError, ValueError, LookupError, TypeError, AssertionError) as error:
         reason = (str(getattr(error, "orig", None) or error).strip() or type(error).__name__).splitlines()[0]
         raise InputError(f"the storage {_without_password(text)[:80]} cannot be used: {reason[:200]}.") from None
+
+
+FAILURES = (SQLAlchemyError, StorageInternalError)
+"""What a database raises that cannot be reached or does not answer."""
 
 
 def _without_password(text: str) -> str:

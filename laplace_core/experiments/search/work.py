@@ -25,7 +25,7 @@ from optuna.study import StudyDirection
 from optuna.trial import FrozenTrial, TrialState
 
 from laplace_core.errors import InputError
-from laplace_core.experiments.search.storages import HEARTBEAT, JOB, MISSED, queue_again, readable, storage_of
+from laplace_core.experiments.search.storages import FAILURES, HEARTBEAT, JOB, MISSED, queue_again, readable, storage_of
 from laplace_core.supervise import Process
 from laplace_core.supervise.parallel import TRIES, in_parallel
 
@@ -268,6 +268,9 @@ def _trial(study: optuna.Study, plan: Plan) -> int | None:
         for number in taken:
             queue_again(study, study.trials[number])
         raise
+    except FAILURES as error:
+        with readable(plan.storage):
+            raise error
     except (ValueError, optuna.exceptions.UpdateFinishedTrialError):
         # Whoever took this worker for lost has failed its trial and queued it again.
         if not taken or study.trials[taken[0]].state != TrialState.FAIL:

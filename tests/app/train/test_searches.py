@@ -14,12 +14,11 @@ from tests.support.train_page import opened
 
 def shown(name: str):
     """The page with the section open, at one search."""
-    page = opened()
-    page.session_state["searches"] = True
-    run(page)
+    page = opened("searches")
     box = next(each for each in page.selectbox if each.label == "Search")
     if box.value != name:
-        run(box.set_value(name))
+        box.set_value(name)
+        run(page)
     return page
 
 

@@ -7,6 +7,7 @@ import json
 import os
 import subprocess
 import sys
+from concurrent.futures import ThreadPoolExecutor
 from functools import partial
 from pathlib import Path
 
@@ -362,3 +363,14 @@ def test_what_a_sampler_chose_in_vain_changes_nothing(tmp_path):
     idle = search.settings({"prioritised": False, "priority_exponent": 0.5})
     assert idle == search.settings({})
     assert search.settings({"prioritised": True, "priority_exponent": 0.5}).priority_exponent == 0.5
+
+
+@STORAGES
+def test_a_queued_trial_is_handed_to_one_worker_only(name, tmp_path):
+    """Eight at a time ask for forty trials. In an SQLite file Optuna by itself would hand some of them to several."""
+    plan = plan_of(str(tmp_path / name), noting(tmp_path), count=40)
+    study = study_of(plan)
+    work.queue(study, plan)
+    with ThreadPoolExecutor(8) as pool:
+        taken = list(pool.map(lambda _: study.ask().number, range(40)))
+    assert sorted(taken) == list(range(40))
