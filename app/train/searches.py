@@ -44,9 +44,10 @@ def _look(path: Path, _written: int) -> tuple[SearchResult, list[Figure]]:
 
 
 def _draw(path: Path, search: SearchResult, drawn: list[Figure]) -> None:
-    for column, figure in zip(st.columns(len(drawn)), drawn, strict=True):
+    places = [*st.columns(len(drawn) - 1), st.container()]  # single settings side by side need a row of their own
+    for place, figure in zip(places, drawn, strict=True):
         title = figure["layout"]["title"]["text"]
-        chart(figure, f"search {title}", f"{title}: {path.stem}", revision=str(path), place=column)
+        chart(figure, f"search {title}", f"{title}: {path.stem}", revision=str(path), place=place)
     if len(search["trials"]) < figures.LEAST_FOR_IMPORTANCES:
         st.caption(f"Importances need {figures.LEAST_FOR_IMPORTANCES} trials; this search has {len(search['trials'])}.")
     st.code(table(search["trials"], one_at_a_time=search["one_at_a_time"]), language=None)

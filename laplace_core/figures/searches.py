@@ -99,6 +99,7 @@ def slices(study: optuna.Study) -> Figure:
     for name, each in layout.items():
         if name.startswith(("xaxis", "yaxis")):
             kept = {key: each[key] for key in ("anchor", "domain", "matches", "type", "showticklabels") if key in each}
+            kept |= {"dtick": 1} if each.get("type") == "log" else {}
             axes[name] = axis(in_plotly(each.get("title", {}).get("text", "")).replace("_", " "), **kept)
     return build("Score by setting", data, {"l": 56, "b": 44}, showlegend=False, **axes)
 
