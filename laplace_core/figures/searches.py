@@ -83,7 +83,7 @@ def importances(study: optuna.Study) -> Figure | None:
     if len(complete) < LEAST_FOR_IMPORTANCES or len({trial.value for trial in complete}) < 2:
         return None
     (bars,) = _made("plot_param_importances", study)["data"]
-    bars |= {"marker": {"color": ACTION_COLOURS[0]}, "textposition": "auto"}
+    bars |= {"marker": {"color": ACTION_COLOURS[0]}, "textposition": "auto", "textangle": 0}
     return build("Importance of each setting", [bars], {"l": 130}, xaxis=axis("share"), yaxis=axis(), showlegend=False)
 
 

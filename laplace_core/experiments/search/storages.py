@@ -11,19 +11,18 @@ import logging
 import re
 import time
 import warnings
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from functools import lru_cache
 from pathlib import Path
-from typing import Any
 
 import optuna
+from filelock import FileLock
 from optuna.exceptions import ExperimentalWarning, OptunaError, StorageInternalError
 from optuna.storages import BaseStorage, JournalStorage, RDBStorage, RetryHeartbeatStaleTrialCallback
 from optuna.storages._heartbeat import BaseHeartbeat
 from optuna.storages.journal import JournalFileBackend, JournalFileOpenLock
 from optuna.trial import FrozenTrial, TrialState
-from sqlalchemy import Engine, event
 from sqlalchemy.exc import SQLAlchemyError
 
 from laplace_core.errors import InputError
@@ -37,6 +36,7 @@ _SQLITE = (".db", ".sqlite", ".sqlite3")
 _JOURNAL = (".journal", ".log")
 _POSTGRES = re.compile(r"postgres(ql)?(\+psycopg)?://")
 _PATIENCE = 60.0  # seconds that a process waits for its turn to write to an SQLite file
+_SQLITE_URL = "sqlite:///"
 _BEATS = "heartbeat"
 _KINDS = "a file that ends in .db (SQLite) or .journal, or an address postgresql://USER@HOST:PORT/DATABASE"
 
@@ -75,6 +75,20 @@ class BeatingJournal(JournalStorage, BaseHeartbeat):
 
     def get_heartbeat_stale_trial_callback(self) -> Queued:
         return self._queued
+
+
+class _SqliteFile(RDBStorage):
+    """An SQLite file that hands a queued trial to one worker only.
+
+    Optuna takes a trial by a read and a write, with a lock on the row between them that SQLite does not know: two
+    workers would take the same one. Here a lock file beside it orders them.
+    """
+
+    def set_trial_state_values(
+        self, trial_id: int, state: TrialState, values: Sequence[float] | None = None
+    ) -> bool:  # fmt: skip
+        with FileLock(f"{self.url.removeprefix(_SQLITE_URL)}.lock", _PATIENCE):
+            return super().set_trial_state_values(trial_id, state, values)
 
 
 def check_storage(text: str) -> None:
@@ -127,7 +141,7 @@ def storage_of(text: str, interval: int = HEARTBEAT) -> BaseStorage:
     with readable(text):
         path.parent.mkdir(parents=True, exist_ok=True)
         if path.suffix in _SQLITE:
-            return _database(f"sqlite:///{path.absolute()}", interval)
+            return _database(f"{_SQLITE_URL}{path.absolute()}", interval)
         return BeatingJournal(str(path), interval=interval, grace=MISSED * interval, queued=queue_again)
 
 
@@ -136,36 +150,18 @@ def _database(url: str, interval: int) -> RDBStorage:
     for left in (2, 1, 0):  # workers that begin at the same time may all be about to make the tables
         try:
             with warnings.catch_warnings(action="ignore", category=ExperimentalWarning), readable(url):
-                storage = RDBStorage(
+                return (_SqliteFile if connect else RDBStorage)(
                     url,
                     {"connect_args": connect},
                     heartbeat_interval=interval,
                     grace_period=MISSED * interval,
                     heartbeat_stale_trial_callback=queue_again,
                 )
-                if connect:
-                    _one_at_a_time(storage.engine)
-                return storage
         except InputError:
             if not left:
                 raise
             time.sleep(0.5)
     raise AssertionError("the last attempt returns or raises")
-
-
-def _one_at_a_time(engine: Engine) -> None:
-    """Let every transaction of an SQLite file wait for its turn as soon as it begins.
-
-    Optuna takes a queued trial by a read and a write, with a lock on the row between them that SQLite does not know:
-    two workers would take the same one.
-    """
-
-    def connected(connection: Any, _record: object) -> None:
-        connection.isolation_level = None  # the driver begins nothing by itself
-
-    event.listen(engine, "connect", connected)
-    event.listen(engine, "begin", lambda connection: connection.exec_driver_sql("BEGIN IMMEDIATE"))
-    engine.dispose()  # of what was connected before
 
 
 def _check_driver() -> None:
