@@ -43,7 +43,8 @@ coverage: .venv/.dev
 	$(BIN)/python -m pytest --ignore=tests/browser -n 2 --dist worksteal --cov --cov-report=term-missing:skip-covered
 
 # What takes long: random views against an independent judge, detectors against ground truth, the lens on 1,000 views;
-# neural inverses and a designed grid on random worlds.
+# neural inverses and a designed grid on random worlds; searches of several workers and of a cluster, and on PostgreSQL
+# where the distribution's package is installed (apt-get install postgresql).
 verify: .venv/.verify
 	$(BIN)/python -m bench.hold
 	$(BIN)/python -m laplace_core report verdicts --jobs 2 --check

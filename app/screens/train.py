@@ -9,7 +9,7 @@ from app.components.owner import keep_owner
 from app.components.waiting import attempt
 from app.components.widgets import left_out
 from app.session import store
-from app.train import cards, form, pictures, server
+from app.train import cards, form, pictures, searches, server
 from app.train.schema import LINK, OPENING
 from laplace_core.supervise.limits import limits
 from laplace_core.training.queue import Run
@@ -27,6 +27,7 @@ def page() -> None:
     going = attempt(lambda: _going(training_runs.queue().runs()))
     if going is not None:
         st.fragment(_view, run_every=LOOK_EVERY if going else None)(going=going)
+        st.fragment(searches.searches)()
 
 
 def _going(runs: list[Run]) -> bool:

@@ -274,9 +274,9 @@ def _neural(options: argparse.Namespace) -> None:
 
 
 def _searches(options: argparse.Namespace) -> None:
-    from laplace_core.experiments import search_report
+    from laplace_core.experiments.search import results
 
-    numbers, text = search_report.report([Path(path) for path in options.files])
+    numbers, text = results.report([Path(path) for path in options.files])
     print(json.dumps(numbers, indent=1) if options.json else text)
 
 

@@ -39,7 +39,7 @@ def add_reproduce(verbs: argparse._SubParsersAction[argparse.ArgumentParser]) ->
     reproduce = verbs.add_parser(
         "reproduce",
         help="make the figures and tables of the paper again",
-        description="Trains or measures what an experiment of the paper needs, one part after another, and writes the "
+        description="Trains or measures what an experiment of the paper needs, part by part, and writes the "
         "result of each to a small file. An interrupted training goes on where it was; one that several experiments "
         "need is trained once, and what has its result in the folder of results is not done again.",
     )
@@ -59,9 +59,11 @@ def add_reproduce(verbs: argparse._SubParsersAction[argparse.ArgumentParser]) ->
         "--steps", metavar="N", help="end every training after so many steps, to see that it runs; needs --out"
     )
     reproduce.add_argument(
-        "--jobs", default="1", metavar="N", help="parts that are measured at once, in processes (default: 1)"
+        "--jobs", default="1", metavar="N", help="parts or trainings that are done at once, in processes (default: 1)"
     )
-    reproduce.add_argument("--cluster", metavar="ADDRESS", help="measure on a Ray cluster, such as 127.0.0.1:6379")
+    reproduce.add_argument(
+        "--cluster", metavar="ADDRESS", help="measure and train on a Ray cluster, such as 127.0.0.1:6379"
+    )
     reproduce.add_argument("--json", action="store_true", help="print JSON")
     reproduce.set_defaults(run=_reproduce)
 
@@ -94,7 +96,7 @@ def _reproduce(options: argparse.Namespace) -> None:
         for each in () if options.collect or steps is not None else measurements:
             _measure(each, out, jobs, options.cluster, as_json=options.json)
         if experiments:
-            _train(experiments, trainings, out, collect=options.collect, as_json=options.json)
+            _train(experiments, trainings, out, options, jobs=jobs)
 
 
 def _document(options: argparse.Namespace) -> None:
@@ -254,12 +256,17 @@ def _measure(each: Measurement, out: Path, jobs: int, cluster: str | None, *, as
 
 
 def _train(
-    experiments: Sequence[Experiment], trainings: dict[str, list[Training]], out: Path, *, collect: bool, as_json: bool
-) -> None:  # fmt: skip
+    experiments: Sequence[Experiment],
+    trainings: dict[str, list[Training]],
+    out: Path,
+    options: argparse.Namespace,
+    *,
+    jobs: int,
+) -> None:
     from laplace_core.experiments.paper import reproduce  # loads torch
 
     def report(words: str) -> None:
-        if not as_json:
+        if not options.json:
             print(words, flush=True)
 
     def begins(each: Training) -> None:
@@ -268,13 +275,14 @@ def _train(
     failed = 0
     with Stop() as stop:
         for done in reproduce.reproduce(
-            experiments, trainings, out, lambda: stop.asked, begins=begins, collect=collect
-        ):
+            experiments, trainings, out, lambda: stop.asked, begins=begins, collect=options.collect,
+            processes=jobs, cluster=options.cluster,
+        ):  # fmt: skip
             each, row = done.training, done.row
             failed += row is None
             which = f"{each.cell.label}, seed {each.settings.seed}"
             about = {"run": each.name, "cell": each.cell.label, "seed": each.settings.seed}
-            if as_json:
+            if options.json:
                 result = {"trouble": done.trouble} if row is None else {"best": row["best"], "seconds": row["seconds"]}
                 print(json.dumps(about | result), flush=True)
             elif row is None:

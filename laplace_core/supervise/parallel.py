@@ -7,6 +7,7 @@ worker prints a traceback.
 
 from __future__ import annotations
 
+import logging
 import os
 import re
 import signal
@@ -172,12 +173,13 @@ def _on_cluster(
         raise InputError("a cluster needs Ray: pip install -r requirements-cluster.txt.") from None
     _check_address(cluster)
     try:
-        ray.init(address=cluster, log_to_driver=False, logging_level="ERROR")
+        ray.init(address=cluster, log_to_driver=False, logging_level=logging.ERROR)
     except (ConnectionError, ValueError, RuntimeError) as error:
         raise InputError(f"there is no Ray cluster at {cluster[:80]}: {str(error).splitlines()[0][:200]}.") from None
     try:
         # A task whose worker or node is lost is begun anew elsewhere; what the function raises is not tried again.
-        task = ray.remote(num_cpus=1, max_retries=TRIES, retry_exceptions=False)(function)
+        # Ray takes functions alone; ours may be a partial of one.
+        task = ray.remote(num_cpus=1, max_retries=TRIES, retry_exceptions=False)(lambda argument: function(argument))
         waiting = {task.remote(argument): i for i, argument in enumerate(arguments)}
         while waiting:
             (done,), _ = ray.wait(list(waiting), num_returns=1)

@@ -233,7 +233,8 @@ def near_search() -> Iterator[tuple[list[str], str | list[str]]]:
     ):
         yield [*base, "--vary", f"{name}=1e-3"], "setting"
         yield [*base, "--set", f"{name}=1e-3"], "setting"
-    for text in ("=[1e-3,1e-4]", "=1e-3;1e-4", "=1e-3:1e-2", "=1e-3..1e-2", "=1e-3,", "=", ":1e-3", " 1e-3",
+    for text in ("=[1e-3,1e-4]", "=1e-3;1e-4", "=1e-3:1e-2", "=1e-2..1e-3", "=1e-3..", "=1e-3..1e-2:lin",
+                 "=0..1e-2:log", "=1e-3,", "=", ":1e-3", " 1e-3",
                  "=1e-3|1e-4", "=(1e-3,1e-4)", "=1e-3 1e-4", "=1e-3,1e-3", "=.001,1e-3", "==1e-3",
                  "=linspace(0,1,3)"):  # fmt: skip
         yield [*base, "--vary", f"learning_rate{text}"], ""

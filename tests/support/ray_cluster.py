@@ -51,7 +51,8 @@ def two_nodes() -> Iterator[Cluster]:
 def _start(*words: str) -> None:
     common = ["start", *words, "--num-cpus=1", "--disable-usage-stats"]
     # Workers import the functions of the tests from the project's root.
-    environment = {**os.environ, "PYTHONPATH": str(ROOT)}
+    path = os.pathsep.join([str(ROOT), *filter(None, [os.environ.get("PYTHONPATH")])])
+    environment = {**os.environ, "PYTHONPATH": path}
     subprocess.run(
         [sys.executable, "-m", "ray.scripts.scripts", *common], check=True, env=environment, capture_output=True
     )

@@ -1,9 +1,14 @@
-"""Train what experiments need, one training after another, and save the result of each."""
+"""Train what experiments need, as a list of independent jobs, and save the result of each."""
 
 from __future__ import annotations
 
+import contextlib
+import secrets
+import threading
+import time
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -11,13 +16,16 @@ from laplace_core.errors import InputError
 from laplace_core.experiments.paper import results
 from laplace_core.experiments.paper.experiment import Experiment
 from laplace_core.experiments.paper.runs import FINISHED, MISSING, Training, once_each
+from laplace_core.supervise.parallel import in_parallel
 from laplace_core.training.loop import train
 from laplace_core.training.progress import ProgressFile
+
+_LOOK_EVERY = 0.5  # seconds between two looks for the end that is asked for
 
 
 @dataclass(frozen=True)
 class Done:
-    """The outcome of one training.
+    """The outcome of one training; one that was stopped has neither a row nor trouble.
 
     Attributes:
         row: its result; None where there is none.
@@ -37,6 +45,8 @@ def reproduce(
     *,
     begins: Callable[[Training], None],
     collect: bool = False,
+    processes: int = 1,
+    cluster: str | None = None,
 ) -> Iterator[Done]:
     """Finish every training of the experiments; the file of each experiment always holds the results so far.
 
@@ -45,34 +55,96 @@ def reproduce(
     Args:
         trainings: by the name of the experiment.
         out: the folder of the experiments' files.
-        stop: called between two steps; when it returns True, the present training writes a resume point and all ends.
-        begins: called with every training before it is started or resumed.
+        stop: called between two steps; when it returns True, all trainings under way write a resume point and all ends.
+        begins: called with every training before it is started or resumed, where they are trained one by one here.
         collect: train nothing, and score what is finished.
+        processes, cluster: as in :func:`laplace_core.supervise.parallel.in_parallel`.
     """
     for experiment in experiments:  # what other experiments have trained already
         results.write(experiment, trainings[experiment.name], out)
+    left = []
     for training in once_each(trainings):
-        if stop():
-            return
         try:
-            if training.state != FINISHED:
-                if collect:
-                    continue
-                if training.busy:
-                    yield Done(training, trouble="another process trains it: it is left to that one.")
-                    continue
-                begins(training)
-                _train(training, stop)
-                if stop():
-                    return
-            known = results.saved_row(training) is not None
-            done = Done(training, results.row_of(training))
-            for experiment in experiments:
-                if not known and any(training.name == each.name for each in trainings[experiment.name]):
-                    results.write(experiment, trainings[experiment.name], out)
+            row, finished = results.saved_row(training), training.state == FINISHED
         except InputError as error:
-            done = Done(training, trouble=str(error))
-        yield done
+            yield Done(training, trouble=str(error))
+            continue
+        if row is not None and finished:
+            yield Done(training, row)
+        elif finished or not collect:
+            left.append(training)
+    alone = cluster is None and (processes == 1 or len(left) < 2)
+    with contextlib.ExitStack() as held:
+        if alone:
+            job = partial(_finish, stop=stop, begins=begins)
+        else:
+            job = partial(_finish, stop=held.enter_context(_shared(stop, left[0].folder.parent)))
+        jobs = [replace(each, folder=each.folder.absolute()) for each in left]
+        outcomes = held.enter_context(contextlib.closing(in_parallel(job, jobs, processes, cluster)))
+        for i, outcome in outcomes:
+            done = replace(outcome, training=left[i])
+            if done.row is not None:
+                results.save_row(done.training, done.row)
+                for experiment in experiments:
+                    if any(done.training.name == each.name for each in trainings[experiment.name]):
+                        results.write(experiment, trainings[experiment.name], out)
+            if done.row is not None or done.trouble is not None:
+                yield done
+
+
+def _finish(training: Training, stop: Callable[[], object], begins: Callable[[Training], None] | None = None) -> Done:
+    """Train to the end unless that is done, and score; in whatever process."""
+    try:
+        if stop():
+            return Done(training)
+        if training.state != FINISHED:
+            if training.busy:
+                return Done(training, trouble="another process trains it: it is left to that one.")
+            if begins is not None:
+                begins(training)
+            _train(training, stop)
+            if stop():
+                return Done(training)
+        return Done(training, results.row_of(training))
+    except InputError as error:
+        return Done(training, trouble=str(error))
+
+
+@dataclass
+class _Flag:
+    """Whether a file is there, which says that all trainings are to stop; looked for from time to time."""
+
+    path: Path
+    seen: bool = False
+    looked: float = field(default=0.0, compare=False)
+
+    def __call__(self) -> bool:
+        now = time.monotonic()
+        if not self.seen and abs(now - self.looked) >= _LOOK_EVERY:
+            self.looked, self.seen = now, self.path.exists()
+        return self.seen
+
+
+@contextlib.contextmanager
+def _shared(stop: Callable[[], object], folder: Path) -> Iterator[_Flag]:
+    """The wish to stop as a file, which processes of any machine that has the folder see."""
+    folder.mkdir(parents=True, exist_ok=True)
+    flag, over = folder.absolute() / f".stop_{secrets.token_hex(8)}", threading.Event()
+
+    def watch() -> None:
+        while not over.wait(_LOOK_EVERY):
+            if stop():
+                flag.touch()
+                return
+
+    watcher = threading.Thread(target=watch, daemon=True, name="passes the wish to stop on")
+    watcher.start()
+    try:
+        yield _Flag(flag)
+    finally:
+        over.set()
+        watcher.join()
+        flag.unlink(missing_ok=True)
 
 
 def _train(training: Training, stop: Callable[[], object]) -> None:

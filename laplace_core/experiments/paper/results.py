@@ -15,7 +15,7 @@ from laplace_core.errors import InputError
 from laplace_core.experiments.paper.experiment import Experiment, train_command
 from laplace_core.experiments.paper.result_files import RESULT, cells_in, result_file
 from laplace_core.experiments.paper.runs import Training
-from laplace_core.experiments.search import EPISODES, START_SEEDS
+from laplace_core.experiments.search.objectives import EPISODES, START_SEEDS
 from laplace_core.experiments.training import evaluated, seconds_behind
 from laplace_core.files.atomic import write_whole
 from laplace_core.files.plain_json import as_json
@@ -37,8 +37,15 @@ def row_of(training: Training) -> dict[str, Any]:
     row = saved_row(training)
     if row is None:
         row = _measured(training, EPISODES, START_SEEDS + training.settings.seed)
-        write_whole(training.folder / RESULT, as_json(row))
+        save_row(training, row)
     return row
+
+
+def save_row(training: Training, row: dict[str, Any]) -> None:
+    """Save a row in the folder of its run, unless it is there; a node of a cluster may have a folder of its own."""
+    if saved_row(training) is None:
+        training.folder.mkdir(parents=True, exist_ok=True)
+        write_whole(training.folder / RESULT, as_json(row))
 
 
 def saved_row(training: Training) -> dict[str, Any] | None:

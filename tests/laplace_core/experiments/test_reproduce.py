@@ -330,3 +330,34 @@ def test_a_real_experiment_runs_end_to_end_when_shortened(name, tmp_path, monkey
         assert main(["reproduce", name, "--steps", "90", "--runs", str(tmp_path), "--out", str(tmp_path / "out")]) == 0
         (row,) = json.loads((tmp_path / "out" / f"{name}.json").read_text())["cells"][0]["trainings"]
         assert row["last"]["step"] >= 90
+
+
+BRIEFLY = Experiment("briefly", "Briefly", "Does it run beside others?", [
+    Cell("plain", "laplace", "two_branch", BRIEF, seeds=(0, 1, 2)),
+])  # fmt: skip
+
+
+def test_trainings_side_by_side_are_those_one_by_one_and_stop_together(tmp_path):
+    """Two at a time: the first result asks all others to stop, which leaves what they have to be gone on with."""
+    found, asked = [], []
+    for runs, processes in (("one", 1), ("two", 2)):
+        trainings = trainings_of([BRIEFLY], tmp_path / runs, STEPS)
+        out, rows = tmp_path / f"{runs}_out", []
+        if processes == 2:
+            for done in reproduce_all([BRIEFLY], trainings, out, lambda: asked, processes=2):
+                assert done.trouble is None
+                asked.append(done)
+            assert 1 <= len(asked) <= 3
+            assert not list((tmp_path / runs).glob(".stop_*"))
+        for done in reproduce_all([BRIEFLY], trainings, out, lambda: False, processes=processes):
+            rows.append(done.row)
+        assert [each.state for each in once_each(trainings)] == ["finished"] * 3
+        found.append({row["run"]: (row["best"]["returns"], row["evaluations"]) for row in rows})
+        assert json.loads((out / "briefly.json").read_text())["finished"] == 3
+    assert found[0] == found[1]
+
+
+def reproduce_all(*given, processes: int):
+    from laplace_core.experiments.paper.reproduce import reproduce
+
+    yield from reproduce(*given, begins=lambda training: None, processes=processes)

@@ -11,8 +11,8 @@ import pytest
 
 from laplace_core.agents.settings import SETTINGS
 from laplace_core.cli import main
-from laplace_core.experiments import search
-from laplace_core.experiments.search_report import read
+from laplace_core.experiments.search import objectives, search
+from laplace_core.experiments.search.results import read
 from laplace_core.training.defaults import settings_of
 
 KEPT = sorted((Path(__file__).parents[3] / "docs" / "searches").glob("*.json"))
@@ -31,7 +31,7 @@ def test_combinations_and_one_at_a_time():
 
 
 def test_a_search_ranks_and_is_not_repeated(tmp_path, capsys, monkeypatch):
-    monkeypatch.setattr(search, "EPISODES", 3)
+    monkeypatch.setattr(objectives, "EPISODES", 3)
     vary = ("--vary", "learning_rate=0.001,0.01", "--one-at-a-time")
     assert run(tmp_path, *vary, "--budget") == 0
     assert "6 trainings, 0 of them finished already; at most 1,200 steps" in capsys.readouterr().out
@@ -41,17 +41,19 @@ def test_a_search_ranks_and_is_not_repeated(tmp_path, capsys, monkeypatch):
     assert "as in the file" in out
     assert "learning_rate 0.01" in out
     kept = json.loads((tmp_path / search.RESULTS).read_text())
-    assert [row["trial"] for row in kept["trials"]] == [{}, {"learning_rate": "0.001"}, {"learning_rate": "0.01"}]
+    assert [row["trial"] for row in kept["trials"]] == [{}, {"learning_rate": 0.001}, {"learning_rate": 0.01}]
     assert all(len(row["scores"]) == 2 for row in kept["trials"])
     assert all(row["seconds"] > 0 for row in kept["trials"])
     words = " ".join(QUICK)
     expected = f"search laplace two_branch {words} {' '.join(vary)} --seeds 2"
     assert kept["command"] == f"python -m laplace_core {expected}"
-    monkeypatch.setattr(search, "train", lambda *args, **kwargs: pytest.fail("trained again"))
-    monkeypatch.setattr(search, "evaluated", lambda *args, **kwargs: pytest.fail("evaluated again"))
+    monkeypatch.setattr(objectives, "train", lambda *args, **kwargs: pytest.fail("trained again"))
+    monkeypatch.setattr(objectives, "evaluated", lambda *args, **kwargs: pytest.fail("evaluated again"))
     assert run(tmp_path, *vary, "--json") == 0
-    again = json.loads(capsys.readouterr().out)
-    assert again == kept["trials"]
+    assert json.loads(capsys.readouterr().out) == kept["trials"]
+    # The storage is lost: the runs and their scores are there.
+    assert run(tmp_path, *vary, "--json", "--storage", str(tmp_path / "other.db")) == 0
+    assert json.loads(capsys.readouterr().out) == kept["trials"]
 
 
 @pytest.mark.parametrize(
@@ -65,12 +67,12 @@ def test_a_search_ranks_and_is_not_repeated(tmp_path, capsys, monkeypatch):
     ],
 )
 def test_a_kept_score_of_other_episodes_or_a_damaged_one_is_made_anew(damage, tmp_path, capsys, monkeypatch):
-    monkeypatch.setattr(search, "EPISODES", 3)
+    monkeypatch.setattr(objectives, "EPISODES", 3)
     found = []
-    for _ in range(2):
-        assert run(tmp_path, "--json") == 0
+    for name in ("first.db", "second.db"):
+        assert run(tmp_path, "--json", "--storage", str(tmp_path / name)) == 0
         found.append(json.loads(capsys.readouterr().out))
-        for kept in tmp_path.glob(f"*/{search.SCORE}"):
+        for kept in tmp_path.glob(f"*/{objectives.SCORE_FILE}"):
             kept.write_bytes(damage)
     assert found[0] == found[1]
 
@@ -169,8 +171,8 @@ def test_a_kept_search_is_of_the_settings_that_there_are(subtests):
             assert main([verb, algorithm, environment, *options, "--budget"]) == 0
             common = dict(word.split("=") for flag, word in itertools.pairwise(options) if flag == "--set")
             # A setting that came later than the search is at its default, as it was without it.
-            assert SETTINGS[algorithm].parse(kept["settings"]) == search.settings_for(
-                algorithm, environment, common, {}, seed=0
+            assert SETTINGS[algorithm].parse(kept["settings"]) == settings_of(
+                algorithm, environment, {**common, "seed": 0}
             )
             for row in kept["trials"]:
                 assert len(row["scores"]) == kept["seeds"]
