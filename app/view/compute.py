@@ -10,7 +10,7 @@ import numpy as np
 from app.session.jobs import is_there, session_id
 from laplace_core import InputError, Study, World, figures
 from laplace_core.caching import Cached, cached
-from laplace_core.payloads.lens import Simulated, payload, structure
+from laplace_core.payloads.lens import Simulated, decoding, follows, payload, structure
 from laplace_core.planning import greedy_policy
 from laplace_core.study.artefacts import Artefact, find_artefacts
 from laplace_core.study.compare import Space, difference, summary, value_difference
@@ -250,12 +250,26 @@ def lens_payload(view: View, simulated: Simulated | None = None) -> bytes:
     Raises:
         InputError: it is more than a browser should be sent.
     """
-    return _lens_payload(view.subject, structure(view.settings, view.world), simulated)
+    study, held = study_for(view), None
+    if not follows(study.settings):
+        held = decoding(study.settings)
+        if study.settings.normalise == held.normalise:  # it is decoded already
+            _decoded.remember(study, view.subject, held)
+    return _lens_payload(view.subject, structure(study.settings, view.world), simulated, held)
+
+
+@cached(4)
+def _decoded(subject: Subject, settings: Resolved) -> Study:
+    """A study as far as the server has to decode it: settings of the reading may be others."""
+    return _study(subject, settings)
 
 
 @cached(16)
-def _lens_payload(subject: Subject, settings: Resolved, simulated: Simulated | None) -> bytes:
-    data = payload(_study(subject, settings), simulated, subject.places, subject.added)[0]
+def _lens_payload(
+    subject: Subject, settings: Resolved, simulated: Simulated | None, held: Resolved | None
+) -> bytes:  # fmt: skip
+    shown = None if held is None else replace(_decoded(subject, held), settings=held)
+    data = payload(_study(subject, settings), simulated, subject.places, added=subject.added, shown=shown)[0]
     if len(data) > MOST_PAYLOAD * 1_000_000:
         raise InputError(
             f"the lens of this view would take {len(data) / 1e6:.0f} MB in the browser, above {MOST_PAYLOAD}: lower "
