@@ -14,7 +14,7 @@ from laplace_core.inverse.selectors import TYPED
 from laplace_core.inverse.titles import RULE_TITLES, SOLVER_TITLES
 from laplace_core.payloads.inverse import Swept
 from laplace_core.study.course import Course, errors_of, turns
-from laplace_core.study.evidence import Evidence
+from laplace_core.study.evidence import Evidence, tested
 
 _WHY: Mapping[str, tuple[str, str]] = {
     "gcv": ("Cross-validation: how well a value that is left out would be predicted.",
@@ -92,7 +92,7 @@ def said(study: Study, found: Swept, course: Course, evidence: Evidence | None, 
         parts.append(chosen_over(study, study.decoded.actions))
     if evidence is not None:
         tone = tone if evidence.p_value > LEVEL else "bad"
-        parts.append(_consistency(evidence.p_value))
+        parts.append(tested(evidence.p_value))
     else:
         parts.append(lacking)
     return Said(tone, " ".join(parts))
@@ -120,9 +120,3 @@ def chosen_over(study: Study, actions: np.ndarray) -> str:
         f"{name} from {study.horizons[k]:.4g}" for name, (k, _) in zip(names[1:], stretches[1:], strict=True)
     )
     return f"Chosen over T: {names[0]}, {later}."
-
-
-def _consistency(p_value: float) -> str:
-    if p_value > LEVEL:
-        return f"Some timeline may well have these values (p = {p_value:.2g})."
-    return f"No feasible timeline has these values (p = {p_value:.2g}): they are no transform of one process."

@@ -15,6 +15,7 @@ from laplace_core.planning import greedy_policy
 from laplace_core.study.artefacts import Artefact, find_artefacts
 from laplace_core.study.compare import Space, difference, summary, value_difference
 from laplace_core.study.episodes import episode_regret_of
+from laplace_core.study.evidence import work_to_believe
 from laplace_core.study.explanation import Explanation, explain, trials_of
 from laplace_core.study.pipeline import WorldStudy
 from laplace_core.study.settings import Resolved
@@ -61,9 +62,10 @@ def _graded(view: View) -> Verdict:
 
 @cached(128)
 def _listed(view: View, action: int) -> tuple[Artefact, ...]:
-    """The artefacts of an action as they are found without a search: none has a remedy."""
+    """The artefacts of an action as they are found without a search: no remedy but another solver, which is always
+    offered."""
     listed = find_artefacts(study_for(view), action, horizon_of(view), searching=False)
-    return tuple(replace(each, remedies=()) for each in listed)
+    return tuple(replace(each, remedies=tuple(r for r in each.remedies if "solver" in r.changes)) for each in listed)
 
 
 @cached(128)
@@ -95,10 +97,10 @@ def is_explained(view: View, *, alone: bool = True) -> bool:
     """
     if _explained.known(view):  # found, not only begun: nobody is to wait for pictures
         return True
-    trials = _trials(view)
-    if trials is None or (_graded(view).searched and not _listed(view, view.action)):
+    trials, work = _trials(view), work_to_believe(study_for(view))
+    if not work and (trials is None or (_graded(view).searched and not _listed(view, view.action))):
         return True
-    return alone and trials.work <= AT_ONCE
+    return alone and work + (0.0 if trials is None else trials.work) <= AT_ONCE
 
 
 def verdict_for(view: View, *, explained: bool = True) -> Verdict:
@@ -169,7 +171,8 @@ def episode_regrets(view: View) -> np.ndarray | None:
     """Loss of whole episodes under the decoded rule from the study's state, by T; None where it cannot be had."""
     if view.world is None:
         return None
-    return _episode_regrets(view.subject, replace(view.settings, noise=0.0, noise_seed=0, horizon=None, used=0.0))
+    s = study_for(view).settings
+    return _episode_regrets(view.subject, replace(s.at_alpha(s.alpha), noise=0.0, noise_seed=0, horizon=None, used=0.0))
 
 
 # What the graph of a world does not depend on; it is drawn once for all values of these.

@@ -251,12 +251,17 @@ def features(shares: np.ndarray, contrast_over_noise: np.ndarray) -> np.ndarray:
 
 def bumps(
     gamma_space: GammaSpace, steps: int, alpha: float, deviations: np.ndarray, *, time_step: float = 1.0,
-    independent: bool = True, seed: int = 0,
+    independent: bool = True, seed: int = 0, solver: Solver | None = None, matrix: np.ndarray | None = None,
 ) -> list[list[Bump]]:  # fmt: skip
-    """The bumps of each action's decoded expected reward, with the probability that each is real."""
+    """The bumps of each action's decoded expected reward, with the probability that each is real.
+
+    Args:
+        solver: that decodes; default: Tikhonov with discounts that count alike.
+        matrix: the linear inverse whose noise counts, ``(K, G)``; default: that of Tikhonov.
+    """
     layers = layers_of(gamma_space, steps, deviations, time_step=time_step, independent=independent)
-    noise = layer_noise(layers, alpha)
-    found = survivals(layers, alpha, tikhonov_of_layers, seed=seed)
+    noise = layer_noise(layers, alpha, matrix)
+    found = survivals(layers, alpha, solver or tikhonov_of_layers, seed=seed)
     return [[_judged(bump, shares, noise) for bump, shares in action] for action in found]
 
 
@@ -265,12 +270,12 @@ def _judged(bump: Bump, shares: np.ndarray, noise: np.ndarray) -> Bump:
     return replace(bump, probability=float(bump_probability(shares[None], ratio)[0]))
 
 
-def layer_noise(layers: Layers, alpha: float) -> np.ndarray:
-    """Standard deviation that noise gives each row of the Tikhonov decode of the layers, ``(K,)``."""
+def layer_noise(layers: Layers, alpha: float, matrix: np.ndarray | None = None) -> np.ndarray:
+    """Standard deviation that noise gives each row of a linear decode of the layers, ``(K,)``; default: Tikhonov's."""
     problem = layers.problem
     assert problem.deviations is not None  # layers_of gives them
     gain = np.linalg.norm(layers.gains * np.diff(layers.sizes, prepend=0.0))
-    inverse = decode_matrix(problem.gammas, problem.steps, alpha, problem.time_step)
+    inverse = decode_matrix(problem.gammas, problem.steps, alpha, problem.time_step) if matrix is None else matrix
     return np.asarray(gain * np.sqrt(inverse**2 @ problem.deviations**2))
 
 
