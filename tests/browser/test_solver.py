@@ -22,7 +22,10 @@ def open_at(page, address, query):
 
 
 def pick(page, label, option):
-    page.get_by_role("combobox", name=label).fill(option)  # a long list is not all on the page
+    box = page.get_by_role("combobox", name=label)
+    box.scroll_into_view_if_needed()  # a list that opens at the edge of the page is not all there
+    box.click()
+    box.press_sequentially(option)
     page.get_by_role("option", name=option, exact=True).click()
     settled(page)
 
@@ -38,11 +41,11 @@ def test_a_solver_and_a_rule_are_chosen_and_their_link_shows_the_same_picture(pa
     pick(page, "Solver", "Non-negative")
     expect(page).to_have_url(re.compile("solver=nonnegative"))
     positive = tau_space(page)
-    assert first.min() < -1e-3
+    assert first.min() < -1e-4
     assert positive.min() >= 0.0
-    pick(page, "Alpha rule", "GCV")
-    expect(page).to_have_url(re.compile("selector=gcv"))
-    expect(alpha(page)).to_contain_text("· GCV")
+    pick(page, "Alpha rule", "Automatic")
+    expect(page).to_have_url(re.compile("selector=auto"))
+    expect(alpha(page)).to_contain_text("· Automatic")
     chosen, words = tau_space(page), alpha(page).text_content()
     open_at(page, address, page.url.partition(f"{address}/")[2])
     comes_to_show(page, chosen)
@@ -52,13 +55,13 @@ def test_a_solver_and_a_rule_are_chosen_and_their_link_shows_the_same_picture(pa
     # A drag takes alpha from the rule: the non-negative timeline follows it before the server knows.
     runs = runs_asked(page)
     page.locator("input[name=alpha]").evaluate(
-        "(input) => { input.value = +input.value - 40; input.dispatchEvent(new Event('input')); }"
+        "(input) => { input.value = +input.value - 20; input.dispatchEvent(new Event('input')); }"
     )
     page.wait_for_function(
         "(before) => document.querySelector('.laplace-lens').lens.seen.tau.some((value, i) => value !== before[i])",
         arg=chosen.ravel().tolist(),
     )
-    expect(alpha(page)).not_to_contain_text("GCV")
+    expect(alpha(page)).not_to_contain_text("Automatic")
     assert runs_asked(page) == runs
     dragged = tau_space(page)
     assert dragged.min() >= 0.0
