@@ -8,6 +8,7 @@ import json
 import numpy as np
 import pytest
 
+from app.session import crowd
 from app.view import compute
 from app.worlds.sources import view_of
 from laplace_core import Settings, load_world, study
@@ -15,7 +16,7 @@ from laplace_core.inverse import SOLVERS
 from laplace_core.inverse.titles import RULE_TITLES, SOLVER_TITLES
 from laplace_core.study.npz import npz_bytes
 from tests.support.lens_reference import seen, unpacked
-from tests.support.pages import copied, handed, link, opened, run, session
+from tests.support.pages import copied, handed, link, opened, run
 
 HERE = {"world": "two_branch", "thetas": "30", "noise": "0.003"}
 
@@ -24,14 +25,10 @@ def box(page, label):
     return next(each for each in page.selectbox if each.label == label)
 
 
-def released(page, **state):
-    """The page after the lens has released a state."""
-    told, _ = handed(page)
-    from app.components.lens import Released  # what the component would call
-
-    record = session(page)
-    del record
-    return told, Released({**told["state"], **state})
+@pytest.fixture(autouse=True)
+def busy(monkeypatch):
+    """Somebody else is at work: pages do not wait for the search for causes, which another process makes."""
+    monkeypatch.setattr(crowd, "alone", lambda: False)
 
 
 @pytest.mark.parametrize("solver", [name for name in SOLVERS if name != "neural"])
