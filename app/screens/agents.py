@@ -91,6 +91,8 @@ def _inverse(loaded: Loaded) -> None:
 
 @st.fragment
 def _view(loaded: Loaded, scene: Environment, rolling: Rolling | None) -> None:
+    if store.sidebar_is_stale():
+        st.rerun()
     store.write_url()
     rolled = None if rolling is None else attempt(rolling.result)
     if rolling is not None and rolled is None:
