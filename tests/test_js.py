@@ -28,7 +28,7 @@ from laplace_core.payloads.player import rounded
 from laplace_core.payloads.state import state_of
 from laplace_core.trained.rollouts import followed
 from tests.support.inverse_agreement import fixture as inverse
-from tests.support.lens_agreement import fixture, network, packed, payloads, random_cases, verdicts
+from tests.support.lens_agreement import fixture, network, packed, payloads, random_cases, solved, verdicts
 from tests.support.lens_reference import seen, unpacked
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -168,6 +168,7 @@ def test_the_javascript_shows_what_the_library_computes(spaces, tmp_path):
     assert NODE.is_file(), "no node in the environment: pip install -r requirements-dev.txt brings it"
     for name, content in {
         "agreement": agreement(spaces),
+        "solvers": fixture(*solved(16)),
         "verdicts": verdicts(VIEWS),
         "algebra": algebra(),
         "interpolation": interpolation(spaces),

@@ -13,6 +13,7 @@ from app.components.waiting import offer, progress
 from app.components.widgets import discount, download, field, select
 from app.session import store
 from app.session.jobs import Wish
+from app.view import compute
 from laplace_core.acting.frames import animation
 from laplace_core.acting.rollout import Rollout, titles_of
 from laplace_core.acting.rollout_file import rollout_npz
@@ -128,7 +129,11 @@ def show(rolled: RolledOut, scene: Environment, view: View | None = None) -> Non
     flags: dict[str, Any] | None = {"alpha": 0.0, "names": [], "marks": []}
     if view is not None:
         search = jobs.artefacts(rolled, view).look()
-        flags = None if search is None or search.going else rollouts.marks_of(search.result(), view.settings.alpha)
+        flags = (
+            None
+            if search is None or search.going
+            else rollouts.marks_of(search.result(), compute.study_for(view).settings.alpha)
+        )
     player(
         rolled.packed, at, store.page_name(), [(part.name, part.unit) for part in scene.components],
         action_names=scene.actions, on_step=lambda step: store.choose(AT, min(step, len(rollout) - 1)),

@@ -9,6 +9,7 @@ from app.components.chart import chart
 from app.components.waiting import attempt, offer, progress
 from app.components.widgets import select
 from app.session import store
+from app.view import compute
 from laplace_core import figures
 from laplace_core.acting.rollout import Rollout
 from laplace_core.environments import vector
@@ -56,7 +57,9 @@ def section(view: View, loaded: Loaded, rollout: Rollout, step: int) -> None:
     simulated = None if job is None or job.going else attempt(job.result)
     if simulated is None:
         return
-    confronted = truths.confronted_with(simulated, loaded, view.subject, view.action, alpha=view.settings.alpha)
+    confronted = truths.confronted_with(
+        simulated, loaded, view.subject, view.action, alpha=compute.study_for(view).settings.alpha
+    )
     st.html('<div class="panel-title">does the decoded timeline come true?</div>')
     left, right = st.columns([1, 2], gap="small")
     alt = "Predicted against observed probability that a reward exceeds a sensitivity."

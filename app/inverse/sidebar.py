@@ -6,13 +6,10 @@ import streamlit as st
 
 from app.components.widgets import field, left_out, select, upload
 from app.inverse import subjects
-from app.inverse.words import RULE_TITLES, SOLVER_TITLES
 from app.session import store
 from app.session.typed import in_markdown
-from app.view.compute import study_for
+from app.view import solver
 from laplace_core import World
-from laplace_core.inverse import ALPHA_CHOICES
-from laplace_core.inverse.selectors import TYPED
 from laplace_core.payloads.link import PARAM
 from laplace_core.study.settings import BY_NAME, Resolved
 from laplace_core.subjects import View
@@ -91,19 +88,14 @@ def settings(view: View, world: World | None) -> None:
     left, right = st.columns(2)
     field(BY_NAME["noise"], s.noise, "Noise", place=left)
     field(BY_NAME["noise_seed"], s.noise_seed, "Seed", place=right)
-    select("Solver", list(SOLVER_TITLES), store.show("solver", s.solver), SOLVER_TITLES, help=BY_NAME["solver"].help)
-    rules = [name for name in ALPHA_CHOICES if name != "discrepancy" or s.noise_level is not None]
-    select("Alpha rule", rules, store.show("selector", s.selector), RULE_TITLES, keep=_ruled,
-           help="What chooses alpha; drag alpha in a picture to choose it by hand.")  # fmt: skip
+    solver.solver_and_rule(s)
     with st.expander("Noise level, discounts, sensitivities"):
         _more(s)
     st.button("Reset", on_click=_reset, width="stretch")
 
 
 def _more(s: Resolved) -> None:
-    field(BY_NAME["noise_level"], s.noise_level, "Noise level that is assumed")
-    select("Discounts count", ("deviation", "equal"), store.show("weighting", s.weighting),
-           {"deviation": "by their error", "equal": "alike"}, help=BY_NAME["weighting"].help)  # fmt: skip
+    solver.noise_and_weights(s)
     if s.policy is None:
         field(BY_NAME["steps"], s.steps, "Rows K")
         return
@@ -117,17 +109,6 @@ def _more(s: Resolved) -> None:
     left, right = st.columns(2)
     field(BY_NAME["thetas"], s.thetas, "Sensitivities", place=left)
     field(BY_NAME["steps"], s.steps, "Rows K", place=right)
-
-
-def _ruled(key: str) -> None:
-    """Callback of the rule: it takes the place of an alpha that was set by hand; by hand, alpha stays where it is."""
-    rule = st.session_state[key]
-    if rule != TYPED:
-        store.choose("alpha", None)
-    elif "alpha" not in store.chosen():
-        alpha = study_for(subjects.view_of(store.chosen())).settings.alpha
-        store.choose("alpha", float(f"{alpha:.4g}"))
-    store.choose("selector", rule)
 
 
 def _reset() -> None:

@@ -8,50 +8,39 @@ import numpy as np
 
 from app.components.inverse import Rule, Said
 from laplace_core import Study
-from laplace_core.inverse import AUTO, SELECTORS, SOLVERS
+from laplace_core.inverse import AUTO, SELECTORS
 from laplace_core.inverse.consistency import LEVEL
 from laplace_core.inverse.selectors import TYPED
+from laplace_core.inverse.titles import RULE_TITLES, SOLVER_TITLES
 from laplace_core.payloads.inverse import Swept
 from laplace_core.study.course import Course, errors_of, turns
-from laplace_core.study.evidence import Evidence
+from laplace_core.study.evidence import Evidence, tested
 
-RULES: Mapping[str, Rule] = {
-    "gcv": Rule("GCV", "Cross-validation: how well a value that is left out would be predicted.",
+_WHY: Mapping[str, tuple[str, str]] = {
+    "gcv": ("Cross-validation: how well a value that is left out would be predicted.",
                 "|r|²/n ÷ ((G − d)/G)²"),
-    "rgcv": Rule("Robust GCV", "GCV that also counts how much of the noise is fitted.", "GCV · (.9 + .1 tr(A²)/G)"),
-    "loo": Rule("Leave one out", "The error at each discount when it is predicted without itself.",
+    "rgcv": ("GCV that also counts how much of the noise is fitted.", "GCV · (.9 + .1 tr(A²)/G)"),
+    "loo": ("The error at each discount when it is predicted without itself.",
                 "mean of (r_g / (1 − A_gg))²"),
-    "aic": Rule("AIC", "Misfit against degrees of freedom, corrected for small samples.",
+    "aic": ("Misfit against degrees of freedom, corrected for small samples.",
                 "n log(|r|²/n) + 2kn/(n − k − 1)"),
-    "bic": Rule("BIC", "As AIC, at a higher price for each degree of freedom.",
+    "bic": ("As AIC, at a higher price for each degree of freedom.",
                 "n log(|r|²/n) + log(n) kn/(n − k − 2)"),
-    "lcurve": Rule("L-curve bend", "The sharpest bend of the L-curve.", "minus its curvature, in logarithms"),
-    "corner": Rule("L-curve corner", "The point nearest to the lower left corner of the L-curve.",
+    "lcurve": ("The sharpest bend of the L-curve.", "minus its curvature, in logarithms"),
+    "corner": ("The point nearest to the lower left corner of the L-curve.",
                    "distance, each axis scaled to its span"),
-    "discrepancy": Rule("Discrepancy", "The largest alpha whose misfit is no more than what the noise makes.",
+    "discrepancy": ("The largest alpha whose misfit is no more than what the noise makes.",
                         "|r|² / expected |noise|² ≤ 1"),
-    "ncp": Rule("White residual", "How far the residual is from white noise along the discounts.",
+    "ncp": ("How far the residual is from white noise along the discounts.",
                 "distance of its cumulative periodogram from a line"),
-    "quasiopt": Rule("Quasi-optimality", "Where the timeline changes least from one alpha to the next.",
+    "quasiopt": ("Where the timeline changes least from one alpha to the next.",
                      "|x(α_i+1) − x(α_i)|"),
-    "fitted": Rule("Fitted network", "What a small network says that was fitted to random worlds; automatic takes it.",
+    "fitted": ("What a small network says that was fitted to random worlds; automatic takes it.",
                    "|log α − log α_fitted|"),
 }  # fmt: skip
-"""By the names of ``SELECTORS``: a title, what the rule makes small, and its formula."""
-SOLVER_TITLES: Mapping[str, str] = {
-    "tikhonov": "Tikhonov",
-    "tikhonov1": "Tikhonov, first differences",
-    "tikhonov2": "Tikhonov, second differences",
-    "tsvd": "Truncated SVD",
-    "dsvd": "Damped SVD",
-    "iterative": "Iterative",
-    "nonnegative": "Non-negative",
-    "feasible": "Feasible timeline",
-    "neural": "Neural network",
-}
-RULE_TITLES = {TYPED: "By hand", "auto": "Automatic", **{name: rule.title for name, rule in RULES.items()}}
+"""By the names of ``SELECTORS``: what the rule makes small, and its formula."""
+RULES = {name: Rule(RULE_TITLES[name], *words) for name, words in _WHY.items()}
 assert RULES.keys() == SELECTORS.keys()
-assert SOLVER_TITLES.keys() == SOLVERS.keys()
 MOST_TURNS = 4
 FAR = 1.5
 """Times the error of the best alpha from which on an alpha is called far off."""
@@ -103,7 +92,7 @@ def said(study: Study, found: Swept, course: Course, evidence: Evidence | None, 
         parts.append(chosen_over(study, study.decoded.actions))
     if evidence is not None:
         tone = tone if evidence.p_value > LEVEL else "bad"
-        parts.append(_consistency(evidence.p_value))
+        parts.append(tested(evidence.p_value))
     else:
         parts.append(lacking)
     return Said(tone, " ".join(parts))
@@ -131,9 +120,3 @@ def chosen_over(study: Study, actions: np.ndarray) -> str:
         f"{name} from {study.horizons[k]:.4g}" for name, (k, _) in zip(names[1:], stretches[1:], strict=True)
     )
     return f"Chosen over T: {names[0]}, {later}."
-
-
-def _consistency(p_value: float) -> str:
-    if p_value > LEVEL:
-        return f"Some timeline may well have these values (p = {p_value:.2g})."
-    return f"No feasible timeline has these values (p = {p_value:.2g}): they are no transform of one process."

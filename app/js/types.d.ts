@@ -3,6 +3,9 @@
 // usable singular values. An array of shape (n, m) is a Float64Array in row-major order. A row is `time_step` steps of
 // the world long. Values and rewards are in units of reward; horizons and steps are in steps of the world.
 
+/** How a linear solver treats its components: app/js/core/filters.js. */
+export type FilterKind = 'tikhonov' | 'truncated' | 'damped' | 'iterative';
+
 /** What stands before the arrays of a payload: laplace_core/payloads/lens.py. */
 export interface Header {
   /** Interpolated discounts between any two that were trained. */
@@ -17,6 +20,17 @@ export interface Header {
   time_step: number;
   acting_gamma: number;
   learned: boolean;
+  /** How tau-space is decoded; of a solver that is not linear, `filter` and `free` are those of Tikhonov. */
+  solver: string;
+  filter: FilterKind;
+  /** Components that are not filtered, the first ones. */
+  free: number;
+  /** Smallest alpha of the non-negative solver, over the largest singular value. */
+  least: number;
+  /** Whether the browser can decode by this solver itself. */
+  follows: boolean;
+  /** The settings of `Arrays.decoded`, where the server has decoded. */
+  decoded_for?: Partial<State> | null;
   simulated?: { action: number; count: number };
   /** Kind (f8, f4, u2), place in bytes, and shape of each array. */
   arrays: Record<string, ['f8' | 'f4' | 'u2', number, number[]]>;
@@ -36,6 +50,14 @@ export interface Arrays {
   /** Gamma-space itself, (A, G, B), and its constant channel, (A, G), where there is no basis of rewards. */
   differences: Float64Array;
   constant: Float64Array;
+  /** The last tail, (A, G), where the non-negative solver needs it beside the differences. */
+  above?: Float64Array;
+  /** What the server decoded, before any rescaling: (A, K, B), (A, K), and values of every horizon, (A, K). */
+  decoded?: Float64Array;
+  decoded_survival?: Float64Array;
+  decoded_values?: Float64Array;
+  /** The decode matrix whose kernels are drawn beside what the server decoded, (n, G). */
+  matrix?: Float64Array;
   /** Of a network's sensitivities on the axis of its activation, (H,). */
   places?: Float64Array;
   /** The truth, where `Model.truth` says that there is one: (V,), (A, N, V) and (A, K). */
@@ -67,10 +89,12 @@ export interface Columns extends Components {
   width: number;
   /** (G, width) an action. */
   values: Float64Array[];
+  /** The constant channel, (G,) an action. */
+  steps: Float64Array[];
   plain?: boolean;
 }
 
-/** A grid of discounts and the singular value decomposition of its transform. */
+/** A grid of discounts and the components of its transform, for one linear solver. */
 export interface Grid {
   name: '' | 'paper_';
   G: number;
@@ -78,14 +102,25 @@ export interface Grid {
   K: number;
   /** (G,), each between 0 and 1. */
   gammas: Float64Array;
+  filter: FilterKind;
+  free: number;
+  /** Whether the solver is Tikhonov of order 0, with discounts that count alike and are not filtered. */
+  plain: boolean;
   /** (G, r). */
   U: Float64Array;
-  /** (r, G). */
+  /** From values over the discounts to components, (r, G): weighted and filtered. */
   Ut: Float64Array;
-  /** (r,), the largest first. */
+  /** Singular values, (r - free,), the largest first. */
   s: Float64Array;
-  /** (K, r). */
+  /** The timeline that belongs to each component, (K, r). */
   V: Float64Array;
+  /** F, (G, K). */
+  transform: Float64Array;
+  /** Filter over the discounts, (G, G). */
+  smoothing?: Float64Array;
+  /** Of the non-negative solver: its system, (q, K), and what turns masses over the discounts into its data, (q, G). */
+  reduced: Float64Array;
+  turned: Float64Array;
   columns: { shared: Columns; per_gamma?: Columns };
 }
 
@@ -137,6 +172,8 @@ export interface Model {
 export interface State {
   /** Regularisation of the inverse, in singular values. */
   alpha: number;
+  /** The rule that chose alpha, or `typed`. */
+  selector: string;
   /** Steepness of the activation, per reward. */
   slope: number;
   /** Share of the trained slope of a network, from 0 to 1. */
@@ -161,6 +198,18 @@ export interface State {
   added: number;
   action: number;
   look: string;
+}
+
+/** What a solver makes of each action, before rows are rescaled. */
+export interface Timelines {
+  n: number;
+  /** Tau-space, (n, H), a new array. */
+  rows(a: number): Float64Array;
+  survival(a: number): Float64Array;
+  /** Expected reward by row, (n,), a new array. */
+  rewards(a: number): Float64Array;
+  /** What a row holds at least that is not rounding, (n,). */
+  rounding?(a: number): Float64Array;
 }
 
 /** An inverse of `n` rows. */
@@ -228,7 +277,7 @@ export interface Decoded {
   /** Columns to bins, (width, H); none where the columns are the bins. */
   map?: Float64Array | null;
   /** Noise at level 1. */
-  hum: (Components & { differences: Float64Array[] }) | null;
+  hum: (Components & { differences: Float64Array[]; above: Float64Array; steps: Float64Array[] }) | null;
   /** What a softer slope leaves in each bin, and the most that it misses. */
   soft: { map: Float64Array; off: number } | null;
 }
@@ -459,7 +508,7 @@ export interface Graph {
 
 /** The sentence over the pictures. */
 export interface Verdict {
-  tone: 'bad' | 'warn' | 'ok' | 'unknown' | 'smeared' | 'ruined';
+  tone: 'bad' | 'warn' | 'ok' | 'unknown' | 'smeared' | 'ruined' | 'pending';
   sentence: string;
   /** Largest error of a value, in reward. */
   error?: number;
@@ -490,6 +539,8 @@ export interface Told {
   pinnable?: boolean;
   pinned?: boolean;
   pin?: State | null;
+  /** Title of the rule that chose alpha. */
+  rule?: string | null;
   lead?: { id: string; step: number } | null;
   followed?: Followed | null;
   plotly?: string;
@@ -510,6 +561,8 @@ export interface Released {
   remedy?: number;
   picked?: number;
   pin?: boolean;
+  /** Another solver. */
+  solver?: string;
 }
 
 /** What a control asks for: a change of the state, or a word. */
@@ -654,7 +707,7 @@ declare global {
   }
 }
 
-/** Columns of the non-negative solver: app/js/inverse/nonnegative.js. */
+/** Columns of the non-negative solver: app/js/core/nonnegative.js. */
 export interface NonnegativeColumns {
   /** Largest singular value of the system. */
   size: number;
@@ -670,7 +723,7 @@ export interface InverseModel {
     linear: string;
     /** The solver whose choices are mapped: another one where the own takes too long at many alphas. */
     mapped: string | null;
-    filter: 'tikhonov' | 'truncated' | 'damped' | 'iterative';
+    filter: FilterKind;
     /** Components that are not filtered, the first ones. */
     free: number;
     /** Sum of squares of what no component reaches. */

@@ -332,6 +332,27 @@ function coloursOf(host) {
   };
 }
 
+// app/js/core/filters.js
+function rounded2(value) {
+  const low = Math.floor(value), off = value - low;
+  return off < 0.5 || off === 0.5 && low % 2 === 0 ? low : low + 1;
+}
+var logLeft = (s, alpha, largest) => Math.max(1, rounded2((largest / alpha) ** 2)) * Math.log1p(-((s / largest) ** 2));
+var FILTERS = {
+  tikhonov: (s, a) => [s / (s * s + a * a), a * a / (s * s + a * a)],
+  truncated: (s, a) => [s >= a ? 1 / s : 0, s < a ? 1 : 0],
+  damped: (s, a) => [1 / (s + a), a / (s + a)],
+  iterative: (s, a, largest) => {
+    const left = logLeft(s, a, largest);
+    return [-Math.expm1(left) / s, Math.exp(left)];
+  }
+};
+function shares(kind, s, free, alpha) {
+  const r = s.length + free, kept = new Float64Array(r).fill(1), lost = new Float64Array(r);
+  for (let i = free; i < r; i++) [kept[i], lost[i]] = FILTERS[kind](s[i - free], alpha, s[0]);
+  return { kept, lost };
+}
+
 // app/js/core/algebra.js
 function product(a, b, n, m, k, out = new Float64Array(n * k)) {
   for (let i = 0; i < n; i++) {
@@ -391,22 +412,18 @@ function masses(rewards, thetas, slope) {
   });
   return out;
 }
-var filter = (s, alpha) => s.map((value) => value / (value * value + alpha * alpha));
-var regular = ({ V, s, r, K }, alpha) => {
-  const f = filter(s, alpha), scaled = (x, width) => x.map((value, i) => value * f[i / width | 0]);
+var regular = ({ V, s, r, K, free, filter }, alpha) => {
+  const f = shares(filter, s, free, alpha).kept, scaled = (x, width) => x.map((value, i) => value * f[i / width | 0]);
   return {
     n: K,
     decode: (right, width) => product(V, scaled(right, width), K, r, width),
     weights: (target) => scaled(product(target, V, 1, K, r), 1)
   };
 };
-function rowNorms(inverse, r) {
+function rowNorms(inverse, { Ut, G }) {
   if (inverse.norms?.length === inverse.n) return inverse.norms;
-  const rows = inverse.decode(
-    Float64Array.from({ length: r * r }, (_, i) => Number(i % (r + 1) === 0)),
-    r
-  );
-  inverse.norms = Float64Array.from({ length: inverse.n }, (_, k) => Math.hypot(...rows.subarray(k * r, (k + 1) * r)));
+  const rows = inverse.decode(Ut, G);
+  inverse.norms = Float64Array.from({ length: inverse.n }, (_, k) => Math.hypot(...rows.subarray(k * G, (k + 1) * G)));
   return inverse.norms;
 }
 function growing({ V, s, r, K }, alpha) {
@@ -459,7 +476,7 @@ function growing({ V, s, r, K }, alpha) {
   return found;
 }
 function inverseOf(grid, { fold, alpha }, n) {
-  if (!fold) return regular(grid, alpha);
+  if (!fold || !grid.plain) return regular(grid, alpha);
   const grown = growing(grid, alpha);
   while (grown.n < n) grown.add();
   return grown;
@@ -527,7 +544,8 @@ function read(bytes) {
 function open(header, arrays) {
   const A = header.actions.length, K = header.steps, dt = header.time_step, H = arrays.thetas.length;
   const grid = (name) => {
-    const part = (kind) => arrays[name + kind], gammas = part("gammas"), s = part("s"), U = part("U"), G = gammas.length, r = s.length;
+    const part = (kind) => arrays[name + kind], gammas = part("gammas"), s = part("s"), U = part("U"), weights = part("weights"), smoothing = part("smoothing"), G = gammas.length, { free, filter } = header, r = s.length + free;
+    const weighted = transposed(U, G, r).map((value, i) => weights ? value * weights[i % G] : value);
     const found = {
       name,
       G,
@@ -536,8 +554,15 @@ function open(header, arrays) {
       U,
       gammas,
       s,
+      free,
+      filter,
+      plain: header.solver === "tikhonov" && !weights && !smoothing,
       V: part("V"),
-      Ut: transposed(U, G, r),
+      Ut: smoothing ? product(weighted, smoothing, r, G, G) : weighted,
+      smoothing,
+      transform: Float64Array.from({ length: G * K }, (_, i) => gammas[Math.floor(i / K)] ** (i % K * dt)),
+      reduced: part("reduced"),
+      turned: part("turned"),
       columns: (
         /** @type {Grid['columns']} */
         {}
@@ -611,10 +636,133 @@ function channels(grid, values, A, width, constant) {
     return sum;
   });
   const steps = each.map((x, a) => constant ? constant.subarray(a * G, (a + 1) * G) : sums(x));
-  return Object.assign(projections(grid, each, width, steps), { width, values: each });
+  return Object.assign(projections(grid, each, width, steps), { width, values: each, steps });
 }
 function rowAt(model, horizon) {
   return Math.min(model.K - 1, Math.max(0, Math.ceil((horizon - (1 + model.dt) / 2) / model.dt - 0.5)));
+}
+
+// app/js/core/nonnegative.js
+var MOST_STEPS = 200;
+var FALL = 3;
+var ON_THE_WAY = 2;
+var SEARCHES = 12;
+var IDLE = 8;
+var dot = (a, b) => {
+  let sum = 0;
+  for (let i = 0; i < a.length; i++) sum += a[i] * b[i];
+  return sum;
+};
+function solved(H, b) {
+  const n = b.length, x = Float64Array.from(b);
+  for (let i = 0; i < n; i++) {
+    for (let j = 0; j <= i; j++) {
+      let sum = H[i * n + j];
+      for (let k = 0; k < j; k++) sum -= H[i * n + k] * H[j * n + k];
+      H[i * n + j] = i === j ? Math.sqrt(Math.max(sum, Number.MIN_VALUE)) : sum / H[j * n + j];
+    }
+  }
+  for (let i = 0; i < n; i++) {
+    for (let k = 0; k < i; k++) x[i] -= H[i * n + k] * x[k];
+    x[i] /= H[i * n + i];
+  }
+  for (let i = n - 1; i >= 0; i--) {
+    for (let k = i + 1; k < n; k++) x[i] -= H[k * n + i] * x[k];
+    x[i] /= H[i * n + i];
+  }
+  return x;
+}
+function columnsOf(A, targets, K) {
+  const q = A.length / K, B = targets.length / q, size = Math.hypot(...A.subarray(0, K)), lengths = Float64Array.from(
+    { length: q },
+    (_, i) => dot(A.subarray(i * K, (i + 1) * K), A.subarray(i * K, (i + 1) * K))
+  );
+  const c = new Float64Array(B * q), x = new Float64Array(K), along = new Float64Array(K);
+  let last = 0;
+  const rowsOf = (at, out) => {
+    out.fill(0);
+    for (let i = 0; i < q; i++) for (let k = 0, row = i * K; k < K; k++) out[k] += at[i] * A[row + k];
+    return out;
+  };
+  function moved(at, z, alpha) {
+    rowsOf(at, x);
+    const gradient = new Float64Array(q), hessian = new Float64Array(q * q);
+    for (let i = 0; i < q; i++) {
+      let sum = alpha * alpha * at[i] - z[i];
+      for (let k = 0, row = i * K; k < K; k++) if (x[k] > 0) sum += A[row + k] * x[k];
+      gradient[i] = sum;
+    }
+    const norm = (v) => Math.sqrt(dot(v, v)), rounding = 4 * Number.EPSILON * (size * size * norm(at) + norm(z));
+    const off = norm(gradient);
+    if (off <= rounding) return 0;
+    for (let k = 0; k < K; k++) {
+      if (!(x[k] > 0)) continue;
+      for (let i = 0; i < q; i++) {
+        const factor = A[i * K + k];
+        for (let j = 0; j <= i; j++) hessian[i * q + j] += factor * A[j * K + k];
+      }
+    }
+    for (let i = 0; i < q; i++) hessian[i * q + i] += alpha * alpha;
+    const step = solved(hessian, gradient).map((value) => -value), share = shareOf(at, z, step, alpha);
+    for (let i = 0; i < q; i++) at[i] += share * step[i];
+    return off;
+  }
+  function shareOf(at, z, step, alpha) {
+    rowsOf(step, along);
+    let linear2 = 0;
+    for (let i = 0; i < q; i++) linear2 += step[i] * (alpha * alpha * at[i] - z[i]);
+    const quadratic = alpha * alpha * dot(step, step);
+    const slope = (share2) => {
+      let sum = linear2 + share2 * quadratic;
+      for (let k = 0; k < K; k++) {
+        const value = x[k] + share2 * along[k];
+        if (value > 0) sum += value * along[k];
+      }
+      return sum;
+    };
+    let low = 0, high = 1, atLow = slope(0), atHigh = slope(1), share = 1;
+    const small = 0.1 * Math.abs(atLow);
+    if (!(atHigh > small)) return 1;
+    for (let n = 0; n < SEARCHES; n++) {
+      const width = high - low, guess = low - atLow * width / (atHigh - atLow);
+      share = Math.min(high - 0.1 * width, Math.max(low + 0.1 * width, guess));
+      const found = slope(share);
+      if (found < 0) [low, atLow] = [share, found];
+      else [high, atHigh] = [share, found];
+      if (Math.abs(found) <= small) break;
+    }
+    return share;
+  }
+  return {
+    size,
+    at(alpha) {
+      const falling = [alpha], from = last || size;
+      while (falling[falling.length - 1] * FALL < from) falling.push(falling[falling.length - 1] * FALL);
+      if (!last) {
+        const first = falling[falling.length - 1];
+        for (let b = 0; b < B; b++)
+          for (let i = 0; i < q; i++) c[b * q + i] = targets[b * q + i] / (lengths[i] + first * first);
+      }
+      const out = new Float64Array(K * B);
+      for (let b = 0; b < B; b++) {
+        const at = c.subarray(b * q, (b + 1) * q), z = targets.subarray(b * q, (b + 1) * q);
+        for (let n = falling.length - 1; n >= 0; n--) {
+          const most = n ? ON_THE_WAY : MOST_STEPS;
+          let best = Infinity, idle = 0;
+          for (let i = 0; i < most && idle < IDLE; i++) {
+            const off = moved(at, z, falling[n]);
+            if (!off) break;
+            idle = off < best / 2 ? 0 : idle + 1;
+            best = Math.min(best, off);
+          }
+        }
+        rowsOf(at, x);
+        for (let k = 0; k < K; k++) out[k * B + b] = Math.max(0, x[k]);
+      }
+      last = alpha;
+      return out;
+    }
+  };
 }
 
 // app/js/core/maths.js
@@ -637,7 +785,7 @@ function discounts({ cache, horizons, K, dt }, softness, gamma) {
     return out;
   });
 }
-function shares({ K, dt, length }) {
+function shares2({ K, dt, length }) {
   const out = new Float64Array(K * length);
   for (let n = 0; n < length; n++) {
     const place2 = n / dt, first = Math.floor(place2 + 1e-9), second = Math.min(1, Math.max(0, place2 - first));
@@ -649,7 +797,7 @@ function shares({ K, dt, length }) {
 function truthOf(model, state) {
   const { A, K, length, arrays, cache, header } = model, { timeline, rewards } = arrays, width = rewards.length;
   const rows = remember(cache, "true rows", 0, () => {
-    const spread = shares(model), flat = new Float64Array(A * length), alive = new Float64Array(A * length);
+    const spread = shares2(model), flat = new Float64Array(A * length), alive = new Float64Array(A * length);
     for (let i = 0; i < A * length; i++) {
       for (let v = 0; v < width; v++) {
         flat[i] += timeline[i * width + v] * rewards[v];
@@ -731,7 +879,11 @@ function timelineError(model, state, seen) {
   return 0.5 * off / Math.max(all, 0.05);
 }
 function see(model, state, most = Infinity) {
-  const { A, K, dt, cache, arrays } = model, grid = state.paper_grid && model.grids.paper || model.grids.own;
+  const { A, K, dt, cache, arrays, header } = model;
+  if (arrays.decoded)
+    state = { ...state, ...header.decoded_for };
+  else if (state.fold && !model.grids.own.plain) state = { ...state, fold: false };
+  const grid = state.paper_grid && model.grids.paper || model.grids.own;
   const columns = state.mixed && grid.columns.per_gamma || grid.columns.shared;
   const open2 = Boolean(arrays.bin_edges);
   const sensitivities = state.clip && !columns.plain && arrays.clipped_thetas || arrays.thetas;
@@ -758,11 +910,9 @@ function see(model, state, most = Infinity) {
     ),
     constant: plus(inComponents.constants[a], humming?.constants[a])
   }));
-  const rowsOf = (inverse2, right, wide) => inverse2.decode(right, wide);
-  const survivalOf = (part, inverse2) => rowsOf(inverse2, part.constant, 1);
   const rawRows = (part, inverse2) => {
-    if (!hum && map) return product(rowsOf(inverse2, part.columns, width), map, inverse2.n, width, H);
-    return rowsOf(inverse2, plus(map ? product(part.columns, map, grid.r, width, H) : part.columns, part.hum), H);
+    if (!hum && map) return product(inverse2.decode(part.columns, width), map, inverse2.n, width, H);
+    return inverse2.decode(plus(map ? product(part.columns, map, grid.r, width, H) : part.columns, part.hum), H);
   };
   const sized = [
     state.slope,
@@ -775,9 +925,8 @@ function see(model, state, most = Infinity) {
     hum && state.noise_seed,
     state.shift
   ];
-  const roundingOf = (part, inverse2) => {
-    if (state.normalise !== "paper") return void 0;
-    const a = parts.indexOf(part), size = remember(cache, `sizes ${a}`, sized, () => {
+  const roundingOf = (a, inverse2) => {
+    const size = remember(cache, `sizes ${a}`, sized, () => {
       const Z = differencesOf(columns, grid, map, H, a, hum, state.noise);
       return Math.hypot(
         ...Array.from(
@@ -786,25 +935,73 @@ function see(model, state, most = Infinity) {
         )
       );
     });
-    return rowNorms(inverse2, grid.r).map((norm) => ROUNDING * size * norm);
+    return rowNorms(inverse2, grid).map((norm) => ROUNDING * size * norm);
   };
-  const tauSpace = (part, inverse2) => {
-    const rows = rawRows(part, inverse2);
+  const linear2 = (inverse2) => ({
+    n: inverse2.n,
+    rows: (a) => rawRows(parts[a], inverse2),
+    survival: (a) => inverse2.decode(parts[a].constant, 1),
+    rewards: (a) => inverse2.decode(parts[a].mean, 1),
+    rounding: (a) => roundingOf(a, inverse2)
+  });
+  const nonnegative = () => {
+    const { reduced, turned } = grid, q = reduced.length / K, wide = open2 ? H : H + 2, end = open2 ? 0 : 1;
+    const each = parts.map((_, a) => {
+      const solver = remember(cache, `columns ${a}`, sized, () => {
+        const full = allMasses(model, grid, { columns, map, hum, soft, thetas, H, open: open2 }, state, a);
+        return columnsOf(reduced, transposed(product(turned, full, q, grid.G, wide), q, wide), K);
+      });
+      return solver.at(Math.max(state.alpha, header.least * solver.size));
+    });
+    const rows = (a) => Float64Array.from({ length: K * H }, (_, i) => each[a][Math.floor(i / H) * wide + i % H + end]);
+    return {
+      n: K,
+      rows,
+      survival: (a) => product(each[a], new Float64Array(wide).fill(1), K, wide, 1),
+      rewards: (a) => product(rows(a), midpoints, K, H, 1)
+    };
+  };
+  const ready = (
+    /** @type {Float64Array} */
+    arrays.decoded
+  ), alive = (
+    /** @type {Float64Array} */
+    arrays.decoded_survival
+  ), folded = arrays.decoded_values;
+  const served = () => {
+    const rows = (a) => ready.slice(a * K * H, (a * K + n) * H);
+    return {
+      n,
+      rows,
+      survival: (a) => alive.slice(a * K, a * K + n),
+      rewards: (a) => product(rows(a), midpoints, n, H, 1)
+    };
+  };
+  const tauSpace = (timelines2, a) => {
+    const rows = timelines2.rows(a);
     if (state.normalise !== "none")
-      normalise(rows, survivalOf(part, inverse2), state.normalise, H, dt, roundingOf(part, inverse2));
+      normalise(
+        rows,
+        timelines2.survival(a),
+        state.normalise,
+        H,
+        dt,
+        state.normalise === "paper" ? timelines2.rounding?.(a) : void 0
+      );
     return rows;
   };
-  const rewardsOf = (part, inverse2) => {
-    if (state.normalise === "paper") return product(tauSpace(part, inverse2), midpoints, inverse2.n, H, 1);
-    const rows = rowsOf(inverse2, part.mean, 1);
-    if (state.normalise !== "none") normalise(rows, survivalOf(part, inverse2), "survival", 1, dt);
+  const rewardsOf = (timelines2, a) => {
+    if (state.normalise === "paper") return product(tauSpace(timelines2, a), midpoints, timelines2.n, H, 1);
+    const rows = timelines2.rewards(a);
+    if (state.normalise !== "none") normalise(rows, timelines2.survival(a), "survival", 1, dt);
     return rows;
   };
   const inverse = inverseOf(grid, state, n);
-  const tau = tauSpace(parts[state.action], inverse);
-  const survival = parts.map((part) => survivalOf(part, inverse));
+  const timelines = ready ? served() : grid.reduced ? nonnegative() : linear2(inverse);
+  const tau = tauSpace(timelines, state.action);
+  const survival = parts.map((_, a) => timelines.survival(a));
   const rewards = parts.map(
-    (part, a) => a === state.action ? product(tau, midpoints, n, H, 1) : rewardsOf(part, inverse)
+    (_, a) => a === state.action ? product(tau, midpoints, timelines.n, H, 1) : rewardsOf(timelines, a)
   );
   const d = discounts(model, state.softness, state.value_gamma);
   const valueAt = (row, expected) => {
@@ -823,15 +1020,17 @@ function see(model, state, most = Infinity) {
     values.forEach((line2, a) => {
       line2[readRow] = valueAt(readRow, rewards[a]);
     });
-  if (state.fold && most) {
+  if (state.fold && folded) values.forEach((line2, a) => line2.set(folded.subarray(a * K, (a + 1) * K)));
+  else if (state.fold && most) {
     const wide = state.normalise === "paper" ? H * (hum ? grid.r : width) : grid.r;
     const stride = Math.max(1, Math.ceil(A * wide * K * K / 2 / most));
     const grown = growing(grid, state.alpha);
     for (let k = 0; k < K; k++) {
       grown.add();
       if (k === readRow || k % stride && k !== K - 1) continue;
-      parts.forEach((part, a) => {
-        values[a][k] = valueAt(k, rewardsOf(part, grown));
+      const shorter = linear2(grown);
+      parts.forEach((_, a) => {
+        values[a][k] = valueAt(k, rewardsOf(shorter, a));
       });
     }
   }
@@ -894,7 +1093,7 @@ function normalise(rows, survival, how, width, dt, rounding) {
 }
 function noiseOf({ A, H, arrays }, grid, seed) {
   const open2 = arrays.bin_edges ? 1 : 0;
-  const { G, gammas } = grid, width = H - 1 + 2 * open2, differences = [], constant = new Float64Array(A * G);
+  const { G, gammas } = grid, width = H - 1 + 2 * open2, differences = [], above = new Float64Array(A * G), constant = new Float64Array(A * G);
   const values = normalNoise(seed, A * G * H), more = normalNoise(seed, A * G, A * G * H);
   for (let a = 0; a < A; a++) {
     const out = new Float64Array(G * width);
@@ -902,62 +1101,70 @@ function noiseOf({ A, H, arrays }, grid, seed) {
       const scale = 1 / (1 - gammas[g]), from = (a * G + g) * H, tail = (h) => h < 0 ? more[a * G + g] : h < H ? values[from + h] : 0;
       for (let h = 0; h < width; h++) out[g * width + h] = scale * (tail(h - open2) - tail(h - open2 + 1));
       constant[a * G + g] = scale * more[a * G + g];
+      above[a * G + g] = scale * tail(H - 1);
     }
     differences.push(out);
   }
   const steps = differences.map((_, a) => constant.subarray(a * G, (a + 1) * G));
-  return Object.assign(projections(grid, differences, width, steps), { differences });
+  return Object.assign(projections(grid, differences, width, steps), { differences, above, steps });
 }
 function differencesOf(columns, grid, map, H, a, hum, noise) {
   const Z = map ? product(columns.values[a], map, grid.G, columns.width, H) : columns.values[a];
   return hum ? Z.map((value, i) => value + noise * hum.differences[a][i]) : Z;
 }
+function allMasses({ arrays }, grid, { columns, map, hum, thetas, H, open: open2 }, state, a) {
+  const { G, smoothing } = grid, { width, values } = columns, inner = differencesOf(columns, grid, map, H, a, hum, state.noise), wide = open2 ? H : H + 2;
+  let full = inner;
+  if (!open2) {
+    full = new Float64Array(G * wide);
+    for (let g = 0; g < G; g++) {
+      let above = 0, sum = columns.steps[a][g];
+      if (columns.plain) above = arrays.above?.[a * G + g] ?? 0;
+      else
+        for (let v = 0; v < width; v++)
+          above += values[a][g * width + v] * sigmoid(state.slope * (arrays.rewards[v] - thetas[H]));
+      if (hum) {
+        above += state.noise * hum.above[a * G + g];
+        sum += state.noise * hum.steps[a][g];
+      }
+      full.set(inner.subarray(g * H, (g + 1) * H), g * wide + 1);
+      full[g * wide + wide - 1] = above;
+      for (let h = 1; h < wide; h++) sum -= full[g * wide + h];
+      full[g * wide] = sum;
+    }
+  }
+  if (smoothing) full = product(smoothing, full, G, G, wide);
+  if (!state.shift) return full;
+  const late = new Float64Array(G * wide);
+  late.set(full.subarray(0, (G - 1) * wide), wide);
+  return late;
+}
 var gammaSpace = ({ grid, columns, map, hum, H }, state) => differencesOf(columns, grid, map, H, state.action, hum, state.noise);
-function weightsOf({ U, Ut, G, r }, state, inverse, target) {
-  const weights = inverse.weights(target);
-  if (!state.shift) return weights;
-  const each = product(U, weights, G, r, 1);
-  return product(
-    Ut,
-    each.map((_, g) => g + 1 < G ? each[g + 1] : 0),
-    r,
-    G,
-    1
-  );
+function weightsOf({ arrays: { matrix } }, { Ut, G, r }, state, inverse, target) {
+  const each = matrix ? product(target, matrix, 1, matrix.length / G, G) : product(inverse.weights(target), Ut, 1, r, G);
+  return state.shift ? each.map((_, g) => g + 1 < G ? each[g + 1] : 0) : each;
 }
 function kernel(model, state, { grid, n, readRow, d, inverse }) {
-  const { K } = model, { V, s, r } = grid, wanted = d.slice(readRow * K, (readRow + 1) * K), target = new Float64Array(K);
+  const { K } = model, wanted = d.slice(readRow * K, (readRow + 1) * K), target = new Float64Array(K);
   for (let k = 0; k < n; k++) target[k] = wanted[k];
-  const weights = weightsOf(grid, state, inverse, target);
+  const weights = weightsOf(model, grid, state, inverse, target);
   return {
     wanted,
-    actual: product(
-      V,
-      weights.map((value, i) => value * s[i]),
-      K,
-      r,
-      1
-    ),
+    actual: product(weights, grid.transform, 1, grid.G, K),
     gain: Math.hypot(...weights)
   };
 }
 function resolution(model, state, { grid, n, inverse }, row) {
-  const { K, dt } = model, { V, s, r } = grid, kernel2 = new Float64Array(K);
+  const { K, dt } = model, kernel2 = new Float64Array(K);
   if (row < n) {
     const weights = weightsOf(
+      model,
       grid,
       state,
       inverse,
       Float64Array.from({ length: K }, (_, k) => Number(k === row))
     );
-    product(
-      V,
-      weights.map((value, i) => value * s[i]),
-      K,
-      r,
-      1,
-      kernel2
-    );
+    product(weights, grid.transform, 1, grid.G, K, kernel2);
   }
   let peak = 0;
   kernel2.forEach((value, k) => {
@@ -967,6 +1174,10 @@ function resolution(model, state, { grid, n, inverse }, row) {
   while (low > 0 && kernel2[low - 1] > kernel2[peak] / 2) low--;
   while (high < K - 1 && kernel2[high + 1] > kernel2[peak] / 2) high++;
   return { kernel: kernel2, peak: peak * dt, half: (high - low) / 2 * dt, low: low * dt, high: high * dt };
+}
+function pending({ header: { decoded_for: held, follows }, arrays, grids }, state) {
+  if (arrays.decoded && held) return Object.keys(held).some((name) => held[name] !== state[name]);
+  return !follows || state.fold && !grids.own.plain;
 }
 var flag = (name, words) => ({
   ...words,
@@ -1128,7 +1339,8 @@ function sliders(model, base, wish) {
       "aria-label": label,
       disabled: scale.count < 1
     });
-    input.oninput = () => wish({ [name]: scale.at(+input.value) }, false);
+    const byHand = name === "alpha" ? { selector: "typed" } : {};
+    input.oninput = () => wish({ [name]: scale.at(+input.value), ...byHand }, false);
     input.onchange = () => wish({}, true);
     const extra = name === "alpha" ? [
       element(
@@ -1156,9 +1368,9 @@ function sliders(model, base, wish) {
       )
     ] : [];
     box.append(element("div", { class: "slider" }, element("span", { class: "name" }, label), ...extra, output, input));
-    shown[name] = (state) => {
+    shown[name] = (state, rule) => {
       if (name === "noise") extra[0].disabled = !state.noise;
-      const at = scale.of(state[name]), words = `${short(state[name], 4)}${unit ? ` ${unit}` : ""}`;
+      const at = scale.of(state[name]), chosen = name === "alpha" && state.selector !== "typed" ? ` · ${rule ?? state.selector}` : "", words = `${short(state[name], 4)}${unit ? ` ${unit}` : ""}${chosen}`;
       if (+input.value !== at) input.value = String(at);
       if (output.value !== words) {
         output.value = words;
@@ -1166,7 +1378,7 @@ function sliders(model, base, wish) {
       }
     };
   }
-  return { box, sync: (state) => Object.values(shown).forEach((show) => show(state)) };
+  return { box, sync: (state, rule) => Object.values(shown).forEach((show) => show(state, rule)) };
 }
 function switchboard(model, wish) {
   const box = element("div", { class: "switches", role: "group", "aria-label": "artefacts" }), shown = {};
@@ -2114,27 +2326,134 @@ function crossings({ horizons, K }, { values, chosenAt }) {
   return found;
 }
 
+// app/js/lens/verdict.js
+var VALUE_TOLERANCE = 0.1;
+var SOUND = 0.1;
+var RUINED = 1 / 3;
+var WORDS = {
+  bad: "Wrong",
+  warn: "Right, for the wrong reason",
+  ok: "Right",
+  unknown: "No truth to compare with",
+  pending: "Not computed yet",
+  smeared: "Right choice, smeared timeline",
+  ruined: "Right choice, ruined timeline"
+};
+var fixed = (value, digits) => (Math.round(value * 10 ** digits) / 10 ** digits + 0).toFixed(digits);
+var significant = (value, digits) => String(+value.toPrecision(digits) + 0);
+function inWords(values, scale, apart = false) {
+  const largest = Math.max(...values.map(Math.abs));
+  const word = ROUNDING * scale < largest && largest < 0.01 ? significant : fixed;
+  const shown = (digits) => values.map((value) => word(value, digits));
+  const enough = apart && [2, 3, 4, 6].find((digits) => new Set(shown(digits)).size === values.length);
+  return shown(enough || 2);
+}
+function numbers(values, scale, chosen, names) {
+  if (values.length < 2) return "";
+  const rival = values.reduce((best, value, a) => a !== chosen && (best < 0 || value > values[best]) ? a : best, -1);
+  if (values[rival] >= values[chosen] - tieSize(values[chosen], scale))
+    return ` (a tie at ${inWords([values[chosen]], scale)[0]})`;
+  const [first, second] = inWords([values[chosen], values[rival]], scale, true);
+  return ` (${first} v ${second}${values.length > 2 ? ` for ${names[rival]}` : ""})`;
+}
+var ALLOWED = 0.05;
+var isLinear = ({ arrays, grids }, state) => !arrays.decoded && !grids.own.reduced && !(state.fold && !grids.own.plain);
+var gradeOf = (timeline) => timeline <= SOUND ? "sound" : timeline <= RUINED ? "smeared" : "ruined";
+function timelineWords(timeline, name) {
+  const grade = gradeOf(timeline), share = Math.round(100 * timeline);
+  if (grade === "sound") return "";
+  const off = share <= 100 ? `${share}% misplaced` : `off by ${short(timeline)} times all that truly comes`;
+  return ` Timeline of ${name}: ${grade}, ${off}.`;
+}
+function judged(model, state, seen) {
+  if (pending(model, state)) {
+    const stays = model.arrays.decoded ? "the timeline of the old settings stays" : "this is the one of Tikhonov";
+    return {
+      tone: "pending",
+      sentence: `This solver runs on the server, once the control is released: until then ${stays}.`
+    };
+  }
+  const names = model.header.actions, row = seen.readRow, values = seen.values.map((line2) => line2[row]);
+  const T = short(model.horizons[row]), left = short(model.horizons[seen.leftRow]);
+  const where = state.used > 0 ? `With ${left} of ${short(state.horizon)} steps to go, read at T = ${T},` : `At T = ${T}`;
+  const choice = `${where} the decoded values choose ${names[seen.chosen]}` + numbers(values, seen.scale, seen.chosen, names);
+  if (!seen.truth) {
+    return {
+      tone: "unknown",
+      sentence: model.A > 1 ? `${choice}.` : `${where} the decoded value is ${inWords([values[0]], seen.scale)[0]}.`
+    };
+  }
+  const optimum = seen.optimumAt(seen.leftRow), true_ = seen.truth.values.map((line2) => line2[seen.leftRow]);
+  const timeline = timelineError(model, state, seen), error = Math.max(...values.map((value, a) => Math.abs(value - seen.truth.hard[a][seen.leftRow])));
+  const rows = timelineWords(timeline, names[state.action]);
+  if (seen.regret > tieSize(Math.max(...optimum), Math.max(...optimum.map(Math.abs)))) {
+    return {
+      tone: "bad",
+      error,
+      timeline,
+      sentence: `${choice}; the best is ${names[seen.best]}, and ${short(seen.regret)} is lost.${rows}`
+    };
+  }
+  const scale = Math.max(...true_.map(Math.abs), 0.01 * Math.max(...model.arrays.rewards.map(Math.abs)));
+  const offs = true_.map(
+    (value, a) => scale > 0 ? Math.abs(value - values[a]) / scale : Math.abs(value - values[a]) > tieSize(0, seen.scale) ? Infinity : 0
+  ), worst = offs.indexOf(Math.max(...offs));
+  const grade = gradeOf(timeline), tone = offs[worst] > VALUE_TOLERANCE ? "warn" : grade === "sound" ? "ok" : grade;
+  if (model.A === 1) {
+    const [decoded2, truly2] = inWords([values[0], true_[0]], seen.scale);
+    return {
+      tone,
+      error,
+      timeline,
+      sentence: `${where} the decoded value is ${decoded2}; the true one is ${truly2}.${rows}`
+    };
+  }
+  const [decoded, truly] = inWords([values[worst], true_[worst]], seen.scale, true);
+  const but = tone === "warn" ? ` But ${names[worst]} is worth ${truly}, not ${decoded}.` : "";
+  return { tone, error, timeline, sentence: `${choice}, and no action is better.${but}${rows}` };
+}
+function offers({ header: { solver }, dt }, { survival, tau, H, n }) {
+  const found = [];
+  if (solver !== "feasible" && impossible(survival, dt)) found.push(["Use the feasible timeline", "feasible"]);
+  const negative = solver !== "nonnegative" && solver !== "feasible" && lowest(tau, n, H) < -ALLOWED * dt;
+  if (negative) found.push(["Use the non-negative solver", "nonnegative"]);
+  return found;
+}
+var impossible = (survival, dt) => survival.some((line2) => line2.some((alive) => alive / dt > 1 + ALLOWED));
+function lowest(tau, n, H) {
+  let least = 0;
+  for (let k = 0; k < n; k++) {
+    let sum = 0;
+    for (let h = 0; h < H; h++) sum += Math.min(0, tau[k * H + h]);
+    least = Math.min(least, sum);
+  }
+  return least;
+}
+var effects = (model, state) => Object.fromEntries(
+  Object.keys(SWITCHES).filter((name) => isLinear(model, state) && available(model, name)).map((name) => [name, effect(model, state, name)])
+);
+
 // app/js/lens/panels.js
 var spectrumPanel = {
   name: "spectrum",
   draw(pen, w, h, scene) {
-    const { model, state, seen, hover, colours } = scene, { s, r, U, V, G } = seen.grid, box = inside(w, h);
+    const { model, state, seen, hover, colours } = scene, { s, r, free, U, V, G } = seen.grid, count = s.length, box = inside(w, h);
     const learned = (G - 1) / (model.header.added + 1) + 1;
-    const factors = s.map((value) => value ** 2 / (value ** 2 + state.alpha ** 2)), passing = factors.filter((f) => f > 0.5).length;
+    const factors = shares(seen.grid.filter, s, free, state.alpha).lost.subarray(free).map((lost) => 1 - lost), passing = factors.filter((f) => f > 0.5).length;
     titled(
       pen,
       w,
       "what alpha lets through",
-      `${passing} of ${r} pass${learned < G ? `, ${learned} learned` : ""}`,
+      `${passing + free} of ${r} pass${learned < G ? `, ${learned} learned` : ""}`,
       scene
     );
-    const low = Math.floor(Math.log10(s[r - 1])) - 0.3, high = Math.max(0.6, Math.log10(s[0]) + 0.4), scale = axes(pen, box, {
-      x: [0.4, r + 0.6],
+    const low = Math.floor(Math.log10(s[count - 1])) - 0.3, high = Math.max(0.6, Math.log10(s[0]) + 0.4), scale = axes(pen, box, {
+      x: [0.4, count + 0.6],
       y: [low, high],
       xTitle: "component; bars: share let through",
       yTitle: "singular value",
       colours,
-      xTicks: r <= 8 ? Array.from({ length: r }, (_, i) => i + 1) : void 0,
+      xTicks: count <= 8 ? Array.from({ length: count }, (_, i) => i + 1) : void 0,
       yTicks: ticks(low, high, 6).filter((tick) => Number.isInteger(tick)).map((tick) => [tick, tick ? `1e${tick}` : "1"])
     });
     const { X, Y } = scale, half = 0.36 * (X(2) - X(1)), floor = box.y + box.h;
@@ -2152,7 +2471,7 @@ var spectrumPanel = {
       pen.path(disc(x, Y(Math.log10(s[i])), 3.2), { fill: factor > 0.5 ? colours.primary : NEUTRAL, close: true });
     });
     const { gamma, tau } = hover;
-    const weights = gamma !== void 0 ? factors.map((_, i) => Math.abs(U[gamma * r + i])) : tau !== void 0 ? factors.map((_, i) => Math.abs(V[tau * r + i])) : null;
+    const weights = gamma !== void 0 ? factors.map((_, i) => Math.abs(U[gamma * r + free + i])) : tau !== void 0 ? factors.map((_, i) => Math.abs(V[tau * r + free + i])) : null;
     if (weights)
       line(
         pen,
@@ -2174,7 +2493,7 @@ var spectrumPanel = {
     return scale;
   },
   point: () => ({}),
-  words: ({ state, seen }) => `Singular values of the transform: ${seen.grid.r} usable, the smallest ${short(seen.grid.s[seen.grid.r - 1] / seen.grid.s[0])} of the largest. Alpha ${short(state.alpha)} lets ${seen.grid.s.filter((value) => value > state.alpha).length} of them through by more than half.`
+  words: ({ state, seen }) => `Singular values of the transform: ${seen.grid.r} usable, the smallest ${short(seen.grid.s[seen.grid.s.length - 1] / seen.grid.s[0])} of the largest. Alpha ${short(state.alpha)} lets ${seen.grid.s.filter((value) => value > state.alpha).length} of them through by more than half.`
 };
 var kernelPanel = {
   name: "kernel",
@@ -2245,7 +2564,7 @@ var rewardsPanel = {
       pen,
       w,
       "expected reward and survival",
-      hover.tau !== void 0 && hover.tau < seen.n ? `τ ${short(hover.tau * dt)}: ${short(rewards[hover.tau])}, alive ${short(seen.survival[a][hover.tau] / dt)}` : Math.max(...seen.survival[a]) / dt > 1.05 ? "alive above 1: impossible" : seen.truth ? "grey: true" : simulated ? "red: simulated, ± 2 errors" : followed ? cameNote(scene, followed) : "",
+      hover.tau !== void 0 && hover.tau < seen.n ? `τ ${short(hover.tau * dt)}: ${short(rewards[hover.tau])}, alive ${short(seen.survival[a][hover.tau] / dt)}` : impossible([seen.survival[a]], dt) ? "alive above 1: impossible" : seen.truth ? "grey: true" : simulated ? "red: simulated, ± 2 errors" : followed ? cameNote(scene, followed) : "",
       scene
     );
     const span = 1e-3 * (seen.thetas[seen.H] - seen.thetas[0]), scale = axes(pen, upper, { x, y: rounded(low, high, span), xTicks: [], yTitle: "E[r]", colours });
@@ -2469,86 +2788,6 @@ function drawSurface(pen, box, space, camera, colours) {
   label(space.titles[1], 1.07, 0.5, true);
 }
 
-// app/js/lens/verdict.js
-var VALUE_TOLERANCE = 0.1;
-var SOUND = 0.1;
-var RUINED = 1 / 3;
-var WORDS = {
-  bad: "Wrong",
-  warn: "Right, for the wrong reason",
-  ok: "Right",
-  unknown: "No truth to compare with",
-  smeared: "Right choice, smeared timeline",
-  ruined: "Right choice, ruined timeline"
-};
-var fixed = (value, digits) => (Math.round(value * 10 ** digits) / 10 ** digits + 0).toFixed(digits);
-var significant = (value, digits) => String(+value.toPrecision(digits) + 0);
-function inWords(values, scale, apart = false) {
-  const largest = Math.max(...values.map(Math.abs));
-  const word = ROUNDING * scale < largest && largest < 0.01 ? significant : fixed;
-  const shown = (digits) => values.map((value) => word(value, digits));
-  const enough = apart && [2, 3, 4, 6].find((digits) => new Set(shown(digits)).size === values.length);
-  return shown(enough || 2);
-}
-function numbers(values, scale, chosen, names) {
-  if (values.length < 2) return "";
-  const rival = values.reduce((best, value, a) => a !== chosen && (best < 0 || value > values[best]) ? a : best, -1);
-  if (values[rival] >= values[chosen] - tieSize(values[chosen], scale))
-    return ` (a tie at ${inWords([values[chosen]], scale)[0]})`;
-  const [first, second] = inWords([values[chosen], values[rival]], scale, true);
-  return ` (${first} v ${second}${values.length > 2 ? ` for ${names[rival]}` : ""})`;
-}
-var gradeOf = (timeline) => timeline <= SOUND ? "sound" : timeline <= RUINED ? "smeared" : "ruined";
-function timelineWords(timeline, name) {
-  const grade = gradeOf(timeline), share = Math.round(100 * timeline);
-  if (grade === "sound") return "";
-  const off = share <= 100 ? `${share}% misplaced` : `off by ${short(timeline)} times all that truly comes`;
-  return ` Timeline of ${name}: ${grade}, ${off}.`;
-}
-function judged(model, state, seen) {
-  const names = model.header.actions, row = seen.readRow, values = seen.values.map((line2) => line2[row]);
-  const T = short(model.horizons[row]), left = short(model.horizons[seen.leftRow]);
-  const where = state.used > 0 ? `With ${left} of ${short(state.horizon)} steps to go, read at T = ${T},` : `At T = ${T}`;
-  const choice = `${where} the decoded values choose ${names[seen.chosen]}` + numbers(values, seen.scale, seen.chosen, names);
-  if (!seen.truth) {
-    return {
-      tone: "unknown",
-      sentence: model.A > 1 ? `${choice}.` : `${where} the decoded value is ${inWords([values[0]], seen.scale)[0]}.`
-    };
-  }
-  const optimum = seen.optimumAt(seen.leftRow), true_ = seen.truth.values.map((line2) => line2[seen.leftRow]);
-  const timeline = timelineError(model, state, seen), error = Math.max(...values.map((value, a) => Math.abs(value - seen.truth.hard[a][seen.leftRow])));
-  const rows = timelineWords(timeline, names[state.action]);
-  if (seen.regret > tieSize(Math.max(...optimum), Math.max(...optimum.map(Math.abs)))) {
-    return {
-      tone: "bad",
-      error,
-      timeline,
-      sentence: `${choice}; the best is ${names[seen.best]}, and ${short(seen.regret)} is lost.${rows}`
-    };
-  }
-  const scale = Math.max(...true_.map(Math.abs), 0.01 * Math.max(...model.arrays.rewards.map(Math.abs)));
-  const offs = true_.map(
-    (value, a) => scale > 0 ? Math.abs(value - values[a]) / scale : Math.abs(value - values[a]) > tieSize(0, seen.scale) ? Infinity : 0
-  ), worst = offs.indexOf(Math.max(...offs));
-  const grade = gradeOf(timeline), tone = offs[worst] > VALUE_TOLERANCE ? "warn" : grade === "sound" ? "ok" : grade;
-  if (model.A === 1) {
-    const [decoded2, truly2] = inWords([values[0], true_[0]], seen.scale);
-    return {
-      tone,
-      error,
-      timeline,
-      sentence: `${where} the decoded value is ${decoded2}; the true one is ${truly2}.${rows}`
-    };
-  }
-  const [decoded, truly] = inWords([values[worst], true_[worst]], seen.scale, true);
-  const but = tone === "warn" ? ` But ${names[worst]} is worth ${truly}, not ${decoded}.` : "";
-  return { tone, error, timeline, sentence: `${choice}, and no action is better.${but}${rows}` };
-}
-var effects = (model, state) => Object.fromEntries(
-  Object.keys(SWITCHES).filter((name) => available(model, name)).map((name) => [name, effect(model, state, name)])
-);
-
 // app/js/chart/plotly.js
 var loading;
 var plotly = () => loading ?? Promise.reject(new Error("plotly.js was not asked for"));
@@ -2765,7 +3004,7 @@ function mount(root, model, told, report) {
       from += way * past;
       if (from < -6 || from > 1) way = -way;
       from = Math.min(1, Math.max(-6, from));
-      state = { ...state, alpha: +(10 ** from).toPrecision(3) };
+      state = { ...state, alpha: +(10 ** from).toPrecision(3), selector: "typed" };
       dragging = true;
       draw();
       playing = requestAnimationFrame(step);
@@ -2868,21 +3107,30 @@ function mount(root, model, told, report) {
       const { canvas } = each, found = sheet(canvas, scene.colours.font);
       if (found) canvas.scale = drawOne(found.pen, each, found.width, found.height) ?? canvas.scale;
     }
-    handles.sync(state);
+    handles.sync(state, told.rule);
     board.sync(state);
     tools.sync(state, history, told);
     judge();
   }
   function judge() {
     const heard = told.said && same(told.said.state, state) ? told.said : void 0, { tone, sentence: words } = heard ?? judged(model, state, seen);
-    const labels = heard?.remedies ?? [];
-    const whole = `${WORDS[tone]}. ${words}`;
-    if (sentence.textContent === whole && remedies.children.length === labels.length) return;
+    const buttons = [
+      ...(heard?.remedies ?? []).map((label, remedy) => (
+        /** @type {[string, {}]} */
+        [label, { remedy }]
+      )),
+      ...told.live ? offers(model, seen).map(([label, solver]) => (
+        /** @type {[string, {}]} */
+        [label, { solver }]
+      )) : []
+    ];
+    const whole = `${WORDS[tone]}. ${words}`, labels = buttons.map(([label]) => label).join("");
+    if (sentence.textContent === whole && remedies.textContent === labels) return;
     sentence.replaceChildren(element("b", {}, `${WORDS[tone]}.`), ` ${words}`);
     verdict.className = `verdict ${tone === "bad" || tone === "ok" ? tone : "warn"}${tone === "unknown" ? " brief" : ""}`;
     remedies.replaceChildren(
-      ...labels.map(
-        (label, i) => element("button", { type: "button", class: "remedy", onclick: () => report({ state, remedy: i }) }, label)
+      ...buttons.map(
+        ([label, asked]) => element("button", { type: "button", class: "remedy", onclick: () => report({ state, ...asked }) }, label)
       )
     );
   }

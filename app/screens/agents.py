@@ -13,13 +13,13 @@ from app.components.waiting import attempt
 from app.components.widgets import left_out, select, upload
 from app.session import store
 from app.session.typed import in_markdown
-from app.view import compute, export, panels
+from app.view import compute, export, panels, solver
 from laplace_core import InputError
 from laplace_core.agents.capabilities import HasGammaSpace
 from laplace_core.environments import Environment, environment_of
 from laplace_core.payloads.state import LIVE
 from laplace_core.trained import rollouts
-from laplace_core.trained.observations import OBSERVED, observation_of, view_of
+from laplace_core.trained.observations import OBSERVED, observation_of, settings_of, view_of
 from laplace_core.training.checkpoint import Loaded
 
 
@@ -44,6 +44,8 @@ def page() -> None:
             _observation(scene)
         else:
             rollout_form.beside(rolling, scene)
+        if isinstance(loaded.agent, HasGammaSpace):
+            _inverse(loaded)
     above = st.container()  # whether or not there is something in it, the lens keeps its place
     if wish is not None and (rolling is None or rolling.going):
         with above:
@@ -75,8 +77,22 @@ def _observation(scene: Environment) -> None:
                   on_change=store.keep, args=(key,))  # fmt: skip
 
 
+def _inverse(loaded: Loaded) -> None:
+    settings = attempt(lambda: settings_of(loaded, store.chosen()))
+    if settings is None:
+        return
+    solver.solver_and_rule(settings)
+    box = st.expander("Noise level, weights, filter", key="assuming", on_change="rerun")
+    if box.open:
+        with box:
+            solver.noise_and_weights(settings)
+            solver.discount_filter(settings)
+
+
 @st.fragment
 def _view(loaded: Loaded, scene: Environment, rolling: Rolling | None) -> None:
+    if store.sidebar_is_stale():
+        st.rerun()
     store.write_url()
     rolled = None if rolling is None else attempt(rolling.result)
     if rolling is not None and rolled is None:
@@ -107,7 +123,7 @@ def _view(loaded: Loaded, scene: Environment, rolling: Rolling | None) -> None:
     panels.pictures(view, base, lead=lead, followed=followed, simulated=simulated)
     if rollout is not None:
         truth.section(view, loaded, rollout, at)
-    name, alpha = view.subject.action_names[view.action], view.settings.alpha
+    name, alpha = view.subject.action_names[view.action], compute.study_for(view).settings.alpha
     returns.section(loaded, observation, view.action, name, alpha=alpha, rollout=rollout, step=at)
     panels.artefacts(view)
     export.agent_footer(view)

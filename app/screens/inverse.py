@@ -10,6 +10,7 @@ from app.inverse import compute, evidence, grids, leaderboard, memory, sidebar, 
 from app.inverse.schema import LINK
 from app.inverse.words import NO_NOISE, OFFERED, RULES, TESTING, said
 from app.session import store
+from app.view import solver
 from app.view.compute import horizon_of, is_large
 from laplace_core import InputError
 from laplace_core.inverse.selectors import TYPED
@@ -52,6 +53,7 @@ def _pictures(view: View) -> Job[evidence.Evidence] | None:
     """Draw all pictures of a view; returns the test of its values, where the page does not show yet what it found."""
     shown = compute.shown(view)
     study = shown.study
+    solver.shows(study.settings, weighting=False)
     wish = evidence.wish(study, compute.key_of(view), independent=compute.independent(view))
     job = None if wish is None else wish.look()
     if job is not None:
@@ -65,8 +67,7 @@ def _pictures(view: View) -> Job[evidence.Evidence] | None:
 
     def release(released: State) -> None:
         if released.alpha != state.alpha:
-            store.choose("alpha", released.alpha)
-            store.choose("selector", TYPED)
+            solver.by_hand(released.alpha)
         if released.horizon != state.horizon:
             store.choose("horizon", released.horizon)
         if released.axis != state.axis:

@@ -10,11 +10,12 @@ import numpy as np
 from app.session.jobs import is_there, session_id
 from laplace_core import InputError, Study, World, figures
 from laplace_core.caching import Cached, cached
-from laplace_core.payloads.lens import Simulated, payload, structure
+from laplace_core.payloads.lens import Simulated, decoding, follows, payload, structure
 from laplace_core.planning import greedy_policy
 from laplace_core.study.artefacts import Artefact, find_artefacts
 from laplace_core.study.compare import Space, difference, summary, value_difference
 from laplace_core.study.episodes import episode_regret_of
+from laplace_core.study.evidence import work_to_believe
 from laplace_core.study.explanation import Explanation, explain, trials_of
 from laplace_core.study.pipeline import WorldStudy
 from laplace_core.study.settings import Resolved
@@ -61,9 +62,10 @@ def _graded(view: View) -> Verdict:
 
 @cached(128)
 def _listed(view: View, action: int) -> tuple[Artefact, ...]:
-    """The artefacts of an action as they are found without a search: none has a remedy."""
+    """The artefacts of an action as they are found without a search: no remedy but another solver, which is always
+    offered."""
     listed = find_artefacts(study_for(view), action, horizon_of(view), searching=False)
-    return tuple(replace(each, remedies=()) for each in listed)
+    return tuple(replace(each, remedies=tuple(r for r in each.remedies if "solver" in r.changes)) for each in listed)
 
 
 @cached(128)
@@ -95,10 +97,10 @@ def is_explained(view: View, *, alone: bool = True) -> bool:
     """
     if _explained.known(view):  # found, not only begun: nobody is to wait for pictures
         return True
-    trials = _trials(view)
-    if trials is None or (_graded(view).searched and not _listed(view, view.action)):
+    trials, work = _trials(view), work_to_believe(study_for(view))
+    if not work and (trials is None or (_graded(view).searched and not _listed(view, view.action))):
         return True
-    return alone and trials.work <= AT_ONCE
+    return alone and work + (0.0 if trials is None else trials.work) <= AT_ONCE
 
 
 def verdict_for(view: View, *, explained: bool = True) -> Verdict:
@@ -169,7 +171,8 @@ def episode_regrets(view: View) -> np.ndarray | None:
     """Loss of whole episodes under the decoded rule from the study's state, by T; None where it cannot be had."""
     if view.world is None:
         return None
-    return _episode_regrets(view.subject, replace(view.settings, noise=0.0, noise_seed=0, horizon=None, used=0.0))
+    s = study_for(view).settings
+    return _episode_regrets(view.subject, replace(s.at_alpha(s.alpha), noise=0.0, noise_seed=0, horizon=None, used=0.0))
 
 
 # What the graph of a world does not depend on; it is drawn once for all values of these.
@@ -250,12 +253,26 @@ def lens_payload(view: View, simulated: Simulated | None = None) -> bytes:
     Raises:
         InputError: it is more than a browser should be sent.
     """
-    return _lens_payload(view.subject, structure(view.settings, view.world), simulated)
+    study, held = study_for(view), None
+    if not follows(study.settings):
+        held = decoding(study.settings)
+        if study.settings.normalise == held.normalise:  # it is decoded already
+            _decoded.remember(study, view.subject, held)
+    return _lens_payload(view.subject, structure(study.settings, view.world), simulated, held)
+
+
+@cached(4)
+def _decoded(subject: Subject, settings: Resolved) -> Study:
+    """A study as far as the server has to decode it: settings of the reading may be others."""
+    return _study(subject, settings)
 
 
 @cached(16)
-def _lens_payload(subject: Subject, settings: Resolved, simulated: Simulated | None) -> bytes:
-    data = payload(_study(subject, settings), simulated, subject.places, subject.added)[0]
+def _lens_payload(
+    subject: Subject, settings: Resolved, simulated: Simulated | None, held: Resolved | None
+) -> bytes:  # fmt: skip
+    shown = None if held is None else replace(_decoded(subject, held), settings=held)
+    data = payload(_study(subject, settings), simulated, subject.places, added=subject.added, shown=shown)[0]
     if len(data) > MOST_PAYLOAD * 1_000_000:
         raise InputError(
             f"the lens of this view would take {len(data) / 1e6:.0f} MB in the browser, above {MOST_PAYLOAD}: lower "

@@ -42,7 +42,8 @@ def downloads(place: DeltaGenerator, view: View) -> None:
 
     def study() -> Study:
         """Looked up when it is wanted, so that a button keeps no arrays."""
-        return replace(compute.study_for(view), settings=settings)
+        study = compute.study_for(view)
+        return replace(study, settings=replace(settings, alpha=study.settings.alpha))
 
     name = re.sub(r"[^A-Za-z0-9_.-]+", "_", re.sub(r"\.(json|npz|safetensors)$", "", settings.world))
     with box:

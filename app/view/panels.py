@@ -14,7 +14,9 @@ from app.components.lens import Graph, Pin, Preset, Released, Said, lens
 from app.components.waiting import LOOK_EVERY, attempt
 from app.session import crowd, store
 from app.session.typed import in_markdown
-from app.view import compute
+from app.view import compute, solver
+from laplace_core.inverse.selectors import TYPED
+from laplace_core.inverse.titles import RULE_TITLES
 from laplace_core.payloads.lens import Simulated
 from laplace_core.payloads.link import PARAM
 from laplace_core.payloads.state import checked, state_of, values_of
@@ -60,7 +62,9 @@ def pictures(
     """
     look = str(store.chosen().get("look", "heatmap"))
     horizon, added = compute.horizon_of(view), view.subject.added
-    shown = state_of(view.settings, horizon, action=view.action, look=look, added=added)
+    settings = compute.study_for(view).settings  # with the alpha of the rule
+    solver.shows(settings)
+    shown = state_of(settings, horizon, action=view.action, look=look, added=added)
     search = session.part(_Search)
     search.alone = crowd.alone()
     search.explained = explained = compute.is_explained(view, alone=search.alone)
@@ -74,12 +78,18 @@ def pictures(
             return
         study = compute.study_for(view)  # looked up, for the session holds this function: no arrays may hang on it
         changes = values_of(checked(released.state, study), shown, study.action_names)
+        if "selector" in changes:  # alpha was dragged
+            solver.by_hand(changes.pop("alpha"))
+            changes.pop("selector")
+            store.refresh_sidebar()
         for name, value in changes.items():
             store.choose(name, value)
         if "policy" in changes:  # which the sidebar shows, too
             store.refresh_sidebar()
         if released.remedy is not None and released.remedy < len(judged.remedies):
             remedy(judged.remedies[released.remedy].changes, horizon)
+        if released.solver is not None:
+            remedy({"solver": released.solver}, horizon)
         if view.world is not None and released.picked is not None and released.picked < view.world.n_states:
             store.apply_changes({"state": view.world.states[released.picked]})
         if released.pin is not None and pin is not None:
@@ -93,7 +103,8 @@ def pictures(
         data,
         shown,
         store.page_name(),
-        base=state_of(base.settings, last, action=view.action),
+        base=state_of(compute.study_for(base).settings, last, action=view.action),
+        rule=None if settings.selector == TYPED else RULE_TITLES[settings.selector],
         presets=presets,
         on_release=release,
         said=Said(_tone(judged), _sentence(judged, view, explained=explained), remedies),
@@ -164,6 +175,8 @@ def remedy(changes: Mapping[str, object], horizon: float) -> None:
     """
     if _ROWS & changes.keys():
         changes = {**changes, "horizon": horizon}
+    if "alpha" in changes:
+        solver.by_hand()
     off = {name for name, value in changes.items() if name in SWITCHES and value == BY_NAME[name].default}
     store.apply_changes(
         {name.replace("param:", PARAM): None if name in off else value for name, value in changes.items()}

@@ -52,7 +52,7 @@ def _state(view: View) -> dict[str, Any] | None:
     except InputError:
         return None
     look = str(values.get("look", "heatmap"))
-    return state_of(pinned.settings, compute.horizon_of(pinned), action=pinned.action, look=look)
+    return state_of(compute.study_for(pinned).settings, compute.horizon_of(pinned), action=pinned.action, look=look)
 
 
 def pinning(view: View) -> Pin:

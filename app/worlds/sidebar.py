@@ -6,6 +6,7 @@ import streamlit as st
 
 from app.session import store
 from app.session.typed import in_markdown
+from app.view import solver
 from app.worlds import actions, bring, controls, learning, sources
 from app.worlds.schema import OPENING
 from laplace_core import InputError
@@ -34,7 +35,13 @@ def groups() -> bool:
     else:
         controls.state_group(world, view.settings)
         learning.source_group(world)
+    solver.solver_and_rule(view.settings)
     bring.open_group(world)
+    noise = st.expander("Noise level, weights, filter", key="assuming", on_change="rerun")
+    if noise.open:
+        with noise:
+            solver.noise_and_weights(view.settings)
+            solver.discount_filter(view.settings)
     grids = st.expander("Discounts, sensitivities, policy", key="learning", on_change="rerun")
     if grids.open:
         with grids:

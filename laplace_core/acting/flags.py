@@ -56,7 +56,8 @@ def flag_steps(
         alone = replace(space, values=space.values[[action]], constant=space.constant[[action]])
         study = study_of_gamma_space(with_added(alone, added), settings, own_convention=False)
         for artefact in find_artefacts(study, 0, searching=False):
-            marks[step, order[artefact.name]] = True
+            if artefact.name in order:  # what stands in place of them is none
+                marks[step, order[artefact.name]] = True
         if progress is not None:
             progress(step + 1, len(rollout))
     there = np.asarray(marks.any(axis=0))

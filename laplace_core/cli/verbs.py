@@ -32,7 +32,8 @@ from laplace_core.cli.train_inverse import add_train_inverse
 from laplace_core.code.ties import ROUNDING
 from laplace_core.errors import InputError
 from laplace_core.interrupt import LINE, STATUS
-from laplace_core.study.artefacts import Artefact, find_artefacts
+from laplace_core.study.artefacts import Artefact
+from laplace_core.study.explanation import explain
 from laplace_core.study.npz import save_study
 from laplace_core.study.pipeline import Study
 from laplace_core.study.settings import SCHEMA, flag
@@ -156,8 +157,10 @@ def _decode(options: argparse.Namespace) -> None:
     if options.out is not None:
         save_study(result, options.out)
     row = result.row
-    verdict = judge(result, row, explain=options.explain)
-    listed = find_artefacts(result, verdict.chosen, float(result.horizons[row])) if options.explain else None
+    verdict, listed = judge(result, row, explain=False), None
+    if options.explain:
+        made = explain(result, row, verdict.chosen)
+        verdict, listed = made.verdict, list(made.artefacts)
     if options.json:
         print(json.dumps(summary(result) | {"verdict": _verdict(result, row, verdict, listed)}, indent=1))
     else:

@@ -98,7 +98,12 @@ def ask_library(view: View) -> Answer:
         verdict.choice, verdict.chosen, verdict.timeline,
         verdict.cause.changes if verdict.cause else None,
         tuple(remedy.changes for remedy in verdict.remedies),
-        tuple(remedy.changes for artefact in listed for remedy in artefact.remedies),
+        tuple(
+            remedy.changes
+            for artefact in listed
+            for remedy in artefact.remedies
+            if "solver" not in remedy.changes  # always offered, and the judge has no solver but one
+        ),
         verdict.exhausted, verdict.searched, verdict.sentence,
     )  # fmt: skip
 

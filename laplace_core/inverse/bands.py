@@ -133,12 +133,12 @@ def layers_of(
     return Layers(problem, sizes, channel_gains(weights, independent=independent))
 
 
-def layer_noise(layers: Layers, alpha: float) -> np.ndarray:
-    """Standard deviation that noise gives each row of the Tikhonov decode of the layers, ``(K,)``."""
+def layer_noise(layers: Layers, alpha: float, matrix: np.ndarray | None = None) -> np.ndarray:
+    """Standard deviation that noise gives each row of a linear decode of the layers, ``(K,)``; default: Tikhonov's."""
     problem = layers.problem
     assert problem.deviations is not None  # layers_of gives them
     gain = np.linalg.norm(layers.gains * np.diff(layers.sizes, prepend=0.0))
-    inverse = decode_matrix(problem.gammas, problem.steps, alpha, problem.time_step)
+    inverse = decode_matrix(problem.gammas, problem.steps, alpha, problem.time_step) if matrix is None else matrix
     return np.asarray(gain * np.sqrt(inverse**2 @ problem.deviations**2))
 
 

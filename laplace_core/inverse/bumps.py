@@ -175,28 +175,32 @@ def features(bumps: Sequence[Bump], shares: np.ndarray, noise: np.ndarray, large
 
 def bumps(
     gamma_space: GammaSpace, steps: int, alpha: float, deviations: np.ndarray, *, time_step: float = 1.0,
-    independent: bool = True, seed: int = 0,
+    independent: bool = True, seed: int = 0, solver: Solver | None = None, matrix: np.ndarray | None = None,
 ) -> list[list[Bump]]:  # fmt: skip
-    """The bumps of each action's decoded expected reward, with the probability that each is real."""
+    """The bumps of each action's decoded expected reward, with the probability that each is real.
+
+    Args:
+        solver: that decodes; default: Tikhonov with discounts that count alike.
+        matrix: the linear inverse whose noise counts, ``(K, G)``; default: that of Tikhonov.
+    """
     layers = layers_of(gamma_space, steps, deviations, time_step=time_step, independent=independent)
+    found = judged(layers, alpha, seed=seed, solver=solver, matrix=matrix)
+    chances = [calibration().probability(numbers) for _, numbers in found]
     return [
-        [replace(bump, probability=float(chance)) for bump, chance in zip(found, chances, strict=True)]
-        for found, chances in (
-            (found, calibration().probability(numbers)) for found, numbers in judged(layers, alpha, seed=seed)
-        )
+        [replace(bump, probability=float(chance)) for bump, chance in zip(of_action, its, strict=True)]
+        for (of_action, _), its in zip(found, chances, strict=True)
     ]
 
 
-def judged(layers: Layers, alpha: float, *, seed: int = 0) -> list[tuple[list[Bump], np.ndarray]]:
-    """The bumps of each action's decoded expected reward, and their features ``(n, 12)``."""
-    noise = layer_noise(layers, alpha)
-    rewards = tikhonov_of_layers(layers.problem, alpha).masses @ layers.sizes
-    survived = survivals(layers, alpha, tikhonov_of_layers, seed=seed)
-    return [
-        (
-            [bump for bump, _ in found],
-            features([bump for bump, _ in found], np.array([share for _, share in found]), noise,
-                     float(np.abs(decoded).max())),
-        )
-        for found, decoded in zip(survived, rewards, strict=True)
-    ]  # fmt: skip
+def judged(
+    layers: Layers, alpha: float, *, seed: int = 0, solver: Solver | None = None, matrix: np.ndarray | None = None
+) -> list[tuple[list[Bump], np.ndarray]]:
+    """The bumps of each action's decoded expected reward, and their features ``(n, 12)``; see :func:`bumps`."""
+    solver = solver or tikhonov_of_layers
+    noise = layer_noise(layers, alpha, matrix)
+    rewards = solver(layers.problem, alpha).masses @ layers.sizes
+    numbers = []
+    for survived, decoded in zip(survivals(layers, alpha, solver, seed=seed), rewards, strict=True):
+        found, shares = [bump for bump, _ in survived], np.array([share for _, share in survived])
+        numbers.append((found, features(found, shares, noise, float(np.abs(decoded).max()))))
+    return numbers

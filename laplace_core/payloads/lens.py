@@ -13,10 +13,31 @@ import numpy as np
 
 from laplace_core import Study, World
 from laplace_core.code.encoding import PAPER_GAMMAS
-from laplace_core.inverse import transform_factors
+from laplace_core.inverse import LINEAR, SOLVERS, Problem, is_linear
+from laplace_core.inverse.components import reached
+from laplace_core.inverse.feasible import reduced_system
+from laplace_core.inverse.nonnegative import LEAST_ALPHA
+from laplace_core.inverse.smoothing import probability_filter
+from laplace_core.inverse.solvers import selecting
+from laplace_core.inverse.spectrum import Spectrum, spectrum_of
+from laplace_core.inverse.transform import transform_matrix
+from laplace_core.payloads.inverse import FOLLOWS
 from laplace_core.payloads.packing import pack, packed_blocks
+from laplace_core.payloads.state import state_of
 from laplace_core.planning import reward_indicator_basis
-from laplace_core.study.pipeline import WorldStudy, basis_of, clipped_sensitivities, policies_of, timeline_of
+from laplace_core.study.horizon import row_horizons
+from laplace_core.study.pipeline import (
+    WorldStudy,
+    basis_of,
+    clipped_sensitivities,
+    decode_and_read,
+    decoder,
+    deviations_of,
+    policies_of,
+    row_read,
+    rows_decoded,
+    timeline_of,
+)
 from laplace_core.study.settings import Resolved
 
 if TYPE_CHECKING:  # it brings torch along, which no world needs
@@ -27,6 +48,8 @@ MOST_REWARDS = 64
 
 LIVE: dict[str, Any] = {
     "alpha": 1.0,
+    "selector": "typed",
+    "noise_level": None,
     "softness": 0.0,
     "noise": 0.0,
     "noise_seed": 0,
@@ -53,6 +76,32 @@ class Simulated:
     outcome: Empirical
 
 
+_DECODES = ("noise", "noise_seed", "shift", "fold", "slope_share", "slope", "mixed", "clip", "paper_grid")
+"""Entries of the state of a lens that change what is decoded, beside alpha."""
+_READS = ("normalise", "softness", "value_gamma", "horizon", "used", "constant")
+"""Those that change the values of all horizons; they count where every horizon has an inverse of its own."""
+
+
+def follows(settings: Resolved) -> bool:
+    """Whether the browser decodes by these settings itself; of all others the server sends what it has decoded.
+
+    Where only the rows of a horizon are decoded, each horizon has its own components: the browser grows those of plain
+    Tikhonov row by row.
+    """
+    s = settings
+    if s.fold:
+        return s.solver == "tikhonov" and s.weighting == "equal" and s.filter == "none"
+    return is_linear(s.solver) or s.solver == FOLLOWS
+
+
+def decoding(settings: Resolved) -> Resolved:
+    """Settings with everything set aside that does not change what the server decodes; equal ones decode the same."""
+    s = settings.at_alpha(settings.alpha)
+    if s.fold:
+        return s
+    return replace(s, normalise="none", softness=0.0, value_gamma=s.acting_gamma, horizon=None, used=0.0)
+
+
 def structure(settings: Resolved, world: World | None) -> Resolved:
     """Settings with everything set aside that moves in the browser: equal ones have the same payload."""
     free = world is not None and world.reward_values.size <= MOST_REWARDS
@@ -61,7 +110,12 @@ def structure(settings: Resolved, world: World | None) -> Resolved:
 
 
 def payload(
-    study: Study, simulated: Simulated | None = None, places: np.ndarray | None = None, added: int = 0
+    study: Study,
+    simulated: Simulated | None = None,
+    places: np.ndarray | None = None,
+    *,
+    added: int = 0,
+    shown: Study | None = None,
 ) -> tuple[bytes, dict[str, Any]]:
     """Arrays and their header, as one block of bytes, and the header once more for Python.
 
@@ -71,12 +125,21 @@ def payload(
         places: of a network's sensitivities on the axis of its activation, ``(H,)``, as in
             :func:`laplace_core.code.encoding.softening`.
         added: how many of the discounts between two that were trained are interpolated.
+        shown: the study that is seen, where the browser cannot decode by its settings (:func:`follows`).
 
     Arrays by name, with A actions, G discounts, V distinct rewards, K rows, r usable singular values:
         ``shared``, ``per_gamma``, ``paper_shared``, ``paper_per_gamma``: reward-indicator coefficients ``(A, G, V)``
             on the study's grid and on the paper's; or, without them, ``differences`` ``(A, G, B)`` and
             ``constant`` ``(A, G)``.
-        ``gammas``, ``U`` ``(G, r)``, ``s`` ``(r,)``, ``V`` ``(K, r)`` and the same with ``paper_``: the transform.
+        ``gammas``, ``U`` ``(G, r)``, ``s`` ``(r - free,)``, ``V`` ``(K, r)``, and the same with ``paper_``: the
+            transform in the components of the linear solver, the free ones first; ``weights`` ``(G,)`` where discounts
+            do not count alike, ``smoothing`` ``(G, G)`` where they are filtered.
+        ``reduced`` ``(q, K)``, ``turned`` ``(q, G)``, and the same with ``paper_``: the non-negative solver's system
+            and what turns masses over the discounts into its data; ``above`` ``(A, G)``: the last tail, where it needs
+            it.
+        ``decoded`` ``(A, K, B)``, ``decoded_survival`` ``(A, K)``: of ``shown``, before rows are rescaled; under
+            ``fold`` also ``decoded_values`` ``(A, K)``. ``matrix`` ``(n, G)``: the decode matrix whose kernels are
+            drawn.
         ``bin_values`` ``(B,)``, ``bin_edges`` ``(B+1,)``: of a gamma-space with open ends; elsewhere the B = H-1 bins
             lie between the sensitivities and count as their midpoints.
         ``thetas``, ``clipped_thetas``: sensitivities, and those that begin at the lowest reward that occurs.
@@ -87,13 +150,15 @@ def payload(
         ``places``: as given.
     """
     s, space = study.settings, study.gamma_space
-    arrays = {"thetas": space.thetas, **_transform("", space.gammas, s.steps, s.time_step)}
+    arrays = {"thetas": space.thetas, **_transform("", space.gammas, s)}
     if space.open_ends:
         arrays |= {"bin_values": space.bin_values, "bin_edges": space.bin_edges}
     if isinstance(study, WorldStudy):
         arrays |= _of_world(study)
     else:
         arrays |= {"differences": space.differences, "constant": space.constant}
+    if s.solver == FOLLOWS and "differences" in arrays and not space.open_ends:
+        arrays["above"] = space.values[..., -1]
     if places is not None:
         arrays["places"] = places
     header: dict[str, Any] = {
@@ -105,7 +170,16 @@ def payload(
         "time_step": s.time_step,
         "acting_gamma": s.acting_gamma,
         "learned": study.learned is not None,
+        "solver": s.solver,
+        "filter": LINEAR[selecting(s.solver)].filter,
+        "free": _spectrum(space.gammas, s).free,
+        "least": LEAST_ALPHA,
+        "follows": is_linear(s.solver) or s.solver == FOLLOWS,
+        "decoded_for": None,
     }
+    if shown is not None:
+        arrays |= _decoded(shown)
+        header["decoded_for"] = decoded_for(shown.settings)
     if simulated is not None:
         outcome = simulated.outcome
         header["simulated"] = {"action": simulated.action, "count": outcome.count}
@@ -135,7 +209,7 @@ def _of_world(study: WorldStudy) -> dict[str, np.ndarray]:
     arrays |= {kind: basis_of(study, kind) for kind in ("shared", "per_gamma")}
     if s.spacing != "paper":
         grid = np.array(PAPER_GAMMAS)
-        arrays |= _transform("paper_", grid, s.steps, s.time_step)
+        arrays |= _transform("paper_", grid, s)
         arrays |= {f"paper_{kind}": _basis(study, world, grid, kind) for kind in ("shared", "per_gamma")}
     # One process whichever discount decides: nothing to mix, and nothing to send twice.
     for name in ("", "paper_"):
@@ -151,11 +225,50 @@ def _basis(study: WorldStudy, world: World, gammas: np.ndarray, kind: str) -> np
     return reward_indicator_basis(world, study.state, gammas, policies)
 
 
-def _transform(prefix: str, gammas: np.ndarray, steps: int, time_step: float) -> dict[str, np.ndarray]:
-    """The factors of the transform, cut where the library's filter drops components as rounding."""
-    U, s, Vt = transform_factors(gammas, steps, time_step)
-    usable = int(np.sum(s > max(gammas.size, steps) * np.finfo(float).eps * s[0]))
-    factors = {"gammas": gammas, "U": U[:, :usable], "s": s[:usable], "V": Vt[:usable].T}
+def decoded_for(settings: Resolved) -> dict[str, Any]:
+    """The entries of the state of a lens that a timeline which the server has decoded belongs to."""
+    s = settings
+    names = (*(["alpha"] if SOLVERS[s.solver].has_alpha else []), *_DECODES, *(_READS if s.fold else ()))
+    state = state_of(s, float(row_horizons(s.steps, s.time_step)[-1]) if s.horizon is None else s.horizon)
+    return {name: state[name] for name in names}
+
+
+def _decoded(shown: Study) -> dict[str, np.ndarray]:
+    """What the server has decoded, before rows are rescaled, and under ``fold`` the values of all horizons."""
+    s = shown.settings
+    made = shown.decoded
+    if s.normalise != "none":
+        made = decode_and_read(shown.gamma_space, replace(s, normalise="none"), row_read(s))
+    linear = replace(s, solver=selecting(s.solver))
+    matrix = decoder(shown.gamma_space.gammas, linear, rows_decoded(s, row_read(s)))
+    arrays = {"decoded": made.tau_space, "decoded_survival": made.survival, "matrix": matrix}
+    return arrays | ({"decoded_values": shown.decoded.horizon_values} if s.fold else {})
+
+
+def _spectrum(gammas: np.ndarray, settings: Resolved) -> Spectrum:
+    """The components of the settings' solver, or of the linear one that alpha is chosen by."""
+    s = settings
+    return spectrum_of(gammas, s.steps, s.time_step, LINEAR[selecting(s.solver)].order, deviations_of(s, gammas))
+
+
+def _transform(prefix: str, gammas: np.ndarray, settings: Resolved) -> dict[str, np.ndarray]:
+    """The components of a transform, cut where the library drops them as rounding, and what else its solver needs."""
+    s, spectrum = settings, _spectrum(gammas, settings)
+    used = reached(spectrum)
+    factors = {
+        "gammas": gammas,
+        "U": spectrum.U[:, used],
+        "s": spectrum.s[spectrum.usable],
+        "V": spectrum.rows[:, used],
+    }
+    if spectrum.weights is not None:
+        factors["weights"] = spectrum.weights
+    if s.filter != "none":
+        factors["smoothing"] = probability_filter(gammas, s.filter_window, s.filter_order)
+    if s.solver == FOLLOWS:
+        weights = Problem(np.zeros((gammas.size, 1)), gammas, s.steps, s.time_step, deviations_of(s, gammas)).weights
+        turn, factors["reduced"] = reduced_system(weights[:, None] * transform_matrix(gammas, s.steps, s.time_step))
+        factors["turned"] = turn.T * weights
     return {prefix + name: array for name, array in factors.items()}
 
 

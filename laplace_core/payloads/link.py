@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import replace
 from typing import Any
 
 from laplace_core.errors import InputError
@@ -15,15 +14,8 @@ from laplace_core.study.settings import BY_NAME, Resolved
 ACTION = Parameter("action", None, help="Action whose spaces are shown.", kind=str)
 LOOK = Parameter("look", "heatmap", help="How the spaces are drawn.", choices=("heatmap", "surface"))
 
-_DRAWN = {"solver": "tikhonov", "selector": "typed", "weighting": "equal", "filter": "none"}
-_UNDRAWN = ("noise_level", "filter_window", "filter_order")
-"""They only act beside what is not drawn."""
-DRAWN: Known = {
-    name: replace(parameter, choices=(_DRAWN[name],)) if name in _DRAWN else parameter
-    for name, parameter in BY_NAME.items()
-    if name not in _UNDRAWN
-}
-"""Settings of a study that a page can show: the lens computes the inverse in the browser, and knows one solver."""
+DRAWN: Known = BY_NAME
+"""Settings of a study that a page can show: all of them."""
 
 PARAM = "p."
 """Prefix of the parameters of a world, in the session and in the URL."""

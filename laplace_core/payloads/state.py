@@ -7,6 +7,7 @@ from typing import Any
 
 from laplace_core import Study
 from laplace_core.code.interpolation import MOST_ADDED
+from laplace_core.inverse.selectors import TYPED
 from laplace_core.parameters import Parameter
 from laplace_core.study.settings import BY_NAME, Resolved
 
@@ -14,8 +15,8 @@ ADDED = Parameter("added", 0, 0, MOST_ADDED, "Interpolated discounts between any
 """What the page of trained agents adds to the settings of the study."""
 
 _SAME = (
-    "alpha", "slope", "softness", "noise", "noise_seed", "normalise", "value_gamma", "used", "fold", "shift", "clip",
-    "paper_grid", "slope_share",
+    "alpha", "selector", "slope", "softness", "noise", "noise_seed", "normalise", "value_gamma", "used", "fold",
+    "shift", "clip", "paper_grid", "slope_share",
 )  # fmt: skip
 """Settings that a state holds by their own name."""
 LIVE = (*_SAME, "horizon", "policy", "deadline", "added")
@@ -37,6 +38,10 @@ def values_of(state: Mapping[str, Any], before: Mapping[str, Any], actions: tupl
     new = {name: state[name] for name in state if state[name] != before.get(name)}
     values = {name: new[name] for name in (*_SAME, "horizon", "added", "look") if name in new}
     values |= {name: None for name, value in values.items() if value is False}
+    if state["selector"] != TYPED:
+        values |= {"alpha": None} if "alpha" in values else {}  # whatever the rule makes of it
+    elif "selector" in new:
+        values |= {"selector": None, "alpha": state["alpha"]}
     if "action" in new:
         values["action"] = actions[new["action"]]
     if "mixed" in new:
@@ -54,7 +59,7 @@ def checked(reported: object, study: Study) -> dict[str, Any]:
     last, actions = float(study.horizons[-1]), len(study.action_names)
     limits = {name: BY_NAME[name].bounds for name in _SAME if BY_NAME[name].type in (int, float)}
     limits |= {"horizon": (0, last), "used": (0, last), "added": (0, MOST_ADDED), "action": (0, actions - 1)}
-    words = {"normalise": BY_NAME["normalise"].choices, "look": ("heatmap", "surface")}
+    words = {name: BY_NAME[name].choices for name in ("normalise", "selector")} | {"look": ("heatmap", "surface")}
     for name, value in reported.items():
         if name in state and isinstance(state[name], bool):
             state[name] = value if isinstance(value, bool) else state[name]

@@ -13,6 +13,7 @@ from laplace_core.code.encoding import read_at_midpoints
 from laplace_core.code.gamma_space import encode
 from laplace_core.code.ties import greedy_action
 from laplace_core.errors import InputError
+from laplace_core.inverse import LINEAR, is_linear
 from laplace_core.planning import finite_horizon_optimum, proxy_gamma_space, reward_indicator_basis, value_of_rule
 from laplace_core.planning.policies import selection
 from laplace_core.study.horizon import horizon_values, row_horizons
@@ -48,9 +49,11 @@ def values_everywhere(world: World, settings: ResolvedForWorld, learned: np.ndar
         learned: a learned reward-indicator basis of every state, ``(S, A, G, V)``, in place of the exact one.
 
     Raises:
-        InputError: the world is too large for that.
+        InputError: the world is too large for that, or the solver is not linear.
     """
     s = settings
+    if not is_linear(s.solver):
+        raise InputError(f"whole episodes in all states need a linear solver, one of {', '.join(LINEAR)}.")
     gammas, thetas = grids(s)
     if s.clip:
         timeline = timeline_from(world, s)

@@ -23,7 +23,8 @@ import numpy as np
 from laplace_core.code.encoding import GAMMA_SPACINGS
 from laplace_core.code.gamma_space import GammaSpace, with_noise
 from laplace_core.errors import InputError
-from laplace_core.inverse import MAX_STEPS
+from laplace_core.inverse import MAX_STEPS, SOLVERS
+from laplace_core.inverse.selectors import TYPED
 from laplace_core.study.grades import SOUND, Grade, grade, grade_values, timeline_error, timeline_grade
 from laplace_core.study.horizon import horizon_values, scale_of_values
 from laplace_core.study.pipeline import (
@@ -118,7 +119,7 @@ class Remedy:
     def apply(self, settings: AnySettings) -> AnySettings:
         """The settings with the changes made, as complete as they were; an alpha that is changed is a typed one."""
         fields: dict[str, Any] = {name: value for name, value in self.changes.items() if not name.startswith("param:")}
-        fields |= {"selector": "typed"} if "alpha" in fields else {}
+        fields |= {"selector": TYPED} if "alpha" in fields else {}
         params = dict(settings.params)
         params |= {name.removeprefix("param:"): v for name, v in self.changes.items() if name.startswith("param:")}
         return replace(settings, params=tuple(params.items()), **fields)
@@ -165,14 +166,15 @@ class Trials:
         """Products that a search for a cause costs at most."""
         s, space = self.settings, self.study.gamma_space
         rows = len(self.study.action_names) * s.steps * len(space.gammas)
-        width = len(space.thetas) if s.normalise == "paper" or self.smeared else 1
+        solver = SOLVERS[s.solver]
+        width = len(space.thetas) if s.normalise == "paper" or self.smeared or not solver.linear else 1
         seeds = 1 + (FRESH_SEEDS if self._noise_stays({}) else 0)
         solves = 10 * self.study.world.n_states * len(space.gammas)
         longer = 0.0 if s.fold else sum(more_rows(s.steps)) * rows / s.steps
         folded = 20 * work_of_fold(s, len(space.gammas), len(self.study.action_names) * width)
-        return float(
-            folded + len(ALPHAS) * seeds * rows * width + 20 * solves + (20 * rows + longer) * len(space.thetas)
-        )
+        decoded = len(ALPHAS) * seeds * rows * width + (20 * rows + longer) * len(space.thetas)
+        decodes = len(ALPHAS) * seeds + 20
+        return float(folded + 20 * solves + solver.work * decoded + solver.least_work * decodes)
 
     @property
     def affordable(self) -> bool:

@@ -16,6 +16,7 @@ from typing import Literal
 import numpy as np
 
 from laplace_core.code.ties import ROUNDING, greedy_action, tie_size
+from laplace_core.inverse import is_linear
 from laplace_core.study.artefacts.deadline import constant_horizon
 from laplace_core.study.artefacts.look import Look
 from laplace_core.study.grades import VALUE_TOLERANCE, Grade, Timeline, grade, timeline_error, timeline_grade
@@ -163,7 +164,8 @@ def _timeline_words(verdict: Verdict, name: str) -> str:
 def _explained(trials: Trials, verdict: Verdict) -> tuple[Verdict, str]:
     """The verdict with its cause, and the cause in words."""
     if not trials.affordable:
-        return replace(verdict, searched=False), " Its cause was not searched for: the view is too large."
+        slow = "the view is too large" if is_linear(trials.settings.solver) else "this solver takes too long for that"
+        return replace(verdict, searched=False), f" Its cause was not searched for: {slow}."
     repairing = [change for change in trials.switches if trials.repairs(change)]
     repairing = _one_each(repairing)
     if trials.learned_wrong:

@@ -17,6 +17,7 @@ from laplace_core.agents.agent import Agent
 from laplace_core.agents.capabilities import HasDiscounts
 from laplace_core.environments import GYMNASIUM_ENVIRONMENTS
 from laplace_core.exchange.links import by_name
+from laplace_core.inverse.solvers import selecting
 from laplace_core.parameters import Parameter
 from laplace_core.payloads.player import payload
 from laplace_core.subjects import View
@@ -133,8 +134,11 @@ def rolling(loaded: Loaded, control: Control) -> Task[RolledOut]:
 
 def artefacts(rolled: RolledOut, view: View) -> Task[Flags]:
     """The search for artefacts at every step under the settings of a view."""
-    # Without a truth no artefact depends on how values are read.
-    how, rollout = (replace(view.settings, softness=0.0, deadline="time_to_go"), view.subject.added), rolled.rollout
+    # Without a truth no artefact depends on how values are read; only a linear picture is a sum of artefacts.
+    settings = replace(
+        view.settings, softness=0.0, deadline="time_to_go", solver=selecting(view.settings.solver)
+    )  # fmt: skip
+    how, rollout = (settings, view.subject.added), rolled.rollout
 
     def make(progress: Progress) -> Flags:
         return flag_steps(rollout, *how, progress)

@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { averagingKernel, made, nearest } from '../../app/js/inverse/maths.js';
 import { read } from '../../app/js/inverse/model.js';
-import { columnsOf, solved } from '../../app/js/inverse/nonnegative.js';
+import { columnsOf, solved } from '../../app/js/core/nonnegative.js';
 import { panelsOf } from '../../app/js/inverse/panels.js';
 import { bytesOf, doublesOf } from './agreement.js';
 import { fixture } from './fixtures.js';

@@ -17,8 +17,11 @@ import numpy as np
 from laplace_core import Settings, load_world, study, study_of_gamma_space
 from laplace_core.code.interpolation import with_added
 from laplace_core.experiments.views import View, draw_view
+from laplace_core.inverse import SOLVERS
+from laplace_core.payloads.inverse import FOLLOWS
 from laplace_core.payloads.lens import Simulated, payload, structure
 from laplace_core.payloads.state import state_of
+from laplace_core.study.settings import Resolved, resolve_for_gamma_space
 from laplace_core.study.verdict import judge
 from tests.support.lens_reference import seen, unpacked
 
@@ -53,6 +56,71 @@ def payloads(*, small: bool = False) -> dict[str, tuple[bytes, Settings]]:
         own = study_of_gamma_space(space, structure(Settings(world="own.npz", steps=20, time_step=dt), None))
         found[name] = payload(own, _simulated(len(space.thetas)))[0], own.settings
     return found
+
+
+def solved(count: int) -> tuple[dict[str, tuple[bytes, Resolved]], list[dict[str, object]]]:
+    """Spaces decoded by every solver, by weighted and filtered discounts, and states of them.
+
+    A solver that the server runs has a payload for each of its states.
+
+    Args:
+        count: states a solver that the browser follows.
+    """
+    held, cases = {}, []
+    ways = [(solver, "deviation", "none") for solver in SOLVERS if solver not in ("neural", "feasible")]
+    ways += [("tikhonov2", "equal", "none"), ("tsvd", "equal", "savgol"), (FOLLOWS, "equal", "savgol")]
+    for place, (solver, weighting, kind) in enumerate(ways):
+        name = ("two_branch", "rise_and_fade", "cliff_grid")[place % 3]
+        settings = Settings(
+            world=name, thetas=20, gammas=12, steps=(None, 25, 20)[place % 3], solver=solver, weighting=weighting,
+            filter=kind, time_step=0.5 if place == 5 else 1.0,
+        )  # fmt: skip
+        world = load_world(name)
+        shown = study(world, settings).settings
+        here = {f"{place} {solver}": (payload(study(world, structure(shown, world)))[0], shown)}
+        held |= here
+        cases += [_followed(case) for case in random_cases(here, count, place)]
+    held |= _without_a_world()
+    cases += [_followed(case) for name, each in _without_a_world().items() for case in random_cases({name: each}, 3, 5)]
+    served = [
+        {"solver": "feasible"},
+        {"solver": "neural"},
+        {"solver": "tsvd", "fold": True},
+        {"solver": FOLLOWS, "fold": True},
+    ]
+    for place, values in enumerate(served):
+        world = load_world("two_branch")
+        shown = study(world, Settings(
+            world="two_branch", thetas=14, noise=0.002, noise_seed=place, gammas=15, spacing="inverse-log", alpha=0.05,
+            horizon=2, steps=6,
+            weighting="equal" if values["solver"] == "neural" else "deviation", normalise="survival", **values,
+        ))  # fmt: skip
+        data = payload(study(world, structure(shown.settings, world)), shown=shown)[0]
+        name = f"served {place} {values['solver']}"
+        held[name] = data, shown.settings
+        state = state_of(shown.settings, 2.0, action=place % 2)
+        cases.append({"payload": name, "state": state, "tau": 1})
+        if "fold" not in values:  # what is read otherwise needs no answer
+            read = {"softness": 0.3, "normalise": "paper", "horizon": 3.0, "value_gamma": 0.8}
+            cases.append({"payload": name, "state": state | read, "tau": 2})
+    return held, cases
+
+
+def _without_a_world() -> dict[str, tuple[bytes, Resolved]]:
+    """A gamma-space from a file, whose last tail is not 0, and one with open ends, by the non-negative solver."""
+    space = study(load_world("two_branch"), Settings(thetas=12, theta_max=9.0, gammas=12)).gamma_space
+    found = {}
+    for name, each in (("own", space), ("network", replace(space, open_ends=True))):
+        settings = Settings(world="own.npz", steps=10, solver=FOLLOWS, weighting="deviation")
+        own = study_of_gamma_space(each, structure(resolve_for_gamma_space(settings, each.gammas), None))
+        found[f"{name} {FOLLOWS}"] = payload(own)[0], own.settings
+    return found
+
+
+def _followed(case: dict[str, object]) -> dict[str, object]:
+    """A case without what only the server can answer, at an alpha that the dual of the non-negative solver can take."""
+    state: Any = case["state"]
+    return {**case, "state": state | {"fold": False, "alpha": float(max(state["alpha"], 1e-3))}}
 
 
 def _simulated(count: int) -> Simulated:
@@ -105,7 +173,7 @@ def fixture(held: Mapping[str, tuple[bytes, Settings]], cases: Sequence[Mapping[
     """What ``tests/js/agreement.js`` compares, as JSON: the payloads, and every case with what the library shows."""
     return {
         "payloads": {name: base64.b64encode(data).decode() for name, (data, _) in held.items()},
-        "cases": [{**case, "expected": _expected(held[case["payload"]][0], case)} for case in cases],
+        "cases": [{**case, "expected": _expected(*held[case["payload"]], case)} for case in cases],
     }
 
 
@@ -134,7 +202,7 @@ def packed(array: np.ndarray) -> str:
     return base64.b64encode(np.asarray(array, dtype="<f8").tobytes()).decode()
 
 
-def _expected(data: bytes, case: Mapping[str, Any]) -> dict[str, Any]:
+def _expected(data: bytes, settings: Settings, case: Mapping[str, Any]) -> dict[str, Any]:
     """The library's arrays under a state, each with its range and with the entries that stand for something.
 
     A row rescaled although it holds nothing but rounding is rounding itself, in the browser as in the library: an
@@ -142,7 +210,8 @@ def _expected(data: bytes, case: Mapping[str, Any]) -> dict[str, Any]:
     two actions are too close to tell.
     """
     state = case["state"]
-    true, *moved = (seen(data, state, case["tau"], shake) for shake in (0.0, ROUNDING, -ROUNDING))
+    solved = settings if isinstance(settings, Resolved) else None
+    true, *moved = (seen(data, state, case["tau"], shake, solved=solved) for shake in (0.0, ROUNDING, -ROUNDING))
     arrays = {}
     for name in COMPARED:
         if name not in true:

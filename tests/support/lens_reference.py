@@ -14,6 +14,7 @@ from laplace_core import GammaSpace, Study
 from laplace_core.code.encoding import reward_distance
 from laplace_core.code.gamma_space import encode, softened, with_noise
 from laplace_core.code.ties import greedy_action
+from laplace_core.inverse.solvers import selecting
 from laplace_core.payloads.lens import LEVELS
 from laplace_core.study.horizon import regret
 from laplace_core.study.kernels import averaging_kernel_of, discount_kernel_of
@@ -31,20 +32,28 @@ def unpacked(data: bytes) -> tuple[dict[str, Any], dict[str, np.ndarray]]:
     return header, arrays
 
 
-def seen(data: bytes, state: Mapping[str, Any], tau: int = 0, rounding: float = 0.0) -> dict[str, np.ndarray]:
+def seen(
+    data: bytes, state: Mapping[str, Any], tau: int = 0, rounding: float = 0.0, *, solved: Resolved | None = None
+) -> dict[str, np.ndarray]:
     """Arrays of a payload under a state of the controls; actions first.
 
     Args:
+        solved: settings whose solver, weights and filter are meant; default: Tikhonov, with discounts that count alike.
         tau: the row whose averaging kernel is wanted.
         rounding: relative error to give to gamma-space, to see which numbers hold under it.
     """
     header, arrays = unpacked(data)
     space, settings = _space(header, arrays, state), _settings(header, state)
+    if solved is not None:
+        names = ("solver", "weighting", "filter", "filter_window", "filter_order")
+        settings = replace(settings, **{name: getattr(solved, name) for name in names})
     if rounding:
         space = _shaken(space, rounding)
     study = Study(settings, tuple(header["actions"]), space, space.bin_values, read_study(space, settings))
     read, left = study.reading(study.row)
     decoded, rows = study.decoded, rows_decoded(settings, read)
+    # What is drawn of the kernels of a solver that has none are those of Tikhonov.
+    linear = replace(study, settings=replace(settings, solver=selecting(settings.solver)))
     found = {
         "gammas": space.gammas,
         "thetas": space.thetas,
@@ -59,8 +68,8 @@ def seen(data: bytes, state: Mapping[str, Any], tau: int = 0, rounding: float = 
         "horizon_values": decoded.horizon_values,
         "read_row": np.array(read),
         "chosen": greedy_action(decoded.horizon_values[:, read], scale=decoded.scale),
-        "discount_kernel": discount_kernel_of(study),
-        "averaging_kernel": averaging_kernel_of(study, tau),
+        "discount_kernel": discount_kernel_of(linear),
+        "averaging_kernel": averaging_kernel_of(linear, tau),
     }
     if header.get("simulated", {}).get("action") == state["action"]:
         found["distance"] = _distance(arrays, found["tau_space"][state["action"]], space, settings.time_step)
@@ -97,7 +106,8 @@ def _space(header: Mapping[str, Any], arrays: Mapping[str, np.ndarray], state: M
         if "bin_values" in arrays:
             values = tails[..., 1:]
         else:
-            values = np.concatenate([tails, np.zeros((*tails.shape[:-1], 1))], axis=-1)
+            last = arrays["above"] if "above" in arrays else np.zeros(tails.shape[:-1])
+            values = np.concatenate([tails, np.zeros((*tails.shape[:-1], 1))], axis=-1) + last[..., None]
         space = GammaSpace(
             values, arrays["constant"], gammas, thetas, "bin_values" in arrays, arrays.get("places")
         )  # fmt: skip

@@ -17,6 +17,7 @@ import streamlit as st
 from app import session
 from app.components import assets
 from laplace_core.exchange import messages
+from laplace_core.inverse import SOLVERS
 from laplace_core.payloads.packing import pack
 
 _HELD = 2
@@ -47,6 +48,7 @@ class Released:
         remedy: index of a remedy of the verdict.
         picked: a state clicked in the graph of the world.
         pin: whether the view is to be kept as A, or no longer.
+        solver: another solver that was asked for.
     """
 
     state: dict[str, Any]
@@ -54,6 +56,7 @@ class Released:
     remedy: int | None = None
     picked: int | None = None
     pin: bool | None = None
+    solver: str | None = None
 
 
 @dataclass(frozen=True)
@@ -106,6 +109,7 @@ def lens(
     pin: Pin | None = None,
     lead: Mapping[str, Any] | None = None,
     followed: Mapping[str, Any] | None = None,
+    rule: str | None = None,
 ) -> None:
     """Draw the lens; the state that is released has to pass through :func:`laplace_core.payloads.state.checked`.
 
@@ -121,6 +125,7 @@ def lens(
         pin: how a view is kept as A, where it can be.
         lead: ``id`` and ``step`` of the episode whose player (:mod:`app.components.player`) the lens follows.
         followed: what was observed, to be drawn on the timeline; see :func:`laplace_core.trained.rollouts.followed`.
+        rule: the title of the rule that chose alpha; None of an alpha that was set by hand.
     """
     widget, digest = f"lens {key}", messages.name_of(data)
     channel = session.channel(widget)
@@ -139,6 +144,7 @@ def lens(
         "pin": None if pin is None or pin.state is None else dict(pin.state),
         "lead": None if lead is None else dict(lead),
         "followed": None if followed is None else dict(followed),
+        "rule": rule,
         "plotly": assets.plotly_js(),
     }
 
@@ -158,7 +164,7 @@ def lens(
 def _released(answer: object, presets: Sequence[Preset]) -> Released:
     """What the browser says, which is not to be trusted: ``checked`` looks at the state value by value."""
     report = answer if isinstance(answer, Mapping) else {}
-    state, preset, pin = report.get("state"), report.get("preset"), report.get("pin")
+    state, preset, pin, solver = (report.get(name) for name in ("state", "preset", "pin", "solver"))
     remedy, picked = (_index(report.get(name)) for name in ("remedy", "picked"))
     return Released(
         dict(state) if isinstance(state, Mapping) else {},
@@ -166,6 +172,7 @@ def _released(answer: object, presets: Sequence[Preset]) -> Released:
         remedy,
         picked,
         pin if isinstance(pin, bool) else None,
+        solver if isinstance(solver, str) and solver in SOLVERS else None,
     )
 
 

@@ -1,6 +1,7 @@
 // Products, filters, noise: what the mathematics of the lens is made of.
 // Matrices are Float64Arrays in row-major order; (n, m) in a comment is their shape.
 /** @import { Grid, GrowingInverse, Inverse, Model, State } from '../types.js' */
+import { shares } from './filters.js';
 
 // ---- small tools
 
@@ -141,17 +142,9 @@ export function masses(rewards, thetas, slope) {
 
 // ---- the inverse
 
-/**
- * What the regularised inverse multiplies each component by.
- * @param {Float64Array} s - singular values, (r,)
- * @param {number} alpha
- * @returns {Float64Array} (r,)
- */
-export const filter = (s, alpha) => s.map((value) => value / (value * value + alpha * alpha));
-
 // An inverse turns components (r, width) into its n rows, and a target (n,) into weights over the components.
-const regular = ({ V, s, r, K }, alpha) => {
-  const f = filter(s, alpha),
+const regular = ({ V, s, r, K, free, filter }, alpha) => {
+  const f = shares(filter, s, free, alpha).kept,
     scaled = (x, width) => x.map((value, i) => value * f[(i / width) | 0]);
   return {
     n: K,
@@ -161,18 +154,15 @@ const regular = ({ V, s, r, K }, alpha) => {
 };
 
 /**
- * The 2-norm of every row of the decode matrix, the same for all actions: the components are orthonormal.
+ * The 2-norm of every row of the decode matrix, the same for all actions.
  * @param {Inverse} inverse - of n rows; it keeps the norms
- * @param {number} r
+ * @param {Pick<Grid, 'Ut' | 'G'>} grid
  * @returns {Float64Array} (n,)
  */
-export function rowNorms(inverse, r) {
+export function rowNorms(inverse, { Ut, G }) {
   if (inverse.norms?.length === inverse.n) return inverse.norms;
-  const rows = inverse.decode(
-    Float64Array.from({ length: r * r }, (_, i) => Number(i % (r + 1) === 0)),
-    r,
-  );
-  inverse.norms = Float64Array.from({ length: inverse.n }, (_, k) => Math.hypot(...rows.subarray(k * r, (k + 1) * r)));
+  const rows = inverse.decode(Ut, G);
+  inverse.norms = Float64Array.from({ length: inverse.n }, (_, k) => Math.hypot(...rows.subarray(k * G, (k + 1) * G)));
   return inverse.norms;
 }
 
@@ -244,14 +234,15 @@ export function growing({ V, s, r, K }, alpha) {
 }
 
 /**
- * The inverse of all rows, or, where only those before the deadline are decoded, of these.
+ * The inverse of all rows, or, where only those before the deadline are decoded, of these: by plain Tikhonov, for the
+ * components of any other solver are those of all rows.
  * @param {Grid} grid
  * @param {Pick<State, 'fold' | 'alpha'>} state
  * @param {number} n - rows up to the deadline
  * @returns {Inverse}
  */
 export function inverseOf(grid, { fold, alpha }, n) {
-  if (!fold) return regular(grid, alpha);
+  if (!fold || !grid.plain) return regular(grid, alpha);
   const grown = growing(grid, alpha);
   while (grown.n < n) grown.add();
   return grown;

@@ -1,5 +1,5 @@
 // The mathematics of the lens: from a model and a state to everything that is drawn. Knows no page.
-/** @import { Columns, DecodedWithTruth, Effect, Grid, Inverse, Kernel, Model, Resolution, Seen, State, Switch, Truth } from '../types.js' */
+/** @import { Columns, DecodedWithTruth, Effect, Grid, Inverse, Kernel, Model, Resolution, Seen, State, Switch, Timelines, Truth } from '../types.js' */
 import {
   ROUNDING,
   greedy,
@@ -11,9 +11,11 @@ import {
   remember,
   rowNorms,
   sigmoid,
+  transposed,
 } from './algebra.js';
 import { projections, rowAt } from './model.js';
 import { softened } from './network.js';
+import { columnsOf } from './nonnegative.js';
 
 const LEAST_SHOWN = 0.05; // a picture that holds a smaller share of the true timeline shows nothing of it
 const FLOOR = 0.05; // below this decoded survival a conditional distribution is noise over noise
@@ -192,8 +194,11 @@ export function timelineError(model, state, seen) {
  * @returns {Seen}
  */
 export function see(model, state, most = Infinity) {
-  const { A, K, dt, cache, arrays } = model,
-    grid = (state.paper_grid && model.grids.paper) || model.grids.own;
+  const { A, K, dt, cache, arrays, header } = model;
+  if (arrays.decoded)
+    state = { ...state, ...header.decoded_for }; // the server's timeline is of these settings
+  else if (state.fold && !model.grids.own.plain) state = { ...state, fold: false }; // until the server has answered
+  const grid = (state.paper_grid && model.grids.paper) || model.grids.own;
   const columns = (state.mixed && grid.columns.per_gamma) || grid.columns.shared;
   const open = Boolean(arrays.bin_edges); // what lies beyond the sensitivities counts, in bins of its own
   const sensitivities = (state.clip && !columns.plain && arrays.clipped_thetas) || arrays.thetas;
@@ -229,11 +234,9 @@ export function see(model, state, most = Infinity) {
     ),
     constant: plus(inComponents.constants[a], humming?.constants[a]),
   }));
-  const rowsOf = (inverse, right, wide) => inverse.decode(right, wide);
-  const survivalOf = (part, inverse) => rowsOf(inverse, part.constant, 1);
   const rawRows = (part, inverse) => {
-    if (!hum && map) return product(rowsOf(inverse, part.columns, width), map, inverse.n, width, H);
-    return rowsOf(inverse, plus(map ? product(part.columns, map, grid.r, width, H) : part.columns, part.hum), H);
+    if (!hum && map) return product(inverse.decode(part.columns, width), map, inverse.n, width, H);
+    return inverse.decode(plus(map ? product(part.columns, map, grid.r, width, H) : part.columns, part.hum), H);
   };
   // Below it a row holds nothing but rounding (laplace_core.inverse.rounding_of_rows); only rescaling asks.
   const sized = [
@@ -247,37 +250,88 @@ export function see(model, state, most = Infinity) {
     hum && state.noise_seed,
     state.shift,
   ];
-  const roundingOf = (part, inverse) => {
-    if (state.normalise !== 'paper') return undefined;
-    const a = parts.indexOf(part),
-      size = remember(cache, `sizes ${a}`, sized, () => {
-        const Z = differencesOf(columns, grid, map, H, a, hum, state.noise);
-        return Math.hypot(
-          ...Array.from({ length: state.shift ? grid.G - 1 : grid.G }, (_, g) =>
-            Z.subarray(g * H, (g + 1) * H).reduce((sum, value) => sum + Math.abs(value), 0),
-          ),
-        );
-      });
-    return rowNorms(inverse, grid.r).map((norm) => ROUNDING * size * norm);
+  const roundingOf = (a, inverse) => {
+    const size = remember(cache, `sizes ${a}`, sized, () => {
+      const Z = differencesOf(columns, grid, map, H, a, hum, state.noise);
+      return Math.hypot(
+        ...Array.from({ length: state.shift ? grid.G - 1 : grid.G }, (_, g) =>
+          Z.subarray(g * H, (g + 1) * H).reduce((sum, value) => sum + Math.abs(value), 0),
+        ),
+      );
+    });
+    return rowNorms(inverse, grid).map((norm) => ROUNDING * size * norm);
   };
-  const tauSpace = (part, inverse) => {
-    const rows = rawRows(part, inverse);
+
+  // ---- what a solver makes of an action: rows of tau-space, survival, and expected rewards, before any rescaling
+  /** @type {(inverse: Inverse) => Timelines} */
+  const linear = (inverse) => ({
+    n: inverse.n,
+    rows: (a) => rawRows(parts[a], inverse),
+    survival: (a) => inverse.decode(parts[a].constant, 1),
+    rewards: (a) => inverse.decode(parts[a].mean, 1),
+    rounding: (a) => roundingOf(a, inverse),
+  });
+  /** @returns {Timelines} */
+  const nonnegative = () => {
+    const { reduced, turned } = grid,
+      q = reduced.length / K,
+      wide = open ? H : H + 2,
+      end = open ? 0 : 1;
+    const each = parts.map((_, a) => {
+      const solver = remember(cache, `columns ${a}`, sized, () => {
+        const full = allMasses(model, grid, { columns, map, hum, soft, thetas, H, open }, state, a);
+        return columnsOf(reduced, transposed(product(turned, full, q, grid.G, wide), q, wide), K);
+      });
+      return solver.at(Math.max(state.alpha, header.least * solver.size));
+    });
+    const rows = (a) =>
+      Float64Array.from({ length: K * H }, (_, i) => each[a][Math.floor(i / H) * wide + (i % H) + end]);
+    return {
+      n: K,
+      rows,
+      survival: (a) => product(each[a], new Float64Array(wide).fill(1), K, wide, 1),
+      rewards: (a) => product(rows(a), midpoints, K, H, 1),
+    };
+  };
+  const ready = /** @type {Float64Array} */ (arrays.decoded),
+    alive = /** @type {Float64Array} */ (arrays.decoded_survival),
+    folded = arrays.decoded_values;
+  /** @returns {Timelines} */
+  const served = () => {
+    const rows = (a) => ready.slice(a * K * H, (a * K + n) * H);
+    return {
+      n,
+      rows,
+      survival: (a) => alive.slice(a * K, a * K + n),
+      rewards: (a) => product(rows(a), midpoints, n, H, 1),
+    };
+  };
+  const tauSpace = (timelines, a) => {
+    const rows = timelines.rows(a);
     if (state.normalise !== 'none')
-      normalise(rows, survivalOf(part, inverse), state.normalise, H, dt, roundingOf(part, inverse));
+      normalise(
+        rows,
+        timelines.survival(a),
+        state.normalise,
+        H,
+        dt,
+        state.normalise === 'paper' ? timelines.rounding?.(a) : undefined,
+      );
     return rows;
   };
-  const rewardsOf = (part, inverse) => {
-    if (state.normalise === 'paper') return product(tauSpace(part, inverse), midpoints, inverse.n, H, 1);
-    const rows = rowsOf(inverse, part.mean, 1);
-    if (state.normalise !== 'none') normalise(rows, survivalOf(part, inverse), 'survival', 1, dt);
+  const rewardsOf = (timelines, a) => {
+    if (state.normalise === 'paper') return product(tauSpace(timelines, a), midpoints, timelines.n, H, 1);
+    const rows = timelines.rewards(a);
+    if (state.normalise !== 'none') normalise(rows, timelines.survival(a), 'survival', 1, dt);
     return rows;
   };
 
   const inverse = inverseOf(grid, state, n);
-  const tau = tauSpace(parts[state.action], inverse);
-  const survival = parts.map((part) => survivalOf(part, inverse));
-  const rewards = parts.map((part, a) =>
-    a === state.action ? product(tau, midpoints, n, H, 1) : rewardsOf(part, inverse),
+  const timelines = ready ? served() : grid.reduced ? nonnegative() : linear(inverse);
+  const tau = tauSpace(timelines, state.action);
+  const survival = parts.map((_, a) => timelines.survival(a));
+  const rewards = parts.map((_, a) =>
+    a === state.action ? product(tau, midpoints, timelines.n, H, 1) : rewardsOf(timelines, a),
   );
   const d = discounts(model, state.softness, state.value_gamma);
   const valueAt = (row, expected) => {
@@ -296,7 +350,8 @@ export function see(model, state, most = Infinity) {
     values.forEach((line, a) => {
       line[readRow] = valueAt(readRow, rewards[a]);
     });
-  if (state.fold && most) {
+  if (state.fold && folded) values.forEach((line, a) => line.set(folded.subarray(a * K, (a + 1) * K)));
+  else if (state.fold && most) {
     // every other horizon has an inverse of its own
     const wide = state.normalise === 'paper' ? H * (hum ? grid.r : width) : grid.r;
     const stride = Math.max(1, Math.ceil((A * wide * K * K) / 2 / most));
@@ -304,8 +359,9 @@ export function see(model, state, most = Infinity) {
     for (let k = 0; k < K; k++) {
       grown.add();
       if (k === readRow || (k % stride && k !== K - 1)) continue;
-      parts.forEach((part, a) => {
-        values[a][k] = valueAt(k, rewardsOf(part, grown));
+      const shorter = linear(grown);
+      parts.forEach((_, a) => {
+        values[a][k] = valueAt(k, rewardsOf(shorter, a));
       });
     }
   }
@@ -393,6 +449,7 @@ function noiseOf({ A, H, arrays }, grid, seed) {
   const { G, gammas } = grid,
     width = H - 1 + 2 * open,
     differences = [],
+    above = new Float64Array(A * G), // of the last tail
     constant = new Float64Array(A * G);
   const values = normalNoise(seed, A * G * H),
     more = normalNoise(seed, A * G, A * G * H);
@@ -404,11 +461,12 @@ function noiseOf({ A, H, arrays }, grid, seed) {
         tail = (h) => (h < 0 ? more[a * G + g] : h < H ? values[from + h] : 0);
       for (let h = 0; h < width; h++) out[g * width + h] = scale * (tail(h - open) - tail(h - open + 1));
       constant[a * G + g] = scale * more[a * G + g];
+      above[a * G + g] = scale * tail(H - 1);
     }
     differences.push(out);
   }
   const steps = differences.map((_, a) => constant.subarray(a * G, (a + 1) * G));
-  return Object.assign(projections(grid, differences, width, steps), { differences });
+  return Object.assign(projections(grid, differences, width, steps), { differences, above, steps });
 }
 /**
  * Differences of gamma-space of one action.
@@ -427,6 +485,48 @@ function differencesOf(columns, grid, map, H, a, hum, noise) {
 }
 
 /**
+ * Masses of one action over the discounts with those beyond the sensitivities, as a solver gets them that knows that all
+ * of them sum to survival: filtered, and shifted where the index is.
+ * @param {Model} model
+ * @param {Grid} grid
+ * @param {Pick<Seen, 'columns' | 'map' | 'hum' | 'soft' | 'thetas' | 'H' | 'open'>} seen
+ * @param {State} state
+ * @param {number} a
+ * @returns {Float64Array} (G, bins)
+ */
+function allMasses({ arrays }, grid, { columns, map, hum, thetas, H, open }, state, a) {
+  const { G, smoothing } = grid,
+    { width, values } = columns,
+    inner = differencesOf(columns, grid, map, H, a, hum, state.noise),
+    wide = open ? H : H + 2;
+  let full = inner;
+  if (!open) {
+    full = new Float64Array(G * wide);
+    for (let g = 0; g < G; g++) {
+      let above = 0,
+        sum = columns.steps[a][g];
+      if (columns.plain) above = arrays.above?.[a * G + g] ?? 0;
+      else
+        for (let v = 0; v < width; v++)
+          above += values[a][g * width + v] * sigmoid(state.slope * (arrays.rewards[v] - thetas[H]));
+      if (hum) {
+        above += state.noise * hum.above[a * G + g];
+        sum += state.noise * hum.steps[a][g];
+      }
+      full.set(inner.subarray(g * H, (g + 1) * H), g * wide + 1);
+      full[g * wide + wide - 1] = above;
+      for (let h = 1; h < wide; h++) sum -= full[g * wide + h];
+      full[g * wide] = sum;
+    }
+  }
+  if (smoothing) full = product(smoothing, full, G, G, wide);
+  if (!state.shift) return full;
+  const late = new Float64Array(G * wide);
+  late.set(full.subarray(0, (G - 1) * wide), wide);
+  return late;
+}
+
+/**
  * Differences of gamma-space of the shown action.
  * @param {Seen} seen
  * @param {State} state
@@ -436,28 +536,25 @@ export const gammaSpace = ({ grid, columns, map, hum, H }, state) =>
   differencesOf(columns, grid, map, H, state.action, hum, state.noise);
 
 /**
- * Weights over the discounts in components, (r,): decoding values that are shifted by one is decoding by weights that are shifted back.
+ * Weights over the discounts that give the sum of a target times the rows, (G,): decoding values that are shifted by one
+ * is decoding by weights that are shifted back.
+ * @param {Model} model
  * @param {Grid} grid
  * @param {State} state
  * @param {Inverse} inverse
  * @param {Float64Array} target - (K,)
- * @returns {Float64Array} (r,)
+ * @returns {Float64Array} (G,)
  */
-function weightsOf({ U, Ut, G, r }, state, inverse, target) {
-  const weights = inverse.weights(target);
-  if (!state.shift) return weights;
-  const each = product(U, weights, G, r, 1);
-  return product(
-    Ut,
-    each.map((_, g) => (g + 1 < G ? each[g + 1] : 0)),
-    r,
-    G,
-    1,
-  );
+function weightsOf({ arrays: { matrix } }, { Ut, G, r }, state, inverse, target) {
+  const each = matrix
+    ? product(target, matrix, 1, matrix.length / G, G)
+    : product(inverse.weights(target), Ut, 1, r, G);
+  return state.shift ? each.map((_, g) => (g + 1 < G ? each[g + 1] : 0)) : each;
 }
 
 /**
- * What alpha and T really weigh each future step with, what they should, and how much noise it lets through.
+ * What alpha and T really weigh each future step with, what they should, and how much noise it lets through. Of a solver
+ * that is not linear it is that of Tikhonov at the same alpha.
  * @param {Model} model
  * @param {State} state
  * @param {Seen} seen
@@ -465,20 +562,13 @@ function weightsOf({ U, Ut, G, r }, state, inverse, target) {
  */
 export function kernel(model, state, { grid, n, readRow, d, inverse }) {
   const { K } = model,
-    { V, s, r } = grid,
     wanted = d.slice(readRow * K, (readRow + 1) * K),
     target = new Float64Array(K);
   for (let k = 0; k < n; k++) target[k] = wanted[k];
-  const weights = weightsOf(grid, state, inverse, target);
+  const weights = weightsOf(model, grid, state, inverse, target);
   return {
     wanted,
-    actual: product(
-      V,
-      weights.map((value, i) => value * s[i]),
-      K,
-      r,
-      1,
-    ),
+    actual: product(weights, grid.transform, 1, grid.G, K),
     gain: Math.hypot(...weights),
   };
 }
@@ -493,23 +583,16 @@ export function kernel(model, state, { grid, n, readRow, d, inverse }) {
  */
 export function resolution(model, state, { grid, n, inverse }, row) {
   const { K, dt } = model,
-    { V, s, r } = grid,
     kernel = new Float64Array(K);
   if (row < n) {
     const weights = weightsOf(
+      model,
       grid,
       state,
       inverse,
       Float64Array.from({ length: K }, (_, k) => Number(k === row)),
     );
-    product(
-      V,
-      weights.map((value, i) => value * s[i]),
-      K,
-      r,
-      1,
-      kernel,
-    );
+    product(weights, grid.transform, 1, grid.G, K, kernel);
   }
   let peak = 0;
   kernel.forEach((value, k) => {
@@ -520,6 +603,17 @@ export function resolution(model, state, { grid, n, inverse }, row) {
   while (low > 0 && kernel[low - 1] > kernel[peak] / 2) low--;
   while (high < K - 1 && kernel[high + 1] > kernel[peak] / 2) high++;
   return { kernel, peak: peak * dt, half: ((high - low) / 2) * dt, low: low * dt, high: high * dt };
+}
+
+/**
+ * Whether the server has not answered yet for a state, of a solver that does not follow the hand.
+ * @param {Model} model
+ * @param {State} state
+ * @returns {boolean}
+ */
+export function pending({ header: { decoded_for: held, follows }, arrays, grids }, state) {
+  if (arrays.decoded && held) return Object.keys(held).some((name) => held[name] !== state[name]);
+  return !follows || (state.fold && !grids.own.plain);
 }
 
 // ---- artefacts, each a switch

@@ -53,8 +53,12 @@ function open(header, arrays) {
       gammas = part('gammas'),
       s = part('s'),
       U = part('U'),
+      weights = part('weights'),
+      smoothing = part('smoothing'),
       G = gammas.length,
-      r = s.length;
+      { free, filter } = header,
+      r = s.length + free;
+    const weighted = transposed(U, G, r).map((value, i) => (weights ? value * weights[i % G] : value));
     const found = {
       name,
       G,
@@ -63,8 +67,15 @@ function open(header, arrays) {
       U,
       gammas,
       s,
+      free,
+      filter,
+      plain: header.solver === 'tikhonov' && !weights && !smoothing,
       V: part('V'),
-      Ut: transposed(U, G, r),
+      Ut: smoothing ? product(weighted, smoothing, r, G, G) : weighted,
+      smoothing,
+      transform: Float64Array.from({ length: G * K }, (_, i) => gammas[Math.floor(i / K)] ** ((i % K) * dt)),
+      reduced: part('reduced'),
+      turned: part('turned'),
       columns: /** @type {Grid['columns']} */ ({}),
     };
     for (const kind of ['shared', 'per_gamma']) {
@@ -101,7 +112,7 @@ function open(header, arrays) {
 }
 
 /**
- * The same model of another gamma-space at the trained discounts; nothing of it is simulated.
+ * The same model of another gamma-space at the trained discounts; nothing of it is simulated, or decoded by the server.
  * @param {Model} model
  * @param {Float64Array} differences - (A, trained, bins)
  * @param {Float64Array} constant - the constant channel, (A, trained)
@@ -113,6 +124,8 @@ export const remade = ({ header, arrays }, differences, constant) =>
     differences: filled(header, arrays, differences),
     constant: filled(header, arrays, constant),
     simulated_tails: undefined,
+    decoded: undefined,
+    matrix: undefined,
   });
 
 /**
@@ -174,7 +187,7 @@ function channels(grid, values, A, width, constant) {
       return sum;
     });
   const steps = each.map((x, a) => (constant ? constant.subarray(a * G, (a + 1) * G) : sums(x)));
-  return Object.assign(projections(grid, each, width, steps), { width, values: each });
+  return Object.assign(projections(grid, each, width, steps), { width, values: each, steps });
 }
 
 /**

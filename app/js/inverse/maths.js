@@ -1,41 +1,7 @@
 // What an alpha makes of the data: components filtered and multiplied, as laplace_core/inverse/linear.py does it.
 /** @import { InverseModel, Made } from '../types.js' */
 import { product } from '../core/algebra.js';
-
-// A whole number as NumPy rounds it: halves to even.
-function rounded(value) {
-  const low = Math.floor(value),
-    off = value - low;
-  return off < 0.5 || (off === 0.5 && low % 2 === 0) ? low : low + 1;
-}
-
-// The share of a component that an iteration has not fitted yet, as a logarithm.
-const logLeft = (s, alpha, largest) => Math.max(1, rounded((largest / alpha) ** 2)) * Math.log1p(-((s / largest) ** 2));
-
-const FILTERS = {
-  tikhonov: (s, a) => [s / (s * s + a * a), (a * a) / (s * s + a * a)],
-  truncated: (s, a) => [s >= a ? 1 / s : 0, s < a ? 1 : 0],
-  damped: (s, a) => [1 / (s + a), a / (s + a)],
-  iterative: (s, a, largest) => {
-    const left = logLeft(s, a, largest);
-    return [-Math.expm1(left) / s, Math.exp(left)];
-  },
-};
-
-/**
- * What the data of each component are multiplied by, and the share of it that stays in the residual, (r,) each.
- * @param {InverseModel} model
- * @param {number} alpha
- * @returns {{ kept: Float64Array, lost: Float64Array }}
- */
-export function shares({ header, arrays, r }, alpha) {
-  const { free } = header,
-    { s } = arrays,
-    kept = new Float64Array(r).fill(1),
-    lost = new Float64Array(r);
-  for (let i = free; i < r; i++) [kept[i], lost[i]] = FILTERS[header.filter](s[i - free], alpha, s[0]);
-  return { kept, lost };
-}
+import { shares } from '../core/filters.js';
 
 /**
  * Norms and degrees of freedom of the sweep at any alpha.
@@ -75,7 +41,7 @@ export function averagingKernel({ arrays, r, K, seenThrough }, kept, k) {
  */
 export function made(model, alpha) {
   const { arrays, header, G, K, B, r, Ut, transform } = model,
-    found = shares(model, alpha),
+    found = shares(header.filter, arrays.s, header.free, alpha),
     { kept } = found;
   const scaled = model.components.map((value, i) => value * kept[Math.floor(i / B)]);
   const follows = model.nonnegative,

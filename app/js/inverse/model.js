@@ -2,7 +2,7 @@
 /** @import { InverseModel } from '../types.js' */
 import { product, transposed } from '../core/algebra.js';
 import { unpacked } from '../core/model.js';
-import { columnsOf } from './nonnegative.js';
+import { columnsOf } from '../core/nonnegative.js';
 
 /**
  * A model of a payload.

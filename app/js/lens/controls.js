@@ -105,7 +105,8 @@ export const SLIDERS = [
  * @param {Model} model
  * @param {State} base - the opening state
  * @param {Wish} wish
- * @returns {{ box: HTMLElement, sync: (state: State) => void }}
+ * @returns {{ box: HTMLElement, sync: (state: State, rule?: string | null) => void }} `rule`: title of the rule that
+ *   chose alpha
  */
 export function sliders(model, base, wish) {
   const box = element('div', { class: 'sliders' }),
@@ -124,7 +125,8 @@ export function sliders(model, base, wish) {
         'aria-label': label,
         disabled: scale.count < 1,
       });
-    input.oninput = () => wish({ [name]: scale.at(+input.value) }, false);
+    const byHand = name === 'alpha' ? { selector: 'typed' } : {}; // a drag takes alpha from the rule
+    input.oninput = () => wish({ [name]: scale.at(+input.value), ...byHand }, false);
     input.onchange = () => wish({}, true);
     const extra =
       name === 'alpha'
@@ -157,10 +159,11 @@ export function sliders(model, base, wish) {
             ]
           : [];
     box.append(element('div', { class: 'slider' }, element('span', { class: 'name' }, label), ...extra, output, input));
-    shown[name] = (state) => {
+    shown[name] = (state, rule) => {
       if (name === 'noise') extra[0].disabled = !state.noise;
       const at = scale.of(state[name]),
-        words = `${short(state[name], 4)}${unit ? ` ${unit}` : ''}`;
+        chosen = name === 'alpha' && state.selector !== 'typed' ? ` · ${rule ?? state.selector}` : '',
+        words = `${short(state[name], 4)}${unit ? ` ${unit}` : ''}${chosen}`;
       if (+input.value !== at) input.value = String(at);
       if (output.value !== words) {
         output.value = words;
@@ -168,7 +171,7 @@ export function sliders(model, base, wish) {
       }
     };
   }
-  return { box, sync: (state) => Object.values(shown).forEach((show) => show(state)) };
+  return { box, sync: (state, rule) => Object.values(shown).forEach((show) => show(state, rule)) };
 }
 
 /**

@@ -13,7 +13,7 @@ import { panelsOf } from './panels.js';
 import { simulatedFor } from './simulated.js';
 import { limitOfTau, thetaRange, trueRow } from './spaces.js';
 import { drawSurface } from '../draw/surface.js';
-import { WORDS, effects, judged } from './verdict.js';
+import { WORDS, effects, judged, offers } from './verdict.js';
 import { worldPanel } from './world.js';
 
 const REST = 140; // ms without a change before what is slow is done
@@ -183,7 +183,7 @@ export function mount(root, model, told, report) {
       from += way * past; // a decade a second
       if (from < -6 || from > 1) way = -way;
       from = Math.min(1, Math.max(-6, from));
-      state = { ...state, alpha: +(10 ** from).toPrecision(3) };
+      state = { ...state, alpha: +(10 ** from).toPrecision(3), selector: 'typed' };
       dragging = true;
       draw();
       playing = requestAnimationFrame(step);
@@ -298,7 +298,7 @@ export function mount(root, model, told, report) {
         found = sheet(canvas, scene.colours.font);
       if (found) canvas.scale = drawOne(found.pen, each, found.width, found.height) ?? canvas.scale;
     }
-    handles.sync(state);
+    handles.sync(state, told.rule);
     board.sync(state);
     tools.sync(state, history, told);
     judge();
@@ -308,14 +308,21 @@ export function mount(root, model, told, report) {
   function judge() {
     const heard = told.said && same(told.said.state, state) ? told.said : undefined,
       { tone, sentence: words } = heard ?? judged(model, state, seen);
-    const labels = heard?.remedies ?? [];
-    const whole = `${WORDS[tone]}. ${words}`;
-    if (sentence.textContent === whole && remedies.children.length === labels.length) return;
+    /** @type {[string, Partial<Released>][]} */
+    const buttons = [
+      ...(heard?.remedies ?? []).map((label, remedy) => /** @type {[string, {}]} */ ([label, { remedy }])),
+      ...(told.live
+        ? offers(model, seen).map(([label, solver]) => /** @type {[string, {}]} */ ([label, { solver }]))
+        : []),
+    ];
+    const whole = `${WORDS[tone]}. ${words}`,
+      labels = buttons.map(([label]) => label).join('');
+    if (sentence.textContent === whole && remedies.textContent === labels) return;
     sentence.replaceChildren(element('b', {}, `${WORDS[tone]}.`), ` ${words}`);
     verdict.className = `verdict ${tone === 'bad' || tone === 'ok' ? tone : 'warn'}${tone === 'unknown' ? ' brief' : ''}`;
     remedies.replaceChildren(
-      ...labels.map((label, i) =>
-        element('button', { type: 'button', class: 'remedy', onclick: () => report({ state, remedy: i }) }, label),
+      ...buttons.map(([label, asked]) =>
+        element('button', { type: 'button', class: 'remedy', onclick: () => report({ state, ...asked }) }, label),
       ),
     );
   }

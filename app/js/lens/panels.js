@@ -3,37 +3,42 @@
 /** @import { Panel, Told } from '../types.js' */
 import { NEUTRAL, actionColour, axes, line, rounded, short, ticks } from '../draw/drawing.js';
 import { GHOST, disc, inside, marked, titled } from '../draw/frame.js';
+import { shares } from '../core/filters.js';
 import { gammaSpace } from '../core/maths.js';
 import { drawSimulated, simulatedFor } from './simulated.js';
 import { gammaPanel, isAdded, tauPanel } from './spaces.js';
 import { valuesPanel } from './values.js';
+import { impossible } from './verdict.js';
 
 /** @type {Panel} */
 const spectrumPanel = {
   name: 'spectrum',
   draw(pen, w, h, scene) {
     const { model, state, seen, hover, colours } = scene,
-      { s, r, U, V, G } = seen.grid,
+      { s, r, free, U, V, G } = seen.grid,
+      count = s.length,
       box = inside(w, h);
     const learned = (G - 1) / (model.header.added + 1) + 1; // what is interpolated adds none
-    const factors = s.map((value) => value ** 2 / (value ** 2 + state.alpha ** 2)),
+    const factors = shares(seen.grid.filter, s, free, state.alpha)
+        .lost.subarray(free)
+        .map((lost) => 1 - lost),
       passing = factors.filter((f) => f > 0.5).length;
     titled(
       pen,
       w,
       'what alpha lets through',
-      `${passing} of ${r} pass${learned < G ? `, ${learned} learned` : ''}`,
+      `${passing + free} of ${r} pass${learned < G ? `, ${learned} learned` : ''}`,
       scene,
     );
-    const low = Math.floor(Math.log10(s[r - 1])) - 0.3,
+    const low = Math.floor(Math.log10(s[count - 1])) - 0.3,
       high = Math.max(0.6, Math.log10(s[0]) + 0.4),
       scale = axes(pen, box, {
-        x: [0.4, r + 0.6],
+        x: [0.4, count + 0.6],
         y: [low, high],
         xTitle: 'component; bars: share let through',
         yTitle: 'singular value',
         colours,
-        xTicks: r <= 8 ? Array.from({ length: r }, (_, i) => i + 1) : undefined,
+        xTicks: count <= 8 ? Array.from({ length: count }, (_, i) => i + 1) : undefined,
         yTicks: ticks(low, high, 6)
           .filter((tick) => Number.isInteger(tick))
           .map((tick) => [tick, tick ? `1e${tick}` : '1']),
@@ -58,9 +63,9 @@ const spectrumPanel = {
     const { gamma, tau } = hover;
     const weights =
       gamma !== undefined
-        ? factors.map((_, i) => Math.abs(U[gamma * r + i]))
+        ? factors.map((_, i) => Math.abs(U[gamma * r + free + i]))
         : tau !== undefined
-          ? factors.map((_, i) => Math.abs(V[tau * r + i]))
+          ? factors.map((_, i) => Math.abs(V[tau * r + free + i]))
           : null;
     if (weights)
       line(
@@ -85,7 +90,7 @@ const spectrumPanel = {
   point: () => ({}),
   words: ({ state, seen }) =>
     `Singular values of the transform: ${seen.grid.r} usable, the smallest ` +
-    `${short(seen.grid.s[seen.grid.r - 1] / seen.grid.s[0])} of the largest. ` +
+    `${short(seen.grid.s[seen.grid.s.length - 1] / seen.grid.s[0])} of the largest. ` +
     `Alpha ${short(state.alpha)} lets ${seen.grid.s.filter((value) => value > state.alpha).length} of ` +
     `them through by more than half.`,
 };
@@ -184,7 +189,7 @@ const rewardsPanel = {
       'expected reward and survival',
       hover.tau !== undefined && hover.tau < seen.n
         ? `τ ${short(hover.tau * dt)}: ${short(rewards[hover.tau])}, alive ${short(seen.survival[a][hover.tau] / dt)}`
-        : Math.max(...seen.survival[a]) / dt > 1.05
+        : impossible([seen.survival[a]], dt)
           ? 'alive above 1: impossible'
           : seen.truth
             ? 'grey: true'

@@ -3,7 +3,7 @@
 /** @import { Effect, Model, Seen, State, Verdict } from '../types.js' */
 import { short } from '../draw/drawing.js';
 import { ROUNDING, tieSize } from '../core/algebra.js';
-import { SWITCHES, available, effect, timelineError } from '../core/maths.js';
+import { SWITCHES, available, effect, pending, timelineError } from '../core/maths.js';
 
 const VALUE_TOLERANCE = 0.1,
   SOUND = 0.1,
@@ -13,6 +13,7 @@ export const WORDS = {
   warn: 'Right, for the wrong reason',
   ok: 'Right',
   unknown: 'No truth to compare with',
+  pending: 'Not computed yet',
   smeared: 'Right choice, smeared timeline',
   ruined: 'Right choice, ruined timeline',
 };
@@ -39,6 +40,9 @@ function numbers(values, scale, chosen, names) {
   return ` (${first} v ${second}${values.length > 2 ? ` for ${names[rival]}` : ''})`;
 }
 
+const ALLOWED = 0.05; // survival above 1, and probability below 0 in a row: VISIBLE in laplace_core.study.artefacts
+const isLinear = ({ arrays, grids }, state) =>
+  !arrays.decoded && !grids.own.reduced && !(state.fold && !grids.own.plain);
 const gradeOf = (timeline) => (timeline <= SOUND ? 'sound' : timeline <= RUINED ? 'smeared' : 'ruined');
 
 /**
@@ -63,6 +67,13 @@ export function timelineWords(timeline, name) {
  * @returns {Verdict}
  */
 export function judged(model, state, seen) {
+  if (pending(model, state)) {
+    const stays = model.arrays.decoded ? 'the timeline of the old settings stays' : 'this is the one of Tikhonov';
+    return {
+      tone: 'pending',
+      sentence: `This solver runs on the server, once the control is released: until then ${stays}.`,
+    };
+  }
   const names = model.header.actions,
     row = seen.readRow,
     values = seen.values.map((line) => line[row]);
@@ -117,7 +128,42 @@ export function judged(model, state, seen) {
 }
 
 /**
- * What every switch does here, by name.
+ * Solvers that a timeline asks for which no probabilities can be: labels and names. It is alive above 1, or has less than
+ * nothing of a reward.
+ * @param {Model} model
+ * @param {Seen} seen
+ * @returns {[string, string][]}
+ */
+export function offers({ header: { solver }, dt }, { survival, tau, H, n }) {
+  /** @type {[string, string][]} */
+  const found = [];
+  if (solver !== 'feasible' && impossible(survival, dt)) found.push(['Use the feasible timeline', 'feasible']);
+  const negative = solver !== 'nonnegative' && solver !== 'feasible' && lowest(tau, n, H) < -ALLOWED * dt;
+  if (negative) found.push(['Use the non-negative solver', 'nonnegative']);
+  return found;
+}
+
+/**
+ * Whether a survival is above 1 by more than what is left out of a picture.
+ * @param {Float64Array[]} survival - (n,) an action
+ * @param {number} dt - length of a row
+ * @returns {boolean}
+ */
+export const impossible = (survival, dt) => survival.some((line) => line.some((alive) => alive / dt > 1 + ALLOWED));
+
+// The most that masses below 0 take away from a row.
+function lowest(tau, n, H) {
+  let least = 0;
+  for (let k = 0; k < n; k++) {
+    let sum = 0;
+    for (let h = 0; h < H; h++) sum += Math.min(0, tau[k * H + h]);
+    least = Math.min(least, sum);
+  }
+  return least;
+}
+
+/**
+ * What every switch does here, by name; nothing of a solver that is not linear, whose picture is no sum of parts.
  * @param {Model} model
  * @param {State} state
  * @returns {Record<string, Effect>}
@@ -125,6 +171,6 @@ export function judged(model, state, seen) {
 export const effects = (model, state) =>
   Object.fromEntries(
     Object.keys(SWITCHES)
-      .filter((name) => available(model, name))
+      .filter((name) => isLinear(model, state) && available(model, name))
       .map((name) => [name, effect(model, state, name)]),
   );

@@ -23,8 +23,12 @@ MEASURES: dict[str, Measure] = {
     **deadline.MEASURES,
 }
 """The measure of every artefact that studies are searched for, the gravest kinds first; each module lists its own."""
-LISTED: dict[str, Measure] = {"shifted index": inverse.shifted_index, **MEASURES}
-"""These, and an error of the decoder that is there only if it was switched on."""
+LISTED: dict[str, Measure] = {
+    "shifted index": inverse.shifted_index,
+    **MEASURES,
+    "survival above 1": inverse.survival_above_one,
+}
+"""These, an error of the decoder that is there only if it was switched on, and what is read off the picture itself."""
 
 
 def find_artefacts(
@@ -45,9 +49,10 @@ def find_artefacts(
         InputError: an action that the study does not have.
     """
     study.check_view(action=action)
-    if not is_linear(study.settings.solver):
-        return [_not_taken_apart(study.settings.solver)]
     look = Look(study, action, horizon, searching=searching)
+    if not is_linear(study.settings.solver):
+        above = inverse.survival_above_one(look)
+        return [*([] if above is None else [above]), _not_taken_apart(study.settings.solver)]
     artefacts = [artefact for measure in LISTED.values() if (artefact := measure(look)) is not None]
     if not searching:
         return artefacts

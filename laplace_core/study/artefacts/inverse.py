@@ -10,6 +10,10 @@ from laplace_core.study.pipeline import decoder
 from laplace_core.study.trials import ALPHAS, WHY
 
 LEAST_ALPHA = ALPHAS[0]
+NONNEGATIVE = Remedy("Use the non-negative solver", {"solver": "nonnegative"}, "negative mass")
+FEASIBLE = Remedy("Use the feasible timeline", {"solver": "feasible"}, "survival above 1")
+"""Solvers to which the artefact cannot happen, whatever the values are: the first has no negative mass, the second no
+survival above 1 or that rises."""
 
 
 def over_smoothing(look: Look) -> Artefact | None:
@@ -58,6 +62,21 @@ def shifted_index(look: Look) -> Artefact | None:
     )
 
 
+def survival_above_one(look: Look) -> Artefact | None:
+    """By how much the decoded probability that the episode still runs exceeds 1."""
+    size = float(look.drawn.survival.max(initial=0.0)) / look.settings.time_step - 1.0
+    if size < VISIBLE:
+        return None
+    return Artefact(
+        "survival above 1",
+        size,
+        f"the decoded survival reaches {1.0 + size:.2f}",
+        "No episode runs with more than probability 1, and none that is over runs again. Only the feasible solver "
+        "knows this.",
+        (FEASIBLE,),
+    )
+
+
 def negative_mass(look: Look) -> Artefact | None:
     """Ringing of the linear inverse: the most that entries below zero, by reward, take away from a row."""
     s = look.settings
@@ -79,7 +98,7 @@ def negative_mass(look: Look) -> Artefact | None:
         "Nothing keeps a linear inverse from going below zero, as no probability does: it rings beside sharp events, "
         "and it magnifies whatever error gamma-space has."
         + ("" if nearest else " With these discounts less ringing would mean more smearing."),
-        tuple(Remedy(f"Set alpha to {a:g}", {"alpha": a}) for a in nearest),
+        (*(Remedy(f"Set alpha to {a:g}", {"alpha": a}) for a in nearest), NONNEGATIVE),
     )
 
 

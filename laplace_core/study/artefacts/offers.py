@@ -1,6 +1,7 @@
 """Which remedies of an artefact are offered: those that were run on this very view and take it away.
 
-A remedy is offered if under it the artefact is gone and what is wrong with the view is repaired
+Another solver is always offered (:mod:`laplace_core.study.artefacts.inverse`). Any other remedy is offered if under it
+the artefact is gone and what is wrong with the view is repaired
 (:class:`laplace_core.study.trials.Trials`): the choice, else the values, else the timeline. Where nothing is wrong with
 it, nothing may become so. One view suggests one alpha at most, that of the verdict; without a truth, one at which
 nothing suggests another.
@@ -47,6 +48,8 @@ def offered(
 def _is_offered(
     artefact: Artefact, remedy: Remedy, look: Look, measures: Mapping[str, Measure], *, trials: Trials | None
 ) -> bool:
+    if "solver" in remedy.changes:
+        return True  # its constraint is what takes the artefact away, and what else it does is to be seen
     if "alpha" in remedy.changes:
         return False  # one for all, in the end
     if trials is None:

@@ -12,7 +12,7 @@ from streamlit.testing.v1 import AppTest
 
 from app.agents import schema
 from app.catalogue import checkpoints
-from app.session import KEY
+from app.session import KEY, crowd
 from app.view import compute
 from laplace_core import InputError, Settings
 from laplace_core.acting import estimates
@@ -362,3 +362,19 @@ def test_an_action_that_the_agent_has_not_is_named_and_left_out(shipped):
     page = opened(checkpoint="laplace_CartPole-v1", action="nowhere")
     (note,) = page.warning
     assert "action 'nowhere' is none of left, right" in note.value.replace("push ", "")
+
+
+def test_solver_rule_and_noise_level_are_settings_of_an_agent_too(shipped, monkeypatch):
+    monkeypatch.setattr(crowd, "alone", lambda: False)  # so that nothing waits for the test of the values
+    page = opened(checkpoint="laplace_two_branch", solver="nonnegative", selector="lcurve", noise_level="0.01")
+    assert not page.warning
+    message = next(block.proto.bytes for block in page.get("bidi_component") if "lens" in block.proto.component_name)
+    (size,) = struct.unpack("<I", message[:4])
+    told, header = json.loads(message[4 : 4 + size]), unpacked(message[4 + size :])[0]
+    assert (header["solver"], told["rule"], told["state"]["selector"]) == ("nonnegative", "L-curve bend", "lcurve")
+    assert told["state"]["alpha"] != 1.0
+    box = next(each for each in page.selectbox if each.label == "Alpha rule")
+    box.select("typed")
+    run(page)
+    assert float(link(page)["alpha"]) == pytest.approx(told["state"]["alpha"], rel=1e-3)
+    assert link(page)["weighting"] == "deviation"

@@ -59,6 +59,9 @@ def test_its_remedy_removes_it(name):
     assert artefacts[name].remedies
     for remedy in artefacts[name].remedies:
         settings = remedy.apply(found.settings)
+        if "solver" in remedy.changes:
+            assert study(load_world(settings.world), settings).decoded.tau_space.min() >= 0.0
+            continue
         repaired = study(load_world(settings.world, dict(settings.params)), settings)
         assert name not in {artefact.name for artefact in find_artefacts(repaired, action)}
 
@@ -207,10 +210,31 @@ def test_a_remedy_changes_only_what_it_names():
     assert (after.normalise, after.alpha) == ("none", 0.3)
 
 
+def test_survival_above_one_offers_the_feasible_solver_which_has_none():
+    # At noise .01 and alpha .01 the decoded survival of the long branch swings far above 1.
+    found, artefacts = look("two_branch", 1, noise=0.01, alpha=0.01)
+    above = artefacts["survival above 1"]
+    assert above.size == pytest.approx(found.decoded.survival[1].max() - 1.0)
+    (remedy,) = above.remedies
+    assert remedy.changes == {"solver": "feasible"}
+    repaired = study(load_world("two_branch"), remedy.apply(found.settings))
+    assert repaired.decoded.survival.max() <= 1.0 + 1e-6
+    assert "survival above 1" not in {each.name for each in find_artefacts(repaired, 1)}
+    assert "survival above 1" not in look("two_branch", 1, alpha=0.2)[1]
+
+
+def test_it_is_offered_before_any_search_and_beside_a_solver_that_is_not_linear():
+    found = study(load_world("two_branch"), Settings(noise=0.01, alpha=0.01, solver="nonnegative"))
+    assert found.decoded.survival[1].max() > 1.05
+    for searching in (True, False):
+        names = [each.name for each in find_artefacts(found, 1, searching=searching)]
+        assert names == ["survival above 1", "not taken apart"]
+
+
 def test_ringing_has_no_remedy_that_smears():
     # At alpha .01 the chain of 15 rewards rings, and every calmer alpha smears more: then there is no button.
     _, artefacts = look("rise_and_fade", alpha=0.01)
-    assert artefacts["negative mass"].remedies == ()
+    assert [remedy.changes for remedy in artefacts["negative mass"].remedies] == [{"solver": "nonnegative"}]
     assert "more smearing" in artefacts["negative mass"].sentence
 
 

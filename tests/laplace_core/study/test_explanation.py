@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import pickle
+from dataclasses import replace
 
 import pytest
 
 from laplace_core import InputError, Settings, load_world
 from laplace_core.study.artefacts import find_artefacts
+from laplace_core.study.evidence import believe
 from laplace_core.study.explanation import explain, trials_of
 from laplace_core.study.pipeline import study
 from laplace_core.study.verdict import judge
@@ -25,8 +27,13 @@ def test_it_says_what_verdict_and_artefacts_say(changes):
     seen = study(load_world("two_branch"), Settings(**changes))
     row = seen.row_at(3.0)
     made = explain(seen, row, 0)
-    assert made.verdict == judge(seen, row, 0)
-    assert list(made.artefacts) == find_artefacts(seen, 0, 3.0)
+    belief = believe(seen, row, 0)
+    assert made.belief == belief
+    sentence, own = judge(seen, row, 0).sentence, [] if belief is None else belief.artefacts
+    assert made.verdict.sentence == (sentence if belief is None else f"{sentence} {belief.sentence}")
+    assert replace(made.verdict, sentence=sentence) == judge(seen, row, 0)
+    assert list(made.artefacts) == [*own, *find_artefacts(seen, 0, 3.0)]
+    assert (belief is None) == ("noise" not in changes)
     assert explain(seen, row, 0, trials_of(seen, row, 0)) == made
 
 
