@@ -6,7 +6,7 @@ import streamlit as st
 
 from app.components.inverse import State, inverse
 from app.components.waiting import offer, turn
-from app.inverse import compute, evidence, grids, leaderboard, memory, sidebar, subjects
+from app.inverse import compute, evidence, grids, leaderboard, memory, sidebar, studies, subjects
 from app.inverse.schema import LINK
 from app.inverse.words import NO_NOISE, OFFERED, RULES, TESTING, said
 from app.session import store
@@ -44,6 +44,7 @@ def page() -> None:
     leaderboard.section(view)
     memory.section(view)
     grids.section(view)
+    studies.section()
     if job is not None:
         _await(job)
 

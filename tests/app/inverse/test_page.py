@@ -13,12 +13,15 @@ import pytest
 from app.inverse import compute, grids, words
 from app.inverse.subjects import OPENING, view_of
 from app.view.compute import study_for
+from laplace_core.experiments.inverse.measuring import plan_of
+from laplace_core.experiments.inverse.selection import rows_of
+from laplace_core.experiments.inverse.table_file import rows_in
 from laplace_core.inverse.certificate import certify
 from laplace_core.inverse.consistency import check_noise
 from laplace_core.inverse.grids import task_for
 from laplace_core.study.course import errors_of
 from laplace_core.study.evidence import Evidence, gathered, horizons_of
-from tests.support.pages import link, opened, press, run, wait
+from tests.support.pages import charts, downloads, labels, link, opened, press, run, wait
 
 
 def told(page):
@@ -203,3 +206,57 @@ def test_grids_are_judged_and_one_is_used():
     found = grids.judged(task_for(3, 0.0), 6, lambda done, of: None)
     assert [each.name for each in found] == list(table.value["Grid"])
     assert found[0].error == min(each.error for each in found if len(each.gammas) == 6)
+
+
+SMALL_STUDY = {"s.noises": "0.001", "s.solvers": "tikhonov,tsvd", "s.selectors": "gcv,aic"}
+
+
+def test_a_study_of_many_worlds_is_measured_drawn_and_taken_along(monkeypatch):
+    saved = downloads(monkeypatch)
+    page = opened("study", screen="inverse", world="two_branch", **{**SMALL_STUDY, "s.cases": "3"})
+    assert not charts(page).keys() & {"study ratio", "study excess"}
+    press(page, "Run the study")
+    wait(page, lambda page: "study ratio" in charts(page) and "Cancel" not in labels(page))
+    assert [trace["name"] for trace in charts(page)["study ratio"]["data"]] == ["Tikhonov", "Truncated SVD"]
+    plan = plan_of({"cases": 3, "noises": "0.001", "solvers": "tikhonov,tsvd", "selectors": "gcv,aic"})
+    rows = rows_in(saved["inverse_study.csv"])
+    assert len(rows) == 3 * plan.rows_of_a_job
+    assert rows[4]["alpha"] == str(rows_of(plan.jobs()[0], plan)[4]["alpha"])
+    assert "Run the study" not in labels(page)
+
+
+def test_what_a_cancelled_study_has_measured_stays_and_the_rest_can_be_measured():
+    page = opened("study", screen="inverse", world="two_branch", **{**SMALL_STUDY, "s.cases": "400"})
+    press(page, "Run the study")
+    wait(page, lambda page: "study ratio" in charts(page))
+    press(page, "Cancel")
+    wait(page, lambda page: "Measure the rest" in labels(page))
+    assert any("of 400 cases are measured" in caption.value for caption in page.caption)
+    assert {"study ratio", "study excess"} <= charts(page).keys()
+
+
+def test_words_of_a_study_that_make_no_sense_are_one_sentence():
+    page = opened("study", screen="inverse", world="two_branch", **{"s.solvers": "magic"})
+    assert any("solver 'magic' is not one of" in warning.value for warning in page.warning)
+    assert link(page) == {"world": "two_branch"}
+    page.text_input(key="s.noises").set_value("0.1; 5")
+    run(page)
+    assert [error.value for error in page.error] == [
+        "noise '0.1; 5' is not a number: give numbers above 0 and at most 1, such as 0.001."
+    ]
+    page.multiselect(key="s.solvers box").set_value([])
+    page.text_input(key="s.noises").set_value("0.1")
+    run(page)
+    assert [error.value for error in page.error] == ["name each solver of the study once, and at least one."]
+    page.multiselect(key="s.solvers box").set_value(["tsvd", "dsvd"])
+    run(page)
+    assert link(page) == {"world": "two_branch", "s.noises": "0.1", "s.solvers": "tsvd,dsvd"}
+    assert "Run the study" in labels(page)
+
+
+def test_a_study_longer_than_the_server_allows_is_refused():
+    page = opened("study", screen="inverse", world="two_branch",
+                  **{"s.solvers": "feasible", "s.cases": "1000", "s.selectors": "gcv"})  # fmt: skip
+    button = next(button for button in page.button if button.label == "Run the study")
+    assert button.disabled
+    assert any("this server allows 10 minutes: lower its worlds" in warning.value for warning in page.warning)
