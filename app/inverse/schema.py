@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from app.inverse import memory, studies, subjects
+from app.inverse import measured, memory, studies, subjects
 from laplace_core import InputError
 from laplace_core.exchange.links import Check, Entries, Schema, Values, by_name, check_of
 from laplace_core.experiments.inverse.measuring import PARAMETERS, plan_of
@@ -62,7 +62,7 @@ LINK = Schema(
         Entries(by_name(*SUBJECT)),
         check_of("world", _world_is_listed, lead=""),
         Entries(_of_world, PARAM, owner=lambda values: str(values.get("world", "this subject"))),
-        Entries({**subjects.parameters(), **by_name(ACTION, subjects.AXIS)}),
+        Entries({**subjects.parameters(), **measured.PARAMETERS, **by_name(ACTION, subjects.AXIS)}),
         Entries(by_name(*memory.PARAMETERS), prefix=memory.EDIT),
         Entries(by_name(*PARAMETERS), prefix=studies.STUDY),
         Check(subjects.world_of, drops=(f"{PARAM}*",)),

@@ -16,7 +16,7 @@ ACTION = Parameter("action", None, help="Action whose spaces are shown.", kind=s
 LOOK = Parameter("look", "heatmap", help="How the spaces are drawn.", choices=("heatmap", "surface"))
 
 _DRAWN = {"solver": "tikhonov", "selector": "typed", "weighting": "equal", "filter": "none"}
-_UNDRAWN = ("noise_level", "filter_window", "filter_order")
+_UNDRAWN = ("noise_level", "noise_levels", "filter_window", "filter_order")
 """They only act beside what is not drawn."""
 DRAWN: Known = {
     name: replace(parameter, choices=(_DRAWN[name],)) if name in _DRAWN else parameter

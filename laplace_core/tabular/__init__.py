@@ -11,6 +11,8 @@ from laplace_core.tabular.reading import (
     Bands,
     Returns,
     bands,
+    noise_over_seeds,
+    noise_settings,
     return_distributions,
     study_of,
 )
@@ -33,6 +35,8 @@ __all__ = [
     "bands",
     "independent_steps_return",
     "learned_bytes",
+    "noise_over_seeds",
+    "noise_settings",
     "parse_learn_settings",
     "parse_learned",
     "read_learned",

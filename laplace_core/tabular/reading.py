@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 
 from laplace_core.caching import cached
+from laplace_core.code.gamma_space import encode
 from laplace_core.errors import InputError
-from laplace_core.study.pipeline import WorldStudy, policies_of, study
-from laplace_core.study.settings import Settings
+from laplace_core.study.pipeline import WorldStudy, grids, policies_of, study
+from laplace_core.study.settings import ResolvedForWorld, Settings
 from laplace_core.study.size import check_size
 from laplace_core.tabular.model import Learned
 from laplace_core.tabular.peers import ReturnDistribution, impute, return_distribution
@@ -48,6 +50,46 @@ def _basis(learned: Learned, index: int, state: str | None) -> np.ndarray:
     world = learned.world
     at = int(np.argmax(world.start)) if state is None else world.state_index(state)
     return learned.basis[index, at].astype(np.float64)
+
+
+SAME = 1e-9
+"""Standard deviations of (1 - gamma) Q up to this are rounding: the seeds have learned the same."""
+LEAST_SHARE = 1e-3
+"""Of the largest standard deviation: no discount is trusted more than a thousand times as much as another."""
+
+
+def noise_over_seeds(learned: Learned, settings: ResolvedForWorld) -> np.ndarray:
+    """Standard deviation of (1 - gamma) Q of one seed at each discount, ``(G,)``, from the spread of all seeds.
+
+    The variance over the seeds (by N - 1) is averaged over actions and sensitivities. What all seeds have in common,
+    such as that they have not learned for long enough, is no part of it.
+
+    Args:
+        settings: the state and the sensitivities.
+
+    Raises:
+        InputError: a single seed, or seeds that have learned the same.
+    """
+    if len(learned.basis) < 2:
+        raise InputError("the noise is measured from several seeds: learn at least 2.")
+    world, (_, thetas), gammas = learned.world, grids(settings), learned.gammas
+    tables = learned.basis[:, world.state_index(settings.state)].astype(np.float64)
+    values = np.stack([encode(each, world.reward_values, gammas, thetas, settings.slope).values for each in tables])
+    spread = (1.0 - gammas) * np.sqrt(values.var(axis=0, ddof=1).mean(axis=(0, 2)))
+    if spread.max() <= SAME:
+        raise InputError("all seeds have learned the same values: there is no noise to measure.")
+    return np.maximum(spread, LEAST_SHARE * spread.max())
+
+
+def noise_settings(learned: Learned, settings: ResolvedForWorld) -> dict[str, Any]:
+    """Values of ``noise_level`` and ``noise_levels`` that state the measured noise; the first is its root mean square.
+
+    Raises:
+        InputError: as :func:`noise_over_seeds`.
+    """
+    spread = noise_over_seeds(learned, settings)
+    mean = float(np.sqrt(np.mean(spread**2)))
+    return {"noise_level": float(f"{mean:.4g}"), "noise_levels": ",".join(f"{level:.4g}" for level in spread.tolist())}
 
 
 @dataclass(frozen=True, eq=False)

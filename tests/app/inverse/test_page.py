@@ -21,6 +21,8 @@ from laplace_core.inverse.consistency import check_noise
 from laplace_core.inverse.grids import task_for
 from laplace_core.study.course import errors_of
 from laplace_core.study.evidence import Evidence, gathered, horizons_of
+from laplace_core.tabular import noise_over_seeds, study_of
+from tests.support.lens_reference import unpacked
 from tests.support.pages import charts, downloads, labels, link, opened, press, run, wait
 
 
@@ -260,3 +262,33 @@ def test_a_study_longer_than_the_server_allows_is_refused():
     button = next(button for button in page.button if button.label == "Run the study")
     assert button.disabled
     assert any("this server allows 10 minutes: lower its worlds" in warning.value for warning in page.warning)
+
+
+def test_noise_is_measured_from_the_seeds_of_a_learner_that_is_then_looked_at():
+    page = opened(screen="inverse", world="two_branch", **{"p.slip": "0.3", "measured": "true", "seeds": "3",
+                                                          "episodes": "50"})  # fmt: skip
+    wait(page, lambda page: any("Measured noise" in caption.value for caption in page.caption))
+    values = {"world": "two_branch", "p.slip": 0.3, "measured": True, "seeds": 3, "episodes": 50}
+    view = view_of(values)
+    learned = view.learner.learned
+    assert learned.settings.episodes == 50
+    spread = noise_over_seeds(learned, view.settings)
+    assert any(f"{view.settings.noise_level:.2g} on average, over 3 seeds" in caption.value for caption in page.caption)
+    _, arrays = unpacked(compute.shown(view).data)
+    np.testing.assert_allclose(arrays["deviations"], spread / (1 - learned.gammas), rtol=1e-3)
+    own = study_of(learned, view.settings, 0).gamma_space.values
+    np.testing.assert_array_equal(study_for(view).gamma_space.values, own)
+    assert not compute.independent(view)
+    assert view_of({**values, "noise_level": 0.02}).settings.noise_levels is None  # a given level holds
+    page.checkbox(key="measured").uncheck()
+    run(page)
+    assert view_of({**values, "measured": False}).learner is None
+    assert told(page)["said"]["sentence"].endswith(words.NO_NOISE)
+
+
+def test_seeds_that_agree_are_said_to_show_no_noise():
+    page = opened(screen="inverse", world="two_branch", measured="true", seeds="2")
+    wait(page, lambda page: page.info)
+    assert [info.value for info in page.info] == [
+        "all seeds have learned the same values: there is no noise to measure."
+    ]
