@@ -36,7 +36,7 @@ def page() -> None:
     store.write_url()
     try:
         with turn(needed=is_large(view)):
-            job = _pictures(view)
+            waiting = _pictures(view)
     except InputError as error:
         sidebar.refused(str(error))
         return
@@ -45,15 +45,18 @@ def page() -> None:
     memory.section(view)
     grids.section(view)
     studies.section()
-    if job is not None:
-        _await(job)
+    if waiting:
+        _await(waiting)
 
 
-def _pictures(view: View) -> Job[evidence.Evidence] | None:
-    """Draw all pictures of a view; returns the test of its values, where the page does not show yet what it found."""
+def _pictures(view: View) -> list[Job]:
+    """Draw all pictures of a view; returns the jobs whose results are not among them yet."""
     shown = compute.shown(view)
-    study = shown.study
-    wish = evidence.wish(study, compute.key_of(view), independent=compute.independent(view))
+    study, key, independent = shown.study, compute.key_of(view), compute.independent(view)
+    banded = evidence.band(study, view.action, key, independent=independent)
+    band = None if banded is None else banded.look()
+    drawn = band.result() if band is not None and band.worked else None
+    wish = evidence.wish(study, key, independent=independent)
     job = None if wish is None else wish.look()
     if job is not None:
         job.wait(SOON)
@@ -78,16 +81,18 @@ def _pictures(view: View) -> Job[evidence.Evidence] | None:
         said=said(study, shown.found, shown.course, found, lacking=lacking), rules=RULES,
         rule=None if record.rule == TYPED else record.criterion, on_release=release,
         certified=None if found is None else found.certified,
+        band=drawn,
     )  # fmt: skip
     if wish is not None and job is None:
         offer(wish, "Test the values", key="test_values")
-    return job if found is None and lacking is TESTING else None
+    awaited = ((job, found is not None), (band, drawn is not None))
+    return [each for each, known in awaited if each is not None and not known and (each.going or each.worked)]
 
 
-def _await(job: Job[evidence.Evidence]) -> None:
-    """Draw the page anew once the test is done; a person who does something meanwhile ends this run."""
+def _await(jobs: list[Job]) -> None:
+    """Draw the page anew once one of them is done; a person who does something meanwhile ends this run."""
     place = st.empty()
-    while not job.wait(LOOK_EVERY) and job.going:
+    while all(job.going for job in jobs) and not jobs[0].wait(LOOK_EVERY):
         place.empty()  # where Streamlit ends a run that nobody awaits
     st.rerun()
 

@@ -14,6 +14,7 @@ from laplace_core.tabular.reading import (
     noise_over_seeds,
     noise_settings,
     return_distributions,
+    reward_gain_over_seeds,
     study_of,
 )
 from laplace_core.tabular.returns import independent_steps_return, return_bounds, wasserstein
@@ -43,6 +44,7 @@ __all__ = [
     "resolve_learning",
     "return_bounds",
     "return_distributions",
+    "reward_gain_over_seeds",
     "save_learned",
     "seconds_to_learn",
     "start",

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from laplace_core.caching import cached
-from laplace_core.code.gamma_space import encode
+from laplace_core.code.gamma_space import GammaSpace, encode
 from laplace_core.errors import InputError
 from laplace_core.study.pipeline import WorldStudy, grids, policies_of, study
 from laplace_core.study.settings import ResolvedForWorld, Settings
@@ -72,13 +72,32 @@ def noise_over_seeds(learned: Learned, settings: ResolvedForWorld) -> np.ndarray
     """
     if len(learned.basis) < 2:
         raise InputError("the noise is measured from several seeds: learn at least 2.")
-    world, (_, thetas), gammas = learned.world, grids(settings), learned.gammas
-    tables = learned.basis[:, world.state_index(settings.state)].astype(np.float64)
-    values = np.stack([encode(each, world.reward_values, gammas, thetas, settings.slope).values for each in tables])
-    spread = (1.0 - gammas) * np.sqrt(values.var(axis=0, ddof=1).mean(axis=(0, 2)))
+    values = np.stack([each.values for each in _encoded(learned, settings)])
+    spread = (1.0 - learned.gammas) * np.sqrt(values.var(axis=0, ddof=1).mean(axis=(0, 2)))
     if spread.max() <= SAME:
         raise InputError("all seeds have learned the same values: there is no noise to measure.")
     return np.maximum(spread, LEAST_SHARE * spread.max())
+
+
+def reward_gain_over_seeds(learned: Learned, settings: ResolvedForWorld) -> float:
+    """Standard deviation of the expected reward at a discount over that of one value there, as the seeds show it.
+
+    Root mean square over the discounts; :func:`laplace_core.inverse.bands.reward_gain` is the same of errors that are
+    independent, or one, which those of a learner are not.
+
+    Raises:
+        InputError: as :func:`noise_over_seeds`.
+    """
+    rewards = np.stack([each.differences @ each.bin_values for each in _encoded(learned, settings)])
+    spread = (1.0 - learned.gammas) * np.sqrt(rewards.var(axis=0, ddof=1).mean(axis=0))
+    return float(np.sqrt(np.mean((spread / noise_over_seeds(learned, settings)) ** 2)))
+
+
+def _encoded(learned: Learned, settings: ResolvedForWorld) -> list[GammaSpace]:
+    """The gamma-space of the state of the settings through the table of each seed."""
+    world, (_, thetas) = learned.world, grids(settings)
+    tables = learned.basis[:, world.state_index(settings.state)].astype(np.float64)
+    return [encode(each, world.reward_values, learned.gammas, thetas, settings.slope) for each in tables]
 
 
 def noise_settings(learned: Learned, settings: ResolvedForWorld) -> dict[str, Any]:

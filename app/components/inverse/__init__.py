@@ -15,6 +15,7 @@ import streamlit as st
 from app import session
 from app.components import assets
 from laplace_core.exchange import messages
+from laplace_core.payloads.inverse import Band
 from laplace_core.payloads.packing import pack
 
 _HELD = 2
@@ -52,6 +53,7 @@ class Rule:
 def inverse(
     data: bytes, state: State, key: str, *, said: Said, rules: Mapping[str, Rule], rule: str | None,
     on_release: Callable[[State], None], certified: Sequence[tuple[float, int]] | None = None,
+    band: Band | None = None,
 ) -> None:  # fmt: skip
     """Draw the pictures.
 
@@ -62,6 +64,7 @@ def inverse(
         rule: the one that chose alpha; None of an alpha that was set by hand.
         on_release: called with a state that was released, before the rerun, as a widget's callback.
         certified: horizons, and the action that is certainly best there, -1 where none is.
+        band: of a solver that is not linear, at the alpha of the state.
     """
     widget, digest = f"inverse {key}", messages.name_of(data)
     channel, shown = session.channel(widget), asdict(state)
@@ -75,6 +78,7 @@ def inverse(
         "rules": {name: asdict(each) for name, each in rules.items()},
         "rule": rule,
         "certified": None if certified is None else [list(each) for each in certified],
+        "band": None if band is None else band._asdict(),
     }
 
     def released() -> None:

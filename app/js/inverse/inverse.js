@@ -122,19 +122,38 @@ function mount(host, firstModel, firstTold, report) {
 
   function listen(view) {
     const { canvas, panel } = view;
-    const place = (event) => {
+    let before = scene.state;
+    const placeOf = ({ clientX, clientY }) => {
       const { left, top } = canvas.getBoundingClientRect();
-      if (view.scale) set(panel.drag(scene, view.scale, event.clientX - left, event.clientY - top));
+      return [clientX - left, clientY - top];
     };
+    const place = (event) => {
+      if (view.scale) set(panel.drag(scene, view.scale, ...placeOf(event)));
+    };
+    // A finger scrolls the page up and down, unless it takes hold of a handle that moves up and down itself.
+    canvas.addEventListener(
+      'touchstart',
+      (event) => {
+        const [x, y] = placeOf(event.touches[0]);
+        if (event.touches.length === 1 && view.scale && panel.handle?.(scene, view.scale, x, y)) event.preventDefault();
+      },
+      { passive: false },
+    );
     canvas.addEventListener('pointerdown', (event) => {
-      if (event.button) return;
+      if (event.button || !event.isPrimary) return;
+      before = scene.state;
       canvas.setPointerCapture(event.pointerId);
-      place(event);
+      if (event.pointerType !== 'touch') place(event); // a finger may be about to scroll
     });
     canvas.addEventListener('pointermove', (event) => {
       if (canvas.hasPointerCapture(event.pointerId)) place(event);
     });
-    for (const end of ['pointerup', 'pointercancel']) canvas.addEventListener(end, () => rest());
+    canvas.addEventListener('pointerup', (event) => {
+      if (!canvas.hasPointerCapture(event.pointerId)) return;
+      place(event);
+      rest();
+    });
+    canvas.addEventListener('pointercancel', () => set(before)); // the browser scrolls instead
     canvas.addEventListener('keydown', (event) => {
       const way = { ArrowLeft: -1, ArrowRight: 1, ArrowDown: -1, ArrowUp: 1 }[event.key];
       if (!way || event.ctrlKey || event.metaKey || event.altKey) return;

@@ -11,7 +11,14 @@ from laplace_core import InputError, Settings, load_world, study
 from laplace_core.inverse import choose_alpha, problem_of
 from laplace_core.study.pipeline import deviations_of, grids, noise_of
 from laplace_core.study.settings import resolve
-from laplace_core.tabular import Learning, LearnSettings, noise_over_seeds, noise_settings, study_of
+from laplace_core.tabular import (
+    Learning,
+    LearnSettings,
+    noise_over_seeds,
+    noise_settings,
+    reward_gain_over_seeds,
+    study_of,
+)
 
 PARAMS = (("slip", 0.3),)
 
@@ -96,3 +103,12 @@ def test_levels_are_checked_before_they_are_used():
     flat = Settings(world="two_branch", noise_levels=",".join(["0.003"] * 15), selector="gcv", noise=0.003)
     same = replace(flat, noise_levels=None, noise_level=0.003)
     assert study(world, flat).settings.alpha == study(world, same).settings.alpha
+
+
+def test_the_gain_is_that_of_each_seeds_expected_reward(learned, settings):
+    spaces = [study_of(learned, settings, seed).gamma_space for seed in range(3)]
+    rewards = np.array([each.differences @ each.bin_values for each in spaces])  # (3, A, G)
+    errors = np.sqrt(rewards.var(axis=0, ddof=1).mean(axis=0))
+    deviations = noise_over_seeds(learned, settings) / (1 - learned.gammas)
+    expected = np.sqrt(np.mean((errors / deviations) ** 2))
+    assert reward_gain_over_seeds(learned, settings) == pytest.approx(expected, rel=1e-9)
