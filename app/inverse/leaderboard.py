@@ -8,10 +8,10 @@ import streamlit as st
 
 from app.components.widgets import download
 from app.inverse import compute
-from app.inverse.words import SOLVER_TITLES
 from app.session import store
 from app.view.compute import study_for
 from laplace_core.inverse.selectors import TYPED
+from laplace_core.payloads.inverse_words import SOLVER_TITLES
 from laplace_core.study.course import Ranked
 from laplace_core.subjects import View
 

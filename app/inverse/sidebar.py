@@ -6,13 +6,13 @@ import streamlit as st
 
 from app.components.widgets import field, left_out, select, upload
 from app.inverse import measured, subjects
-from app.inverse.words import RULE_TITLES, SOLVER_TITLES
 from app.session import store
 from app.session.typed import in_markdown
 from app.view.compute import study_for
 from laplace_core import World
 from laplace_core.inverse import ALPHA_CHOICES
 from laplace_core.inverse.selectors import TYPED
+from laplace_core.payloads.inverse_words import RULE_TITLES, SOLVER_TITLES
 from laplace_core.payloads.link import PARAM
 from laplace_core.study.settings import BY_NAME, Resolved, ResolvedForWorld
 from laplace_core.subjects import View

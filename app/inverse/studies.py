@@ -12,7 +12,6 @@ from app import session
 from app.components.chart import chart
 from app.components.waiting import attempt, offer, progress
 from app.components.widgets import download, field
-from app.inverse.words import RULE_TITLES, SOLVER_TITLES
 from app.session import store
 from app.session.jobs import Wish, background
 from app.session.typed import in_markdown
@@ -20,6 +19,7 @@ from laplace_core.exchange.links import Values, by_name
 from laplace_core.experiments.inverse.measuring import OPTIONS, PARAMETERS, Measuring, measuring, plan_of, words_in
 from laplace_core.experiments.inverse.selection import NO_SELECTOR, RANDOM, seconds_to_measure
 from laplace_core.figures.inverse_study import behind_the_best, study_heights
+from laplace_core.payloads.inverse_words import RULE_TITLES, SOLVER_TITLES
 from laplace_core.supervise.jobs import Kind
 from laplace_core.worlds.titles import world_title
 

@@ -8,11 +8,11 @@ from app.components.inverse import State, inverse
 from app.components.waiting import offer, turn
 from app.inverse import compute, evidence, grids, leaderboard, memory, sidebar, studies, subjects
 from app.inverse.schema import LINK
-from app.inverse.words import NO_NOISE, OFFERED, RULES, TESTING, said
 from app.session import store
 from app.view.compute import horizon_of, is_large
 from laplace_core import InputError
 from laplace_core.inverse.selectors import TYPED
+from laplace_core.payloads.inverse_words import NO_NOISE, OFFERED, RULES, TESTING, said
 from laplace_core.subjects import View
 from laplace_core.supervise.jobs import Job
 

@@ -111,7 +111,7 @@ def test_the_feasible_timeline_answers_when_alpha_is_let_go_of(page, address):
     before = drawn(page)
     move = hold(page, "rule-gcv", 0.6)
     move(0.4)
-    expect(page.locator(".laplace-inverse .tau-space .note")).to_contain_text("until you let go")
+    expect(page.locator(".laplace-inverse .tau-space .note")).to_contain_text("until release")
     page.mouse.up()
     expect(page).to_have_url(re.compile("alpha="))
     expect(page.locator(".laplace-inverse .tau-space .note")).to_have_text("")

@@ -16,6 +16,7 @@ from app import session
 from app.components import assets
 from laplace_core.exchange import messages
 from laplace_core.payloads.inverse import Band
+from laplace_core.payloads.inverse_words import Rule, Said
 from laplace_core.payloads.packing import pack
 
 _HELD = 2
@@ -31,23 +32,6 @@ class State:
     alpha: float
     horizon: float
     axis: str
-
-
-@dataclass(frozen=True)
-class Said:
-    """What is said of a state; ``tone`` is ok, warn, bad or unknown."""
-
-    tone: str
-    sentence: str
-
-
-@dataclass(frozen=True)
-class Rule:
-    """A rule for alpha: its title, what it makes small in a sentence, and the formula."""
-
-    title: str
-    why: str
-    formula: str
 
 
 def inverse(

@@ -1,4 +1,4 @@
-// The page of the inverse inside Streamlit: one alpha, dragged on any of its pictures. The server hears releases only;
+// The page of the inverse inside Streamlit: one alpha, dragged on any of its pictures. The server is told of releases only;
 // the rule of payloads, revisions and releases is written down in app/session/message.py.
 /** @import { InverseModel, InverseScene, InverseTold, Message } from '../types.js' */
 import { coloursOf } from '../draw/colours.js';
@@ -223,9 +223,9 @@ function mount(host, firstModel, firstTold, report) {
     }
     readout.textContent = `alpha ${short(alpha)} · ${short(scene.made.degrees)} degrees of freedom`;
     axis.textContent = scene.state.axis === 'time' ? 'axis: time constant' : 'axis: discount γ';
-    const heard = JSON.stringify(told.said.state) === JSON.stringify(scene.state);
-    said.className = `verdict ${heard ? told.said.tone : 'unknown'}`;
-    const words = heard ? told.said.sentence : `Alpha ${short(alpha)}, by hand. Let go to have it judged.`;
+    const isSaid = JSON.stringify(told.said.state) === JSON.stringify(scene.state);
+    said.className = `verdict ${isSaid ? told.said.tone : 'unknown'}`;
+    const words = isSaid ? told.said.sentence : `Alpha ${short(alpha)}, by hand. Release it to have it judged.`;
     if (sentence.textContent !== words) sentence.textContent = words;
   }
 

@@ -447,7 +447,7 @@ const tauSpace = {
     'x = argmin |W(Fx − z)|² + α²|Lx|², or another filter of the same components',
   ],
   note: ({ made, model }) =>
-    made.still ? `${model.header.solver}: at alpha ${short(model.header.decoded_at ?? 0)}, until you let go` : '',
+    made.still ? `${model.header.solver}: at alpha ${short(model.header.decoded_at ?? 0)}, until release` : '',
   draw: (pen, w, h, scene) => space(pen, w, h, scene, 'decoded', scene.made.tau),
 };
 

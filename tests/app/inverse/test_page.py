@@ -10,7 +10,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from app.inverse import compute, grids, words
+from app.inverse import compute
 from app.inverse.subjects import OPENING, view_of
 from app.view.compute import study_for
 from laplace_core.experiments.inverse.measuring import plan_of
@@ -18,7 +18,8 @@ from laplace_core.experiments.inverse.selection import rows_of
 from laplace_core.experiments.inverse.table_file import rows_in
 from laplace_core.inverse.certificate import certify
 from laplace_core.inverse.consistency import check_noise
-from laplace_core.inverse.grids import task_for
+from laplace_core.inverse.grids import judged, task_for
+from laplace_core.payloads import inverse_words as words
 from laplace_core.study.course import errors_of
 from laplace_core.study.evidence import Evidence, gathered, horizons_of
 from laplace_core.tabular import noise_over_seeds, study_of
@@ -205,7 +206,7 @@ def test_grids_are_judged_and_one_is_used():
     page = wait(opened("grids", screen="inverse", world="two_branch", gammas="6"), lambda page: bool(page.dataframe))
     (table,) = page.dataframe
     assert list(table.value["Grid"])[:2] == ["designed", "inverse-log"]
-    found = grids.judged(task_for(3, 0.0), 6, lambda done, of: None)
+    found = judged(task_for(3, 0.0), 6, lambda done, of: None)
     assert [each.name for each in found] == list(table.value["Grid"])
     assert found[0].error == min(each.error for each in found if len(each.gammas) == 6)
 

@@ -1,12 +1,12 @@
-"""What rules and solvers are called, and the sentence that judges an alpha."""
+"""What rules and solvers are called on the page of the inverse, and the sentence that judges an alpha."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 
 import numpy as np
 
-from app.components.inverse import Rule, Said
 from laplace_core import Study
 from laplace_core.inverse import AUTO, SELECTORS, SOLVERS
 from laplace_core.inverse.consistency import LEVEL
@@ -14,6 +14,24 @@ from laplace_core.inverse.selectors import TYPED
 from laplace_core.payloads.inverse import Swept
 from laplace_core.study.course import Course, errors_of, turns
 from laplace_core.study.evidence import Evidence
+
+
+@dataclass(frozen=True)
+class Said:
+    """What is said of a state; ``tone`` is ok, warn, bad or unknown."""
+
+    tone: str
+    sentence: str
+
+
+@dataclass(frozen=True)
+class Rule:
+    """A rule for alpha: its title, what it makes small in a sentence, and the formula."""
+
+    title: str
+    why: str
+    formula: str
+
 
 RULES: Mapping[str, Rule] = {
     "gcv": Rule("GCV", "Cross-validation: how well a value that is left out would be predicted.",
