@@ -9,11 +9,13 @@ import numpy as np
 
 from laplace_core import Study
 from laplace_core.inverse import AUTO, SELECTORS, SOLVERS
+from laplace_core.inverse.components import sweep_of
 from laplace_core.inverse.consistency import LEVEL
 from laplace_core.inverse.selectors import TYPED
 from laplace_core.payloads.inverse import Swept
 from laplace_core.study.course import Course, errors_of, turns
 from laplace_core.study.evidence import Evidence
+from laplace_core.study.pipeline import problem_for
 
 
 @dataclass(frozen=True)
@@ -115,7 +117,8 @@ def said(study: Study, found: Swept, course: Course, evidence: Evidence | None, 
             )
         if tone == "unknown" and course.solver == s.solver:
             tone = "ok" if error <= FAR * least else "warn"
-    degrees = float(np.interp(np.log(s.alpha), np.log(found.sweep.alphas), found.sweep.degrees))
+    at_alpha = sweep_of(problem_for(study.gamma_space, s), s.solver, alphas=np.array([s.alpha]))  # may lie beyond it
+    degrees = float(at_alpha.degrees[0])
     parts.append(f"{degrees:.3g} of {found.sweep.discounts} degrees of freedom are fitted.")
     if len(study.action_names) > 1:
         parts.append(chosen_over(study, study.decoded.actions))
@@ -134,7 +137,7 @@ def _choice(study: Study, found: Swept) -> str:
         by = f", by the {RULE_TITLES[AUTO].lower()}," if record.rule == "auto" else ""
         return f"{name}{by} takes alpha {alpha:.3g}."
     suggested = float(found.sweep.alphas[found.chosen[AUTO]])
-    return f"Alpha {alpha:.3g} was set by hand; automatic takes {suggested:.3g}."
+    return f"Alpha {alpha:.4g} was set by hand; automatic takes {suggested:.3g}."
 
 
 def chosen_over(study: Study, actions: np.ndarray) -> str:

@@ -111,8 +111,10 @@ const lcurve = {
       colours,
     });
     line(pen, xs.map(scale.X), ys.map(scale.Y), { stroke: colours.primary, width: 2 });
-    const at = [scale.X(Math.log10(made.residual)), scale.Y(Math.log10(made.size))];
-    pen.path(disc(at[0], at[1], 6), { fill: CURSOR, stroke: colours.paper, width: 1.5, close: true });
+    const within = (value, low, high) => Math.min(high, Math.max(low, value)), // an alpha beyond the sweep: at its end
+      px = within(scale.X(Math.log10(made.residual)), box.x, box.x + box.w),
+      py = within(scale.Y(Math.log10(made.size)), box.y, box.y + box.h);
+    pen.path(disc(px, py, 6), { fill: CURSOR, stroke: colours.paper, width: 1.5, close: true });
     return scale;
   },
   handle: ({ made }, { X, Y }, px, py) =>

@@ -58,6 +58,14 @@ def test_an_alpha_by_hand_is_compared_with_what_the_data_suggest():
     assert sentence({"alpha": 0.3}).sentence.startswith("Alpha 0.3 was set by hand; automatic takes ")
 
 
+def test_degrees_of_freedom_are_those_of_an_alpha_beyond_the_sweep():
+    """The reference: sum of s^2 / (s^2 + alpha^2) over the singular values, which all lie far below this alpha."""
+    view = view_of({**OPENING, "alpha": 1e4})
+    s = compute.shown(view).found.sweep.spectrum.s
+    degrees = float(np.sum(s**2 / (s**2 + 1e8)))
+    assert f"{degrees:.3g} of 15 degrees of freedom are fitted" in sentence({"alpha": 1e4}).sentence
+
+
 def test_values_of_no_timeline_are_called_so():
     said = sentence({}, Evidence(0.005, ()))
     assert said.tone == "bad"
