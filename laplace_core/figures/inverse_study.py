@@ -9,14 +9,15 @@ import numpy as np
 
 from laplace_core.figures.theme import Figure, Trace, action_colour, axis, build
 
-_ROW, _HEAD = 30, 104  # pixels: of a rule, and of title, legend and axis
+_ROW, _LINE, _HEAD = 30, 14, 90  # pixels: of a rule, of a solver's line in the legend, and of title and axis
 _TITLES = {"ratio": "W1 over that of the best alpha", "excess": "excess regret over that of the best alpha"}
 _AXES = {"ratio": "times the least W1", "excess": "share of the range of values"}
 
 
 def study_heights(sums: Sequence[Mapping[str, Any]]) -> int:
     """Pixels of :func:`behind_the_best`."""
-    return _HEAD + _ROW * max(2, len({entry["selector"] for entry in sums}))
+    rules, solvers = ({entry[name] for entry in sums} for name in ("selector", "solver"))
+    return _HEAD + _ROW * max(2, len(rules)) + _LINE * len(solvers)
 
 
 def behind_the_best(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -327,3 +328,21 @@ def test_a_new_user_shows_that_values_of_mixed_policies_are_no_process(page, add
     assert "No feasible timeline has these values" in walk.sentence
     expect(page.locator(".laplace-inverse .verdict")).to_have_class(re.compile("bad"))
     assert walk.clicks <= 7
+
+
+def test_a_new_user_compares_rules_on_random_worlds_and_takes_the_cases_along(page, address):
+    walk = Walk(page, address)
+    walk.press("Study: solvers and rules on many worlds")
+    walk.type("Cases of each", "2")
+    page.get_by_role("button", name="Run the study").click()
+    csv = page.get_by_role("button", name="CSV of all cases")
+    expect(page.get_by_role("button", name="Run the study")).to_have_count(0)
+    expect(page.get_by_role("button", name="Cancel")).to_have_count(0)
+    expect(page.locator(".js-plotly-plot")).to_have_count(2)
+    expect(csv).to_be_visible()
+    with page.expect_download() as taken:
+        csv.click()
+    rows = [line for line in Path(taken.value.path()).read_text().splitlines()[2:] if line]
+    assert len(rows) == 2 * 3 * 2 * 4  # worlds, noises, solvers; the best alpha and three rules
+    assert walk.clicks + 2 <= 5
+    settled(page)
