@@ -22,7 +22,7 @@ from laplace_core.inverse.grids import judged, task_for
 from laplace_core.payloads import inverse_words as words
 from laplace_core.study.course import errors_of
 from laplace_core.study.evidence import Evidence, gathered, horizons_of
-from laplace_core.tabular import noise_over_seeds, study_of
+from laplace_core.tabular import noise_over_seeds, reward_gain_over_seeds, study_of
 from tests.support.lens_reference import unpacked
 from tests.support.pages import charts, downloads, labels, link, opened, press, run, wait
 
@@ -283,11 +283,11 @@ def test_noise_is_measured_from_the_seeds_of_a_learner_that_is_then_looked_at():
     assert learned.settings.episodes == 50
     spread = noise_over_seeds(learned, view.settings)
     assert any(f"{view.settings.noise_level:.2g} on average, over 3 seeds" in caption.value for caption in page.caption)
-    _, arrays = unpacked(compute.shown(view).data)
+    header, arrays = unpacked(compute.shown(view).data)
+    assert header["gain"] == reward_gain_over_seeds(learned, view.settings)
     np.testing.assert_allclose(arrays["deviations"], spread / (1 - learned.gammas), rtol=1e-3)
     own = study_of(learned, view.settings, 0).gamma_space.values
     np.testing.assert_array_equal(study_for(view).gamma_space.values, own)
-    assert not compute.independent(view)
     assert view_of({**values, "noise_level": 0.02}).settings.noise_levels is None  # a given level holds
     page.checkbox(key="measured").uncheck()
     run(page)
