@@ -14,8 +14,9 @@ from laplace_core.inverse import is_linear
 from laplace_core.inverse.solvers import selecting
 from laplace_core.payloads.inverse import FOLLOWS, Swept, payload, swept
 from laplace_core.study.course import Course, Ranked, course, ranking
-from laplace_core.study.settings import Resolved
-from laplace_core.subjects import Exact, Subject, View
+from laplace_core.study.settings import Resolved, ResolvedForWorld
+from laplace_core.subjects import Exact, Learner, Subject, View
+from laplace_core.tabular import reward_gain_over_seeds
 
 ALPHAS, FEW_ALPHAS = 100, 24
 """Of a course, of a linear solver and of one that takes longer."""
@@ -56,8 +57,9 @@ def shown(view: View) -> Shown:
 
 
 def independent(view: View) -> bool:
-    """Whether the errors of different sensitivities are independent: those of noise that was put in are."""
-    return isinstance(view.subject, Exact)
+    """Whether the errors of different sensitivities are independent: those of noise that was put in are, and those of
+    tabular learners are nearer to it than to being one."""
+    return isinstance(view.subject, Exact | Learner)
 
 
 def key_of(view: View) -> Hashable:
@@ -94,7 +96,11 @@ def _course(subject: Subject, settings: Resolved) -> Course:
 @cached(16)
 def _payload(subject: Subject, settings: Resolved, action: int) -> bytes:
     found, along = _swept(subject, settings), _course(subject, settings)
-    data = payload(_study(subject, settings), action, found, along, independent=isinstance(subject, Exact))
+    study, gain = _study(subject, settings), None
+    if isinstance(subject, Learner) and settings.noise_levels is not None:
+        assert isinstance(study.settings, ResolvedForWorld)  # a learner has a world
+        gain = reward_gain_over_seeds(subject.learned, study.settings)
+    data = payload(study, action, found, along, independent=isinstance(subject, Exact | Learner), gain=gain)
     if len(data) > MOST_PAYLOAD * 1_000_000:
         raise InputError(
             f"these pictures would take {len(data) / 1e6:.0f} MB in the browser, above {MOST_PAYLOAD}: lower thetas, "

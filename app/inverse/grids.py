@@ -13,7 +13,7 @@ from app.components.widgets import download
 from app.session import store
 from app.session.jobs import Wish, background
 from app.view.compute import study_for
-from laplace_core.inverse.grids import POWERS, Judged, Task, design, standard_grids, task_for, tuned
+from laplace_core.inverse.grids import Judged, judged, task_for
 from laplace_core.subjects import View
 from laplace_core.supervise.jobs import Kind, Progress
 
@@ -33,16 +33,6 @@ def wish(count: int, horizon: int, noise: float, value_gamma: float) -> Wish[tup
     key: Hashable = (count, horizon, noise, value_gamma)
     seconds = 1.0 + count * horizon * SECONDS
     return Wish(_judged, key, make, lambda: seconds, slot="grids", lower="lower gammas or steps")
-
-
-def judged(task: Task, count: int, report: Progress) -> tuple[Judged, ...]:
-    """The designed grid and those that can be chosen by name, with tuned bounds and as they are."""
-    report(0, 1 + len(POWERS))
-    found = [task.judge(grid, name) for name, grid in standard_grids(count).items()]
-    for done, spacing in enumerate(POWERS, start=1):
-        found.append(tuned(task, count, spacing))
-        report(done, 1 + len(POWERS))
-    return (design(task, count), *found)
 
 
 def section(view: View) -> None:

@@ -6,12 +6,12 @@ import streamlit as st
 
 from app.components.chart import chart
 from app.components.widgets import field
-from app.inverse.words import chosen_over
 from app.session import store
 from app.session.typed import in_markdown
 from app.view.compute import study_for
 from laplace_core import InputError, figures
 from laplace_core.parameters import Parameter
+from laplace_core.payloads.inverse_words import chosen_over
 from laplace_core.study.edited import Edit, edit
 from laplace_core.subjects import View
 

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from app.inverse import memory, subjects
+from app.inverse import measured, memory, studies, subjects
 from laplace_core import InputError
 from laplace_core.exchange.links import Check, Entries, Schema, Values, by_name, check_of
+from laplace_core.experiments.inverse.measuring import PARAMETERS, plan_of
 from laplace_core.parameters import Parameter
 from laplace_core.payloads.link import ACTION, PARAM, check_reached
 from laplace_core.study.pipeline import grids
@@ -45,6 +46,10 @@ def _grids_fit(values: Values) -> None:
         grids(settings)
 
 
+def _is_a_study(values: Values) -> None:
+    plan_of(studies.given(values))
+
+
 def _is_reached(values: Values) -> None:
     if "horizon" in values:
         check_reached("horizon", values, subjects.view_of(values).settings)
@@ -57,12 +62,14 @@ LINK = Schema(
         Entries(by_name(*SUBJECT)),
         check_of("world", _world_is_listed, lead=""),
         Entries(_of_world, PARAM, owner=lambda values: str(values.get("world", "this subject"))),
-        Entries({**subjects.parameters(), **by_name(ACTION, subjects.AXIS)}),
+        Entries({**subjects.parameters(), **measured.PARAMETERS, **by_name(ACTION, subjects.AXIS)}),
         Entries(by_name(*memory.PARAMETERS), prefix=memory.EDIT),
+        Entries(by_name(*PARAMETERS), prefix=studies.STUDY),
         Check(subjects.world_of, drops=(f"{PARAM}*",)),
         _is_one_of("state"),
         _is_one_of("action"),
         Check(_grids_fit, drops=("gamma*", "theta*", "spacing")),
+        Check(_is_a_study, drops=(f"{studies.STUDY}*",)),
         Check(_is_reached, drops=("horizon",)),
         Check(subjects.view_of, lead=""),
     ),

@@ -5,13 +5,13 @@ from __future__ import annotations
 import streamlit as st
 
 from app.components.widgets import field, left_out, select, upload
-from app.inverse import subjects
+from app.inverse import measured, subjects
 from app.session import store
 from app.session.typed import in_markdown
 from app.view import solver
 from laplace_core import World
 from laplace_core.payloads.link import PARAM
-from laplace_core.study.settings import BY_NAME, Resolved
+from laplace_core.study.settings import BY_NAME, Resolved, ResolvedForWorld
 from laplace_core.subjects import View
 from laplace_core.worlds import parameters_of
 from laplace_core.worlds.titles import world_title
@@ -85,9 +85,11 @@ def settings(view: View, world: World | None) -> None:
         select("State", world.states, store.show("state", s.state), help=BY_NAME["state"].help)
     names = view.subject.action_names
     select("Action", names, store.show("action", names[view.action]), help="Action whose timeline is shown.")
-    left, right = st.columns(2)
-    field(BY_NAME["noise"], s.noise, "Noise", place=left)
-    field(BY_NAME["noise_seed"], s.noise_seed, "Seed", place=right)
+    measures = world is not None and isinstance(s, ResolvedForWorld) and measured.controls(store.chosen(), world, s)
+    if not measures:
+        left, right = st.columns(2)
+        field(BY_NAME["noise"], s.noise, "Noise", place=left)
+        field(BY_NAME["noise_seed"], s.noise_seed, "Seed", place=right)
     solver.solver_and_rule(s)
     with st.expander("Noise level, discounts, sensitivities"):
         _more(s)

@@ -10,6 +10,7 @@ import numpy as np
 
 from app import session
 from app.components.inverse import AXES
+from app.inverse import measured
 from laplace_core import PRESETS, InputError, Settings, World, load_world
 from laplace_core.caching import cached
 from laplace_core.exchange.links import Values
@@ -97,6 +98,8 @@ def view_of(values: Values) -> View:
         params = tuple(sorted((k.removeprefix(PARAM), v) for k, v in values.items() if k.startswith(PARAM)))
         subject = Exact(world)
         settings = resolve(Settings(world=world.source or world.name, params=params, **given), world)
+        if values.get("measured"):
+            subject, settings = measured.seen(values, world, settings)
     else:
         name, subject = _agent(str(values["agent"])) if kind == "agent" else _file(str(values["data"]))
         space = subject.gamma_space

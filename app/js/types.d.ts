@@ -811,6 +811,8 @@ export interface InverseTold {
   rule: string | null;
   /** Horizons and the action that is certainly best there, -1 of none; null while that is computed. */
   certified: [number, number][] | null;
+  /** The band of a solver that is not linear, at this alpha; null of others and while it is drawn. */
+  band: { alpha: number; noise: number[]; bias: number[] } | null;
 }
 
 /** All that a picture of the page of the inverse is drawn from. */
@@ -834,4 +836,6 @@ export interface InversePanel {
   draw(pen: Pen, w: number, h: number, scene: InverseScene): Scale;
   /** Where a hand at a place of the picture, in pixels, puts the state; there where it can be dragged. */
   drag?(scene: InverseScene, scale: Scale, x: number, y: number): Partial<InverseState>;
+  /** Whether a finger at a place takes hold of what is dragged up and down, so that the page does not scroll. */
+  handle?(scene: InverseScene, scale: Scale, x: number, y: number): boolean;
 }

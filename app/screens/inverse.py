@@ -6,14 +6,14 @@ import streamlit as st
 
 from app.components.inverse import State, inverse
 from app.components.waiting import offer, turn
-from app.inverse import compute, evidence, grids, leaderboard, memory, sidebar, subjects
+from app.inverse import compute, evidence, grids, leaderboard, memory, sidebar, studies, subjects
 from app.inverse.schema import LINK
-from app.inverse.words import NO_NOISE, OFFERED, RULES, TESTING, said
 from app.session import store
 from app.view import solver
 from app.view.compute import horizon_of, is_large
 from laplace_core import InputError
 from laplace_core.inverse.selectors import TYPED
+from laplace_core.payloads.inverse_words import NO_NOISE, OFFERED, RULES, TESTING, said
 from laplace_core.subjects import View
 from laplace_core.supervise.jobs import Job
 
@@ -37,7 +37,7 @@ def page() -> None:
     store.write_url()
     try:
         with turn(needed=is_large(view)):
-            job = _pictures(view)
+            waiting = _pictures(view)
     except InputError as error:
         sidebar.refused(str(error))
         return
@@ -45,16 +45,20 @@ def page() -> None:
     leaderboard.section(view)
     memory.section(view)
     grids.section(view)
-    if job is not None:
-        _await(job)
+    studies.section()
+    if waiting:
+        _await(waiting)
 
 
-def _pictures(view: View) -> Job[evidence.Evidence] | None:
-    """Draw all pictures of a view; returns the test of its values, where the page does not show yet what it found."""
+def _pictures(view: View) -> list[Job]:
+    """Draw all pictures of a view; returns the jobs whose results are not among them yet."""
     shown = compute.shown(view)
-    study = shown.study
+    study, key, independent = shown.study, compute.key_of(view), compute.independent(view)
     solver.shows(study.settings, weighting=False)
-    wish = evidence.wish(study, compute.key_of(view), independent=compute.independent(view))
+    banded = evidence.band(study, view.action, key, independent=independent)
+    band = None if banded is None else banded.look()
+    drawn = band.result() if band is not None and band.worked else None
+    wish = evidence.wish(study, key, independent=independent)
     job = None if wish is None else wish.look()
     if job is not None:
         job.wait(SOON)
@@ -78,16 +82,18 @@ def _pictures(view: View) -> Job[evidence.Evidence] | None:
         said=said(study, shown.found, shown.course, found, lacking=lacking), rules=RULES,
         rule=None if record.rule == TYPED else record.criterion, on_release=release,
         certified=None if found is None else found.certified,
+        band=drawn,
     )  # fmt: skip
     if wish is not None and job is None:
         offer(wish, "Test the values", key="test_values")
-    return job if found is None and lacking is TESTING else None
+    awaited = ((job, found is not None), (band, drawn is not None))
+    return [each for each, known in awaited if each is not None and not known and (each.going or each.worked)]
 
 
-def _await(job: Job[evidence.Evidence]) -> None:
-    """Draw the page anew once the test is done; a person who does something meanwhile ends this run."""
+def _await(jobs: list[Job]) -> None:
+    """Draw the page anew once one of them is done; a person who does something meanwhile ends this run."""
     place = st.empty()
-    while not job.wait(LOOK_EVERY) and job.going:
+    while all(job.going for job in jobs) and not jobs[0].wait(LOOK_EVERY):
         place.empty()  # where Streamlit ends a run that nobody awaits
     st.rerun()
 

@@ -44,7 +44,7 @@ def solver_and_rule(settings: Resolved) -> None:
         "Solver", list(SOLVER_TITLES), store.show("solver", s.solver), SOLVER_TITLES, keep=_solved,
         help=BY_NAME["solver"].help,
     )  # fmt: skip
-    rules = [name for name in ALPHA_CHOICES if name != "discrepancy" or s.noise_level is not None]
+    rules = [name for name in ALPHA_CHOICES if name != "discrepancy" or s.noise_level or s.noise_levels]
     select(
         "Alpha rule", rules, store.show("selector", s.selector), RULE_TITLES, keep=_ruled,
         disabled=not SOLVERS[s.solver].has_alpha,

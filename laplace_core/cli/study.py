@@ -4,14 +4,18 @@ from __future__ import annotations
 
 import argparse
 import json
+import os
 import sys
 from pathlib import Path
 
 from laplace_core.cli.options import checked_number
 from laplace_core.errors import InputError
 from laplace_core.inverse import SELECTORS
+from laplace_core.supervise.parallel import end_with
 
-OUT = "inverse_study.csv"
+OUT, RANDOM = "inverse_study.csv", "random"
+PATIENT = 10
+"""By how much a study that a server has begun is less urgent than the server."""
 
 
 def add_study(verbs: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
@@ -25,6 +29,8 @@ def add_study(verbs: argparse._SubParsersAction[argparse.ArgumentParser]) -> Non
     )
     study.add_argument("--out", default=OUT, metavar="FILE.csv", help=f"the table (default: {OUT})")
     study.add_argument("--worlds", default="100", metavar="N", help="random worlds (default: 100)")
+    study.add_argument("--of", default=RANDOM, metavar="NAME,NAME", help="random worlds, or listed ones, each "
+                       "with N draws of its noise (default: random)")  # fmt: skip
     study.add_argument("--noise", default="1e-4,1e-3,1e-2", metavar="S,S", help="standard deviations of (1 - gamma) Q")
     study.add_argument("--grids", default="paper,inverse-log,log", metavar="NAME,NAME", help="grids of 15 discounts")
     study.add_argument("--solvers", default="tikhonov,tikhonov1,tikhonov2", metavar="NAME,NAME")
@@ -35,6 +41,7 @@ def add_study(verbs: argparse._SubParsersAction[argparse.ArgumentParser]) -> Non
     study.add_argument("--by", default="solver,selector", metavar="COLUMN,COLUMN", help="columns to sum up by")
     study.add_argument("--summary", action="store_true", help="sum up the table that is there, and measure nothing")
     study.add_argument("--json", action="store_true", help="print JSON")
+    study.add_argument("--parent", type=int, help=argparse.SUPPRESS)  # end with this process, and leave it the machine
     study.set_defaults(run=_study)
 
 
@@ -58,7 +65,12 @@ def _study(options: argparse.Namespace) -> None:
             solvers=options.solvers.split(","),
             selectors=tuple(SELECTORS) if options.selectors is None else options.selectors.split(","),
             seed=seed,
+            worlds=options.of.split(","),
         )
+        if options.parent is not None:
+            end_with(options.parent)
+            if hasattr(os, "nice"):
+                os.nice(PATIENT)
         jobs = checked_number("jobs", options.jobs, int, 1, high=256)
         shown = -1
         for done, count in selection.run(plan, path, processes=jobs, cluster=options.cluster):

@@ -73,5 +73,7 @@ def _check_used(settings: Settings) -> None:
         raise InputError(f"--alpha {s.alpha:g} changes nothing beside --selector {s.selector}: leave one of them out.")
     if s.noise_level is not None and s.weighting == "equal" and not ruled:
         raise InputError("--noise-level changes nothing beside --weighting equal and a typed alpha: leave it out.")
+    if s.noise_levels is not None and s.weighting == "equal" and not ruled:
+        raise InputError("--noise-levels changes nothing beside --weighting equal and a typed alpha: leave it out.")
     if s.filter in (None, "none") and (s.filter_window, s.filter_order) != (None, None):
         raise InputError("--filter-window and --filter-order change nothing without --filter savgol: leave them out.")

@@ -33,6 +33,10 @@ class Layers:
     sizes: np.ndarray
     gains: np.ndarray
 
+    def of_action(self, action: int) -> Layers:
+        """The layers of one action alone."""
+        return replace(self, problem=replace(self.problem, masses=self.problem.masses[action : action + 1]))
+
     def redrawn(self, clean: np.ndarray, draws: int, seed: int) -> Problem:
         """Fresh noise on clean masses, as a problem of shape ``(draws, A, G, B)``."""
         deviations = self.problem.deviations
@@ -99,12 +103,26 @@ def reward_gain(gamma_space: GammaSpace, *, independent: bool = True) -> float:
     return float(abs(of_values.sum() + of_constant))
 
 
-def bands_by_draws(solver: Solver, layers: Layers, alpha: float, *, draws: int = 50, seed: int = 0) -> Bands:
-    """The bands of any solver, from draws of noise around the feasible timeline that fits best."""
+def bands_by_draws(
+    solver: Solver, layers: Layers, alpha: float, *, draws: int = 50, seed: int = 0,
+    progress: Callable[[int, int], None] | None = None,
+) -> Bands:  # fmt: skip
+    """The bands of any solver, from draws of noise around the feasible timeline that fits best.
+
+    Args:
+        progress: called with how many draws are decoded, and of how many; they are then decoded one after another.
+    """
     fitted = feasible(layers.problem, 0.0)
     reference = fitted.masses @ layers.sizes
     drawn = layers.redrawn(layers.problem.masses - fitted.residual, draws, seed)
-    rewards = solver(drawn, alpha).masses @ layers.sizes
+    if progress is None:
+        rewards = solver(drawn, alpha).masses @ layers.sizes
+    else:
+        each = []
+        for done, masses in enumerate(drawn.masses):
+            progress(done, draws)
+            each.append(solver(replace(drawn, masses=masses), alpha).masses @ layers.sizes)
+        rewards = np.array(each)
     return Bands(rewards.std(axis=0, ddof=1), rewards.mean(axis=0) - reference, reference)
 
 

@@ -236,3 +236,13 @@ def _descended(
         if error > before * (1.0 - 1e-4):
             steps /= 2.0
     return np.exp(logs)
+
+
+def judged(task: Task, count: int, report: Callable[[int, int], None]) -> tuple[Judged, ...]:
+    """The designed grid and those that can be chosen by name, with tuned bounds and as they are."""
+    report(0, 1 + len(POWERS))
+    found = [task.judge(grid, name) for name, grid in standard_grids(count).items()]
+    for done, spacing in enumerate(POWERS, start=1):
+        found.append(tuned(task, count, spacing))
+        report(done, 1 + len(POWERS))
+    return (design(task, count), *found)

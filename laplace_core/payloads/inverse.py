@@ -6,14 +6,15 @@ it is drawn.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Any
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from laplace_core import Study
-from laplace_core.inverse import LINEAR, is_linear
-from laplace_core.inverse.bands import bands, reward_gain
+from laplace_core.inverse import LINEAR, is_linear, solve
+from laplace_core.inverse.bands import bands, bands_by_draws, layers_of, reward_gain
 from laplace_core.inverse.components import Sweep, reached, sweep_of
 from laplace_core.inverse.feasible import reduced_system
 from laplace_core.inverse.nonnegative import LEAST_ALPHA
@@ -21,7 +22,7 @@ from laplace_core.inverse.selectors import chosen_index, curves_of
 from laplace_core.inverse.transform import transform_matrix
 from laplace_core.payloads.packing import pack, packed_blocks
 from laplace_core.study.course import Course
-from laplace_core.study.pipeline import noise_of, problem_for
+from laplace_core.study.pipeline import deviations_of, noise_of, problem_for
 
 FOLLOWS = "nonnegative"
 """The solver that is not linear and follows a drag in the browser; the others answer when alpha is released."""
@@ -60,8 +61,17 @@ def swept(study: Study) -> Swept:
     return Swept(sweep, {name: curve[0] for name, curve in curves.items()}, chosen)
 
 
+class Band(NamedTuple):
+    """The band of a solver that is not linear: at which alpha, and standard deviation and bias of each row."""
+
+    alpha: float
+    noise: list[float]
+    bias: list[float]
+
+
 def payload(
-    study: Study, action: int, found: Swept, course: Course | None = None, *, independent: bool = True
+    study: Study, action: int, found: Swept, course: Course | None = None, *, independent: bool = True,
+    gain: float | None = None,
 ) -> bytes:  # fmt: skip
     """A length, a header as JSON, and arrays, as :func:`laplace_core.payloads.packing.packed_blocks` lays them out.
 
@@ -80,6 +90,8 @@ def payload(
 
     Args:
         independent: whether errors of different sensitivities are; if not, they are taken to be the same at all.
+        gain: standard deviation of the expected reward at a discount over that of one value there, where it was
+            measured; else it follows from ``independent``.
     """
     s, space, sweep = study.settings, study.gamma_space, found.sweep
     spectrum, used = sweep.spectrum, reached(sweep.spectrum)
@@ -109,10 +121,9 @@ def payload(
     if truth is not None:
         arrays |= {"truth": truth.tau_space[action], "true_rewards": truth.expected_reward[action]}
         arrays["true_choice"] = truth.optimal_action
-    gain = 0.0
     deviations = noise_of(s, space.gammas)
     if deviations is not None:
-        gain, arrays["deviations"] = reward_gain(space, independent=independent), deviations
+        gain, arrays["deviations"] = gain or reward_gain(space, independent=independent), deviations
     if deviations is not None and is_linear(s.solver):
         around = bands(space, s.steps, 1.0, deviations, time_step=s.time_step, independent=independent)
         assert around.values is not None  # those of a linear inverse have them
@@ -139,11 +150,43 @@ def payload(
         "open": space.open_ends,
         "actions": list(study.action_names),
         "action": action,
-        "gain": gain,
+        "gain": gain or 0.0,
         "least": LEAST_ALPHA,
         "decoded_at": s.alpha if "decoded" in arrays else None,
     }
     return _packed(header, arrays)
+
+
+DRAWS = 30
+"""Of the noise, for the band of a solver that is not linear: its standard deviation is then known within 13%."""
+SECONDS_A_DRAW = {"nonnegative": 1e-5, "feasible": 1e-4}
+"""By the number of discounts times the number of rows, about."""
+
+
+def band(study: Study, action: int, *, independent: bool, progress: Callable[[int, int], None]) -> Band | None:
+    """The errors of an action's expected rewards at the alpha of a study whose solver is not linear.
+
+    Returns:
+        None where the size of the noise is not known, or the browser has the band from the payload.
+    """
+    s, space = study.settings, study.gamma_space
+    deviations = noise_of(s, space.gammas)
+    if deviations is None or is_linear(s.solver):
+        return None
+    layers = layers_of(space, s.steps, deviations, time_step=s.time_step, independent=independent).of_action(action)
+    counted = deviations_of(s, space.gammas)  # None where all discounts count alike
+    found = bands_by_draws(
+        lambda problem, alpha: solve(replace(problem, deviations=counted), s.solver, alpha),
+        layers, s.alpha, draws=DRAWS, progress=progress,
+    )  # fmt: skip
+    return Band(s.alpha, found.noise[0].tolist(), found.bias[0].tolist())
+
+
+def seconds_to_draw(study: Study) -> float:
+    """An estimate of how long :func:`band` takes."""
+    s = study.settings
+    size = len(study.gamma_space.gammas) * s.steps
+    return 1.0 + DRAWS * (0.05 + size * SECONDS_A_DRAW.get(s.solver, 0.0))
 
 
 _FLOATS, _COUNTS = ("truth", "decoded"), ("choices", "true_choice")

@@ -42,7 +42,14 @@ from laplace_core.planning import (
 )
 from laplace_core.study.conventions import check_convention
 from laplace_core.study.horizon import choose_actions, expected_rewards, horizon_values, row_horizons, scale_of_values
-from laplace_core.study.settings import Resolved, ResolvedForWorld, Settings, resolve, resolve_for_gamma_space
+from laplace_core.study.settings import (
+    Resolved,
+    ResolvedForWorld,
+    Settings,
+    levels_in,
+    resolve,
+    resolve_for_gamma_space,
+)
 from laplace_core.study.size import check_size
 from laplace_core.worlds import World
 
@@ -292,13 +299,23 @@ def deviations_of(settings: Resolved, gammas: np.ndarray) -> np.ndarray | None:
 
     Without a noise level only their ratios are known. Most solvers need no more; the neural one takes its usual size.
     """
-    s = settings
-    return None if s.weighting == "equal" else (s.noise_level or ASSUMED_NOISE) / (1.0 - gammas)
+    known = noise_of(settings, gammas)
+    return None if settings.weighting == "equal" else ASSUMED_NOISE / (1.0 - gammas) if known is None else known
 
 
 def noise_of(settings: Resolved, gammas: np.ndarray) -> np.ndarray | None:
-    """Standard deviation of the error that each discount is taken to have, ``(G,)``; None where it is not known."""
-    return None if settings.noise_level is None else settings.noise_level / (1.0 - gammas)
+    """Standard deviation of the error that each discount is taken to have, ``(G,)``; None where it is not known.
+
+    Raises:
+        InputError: not as many levels as discounts.
+    """
+    s = settings
+    if s.noise_levels is None:
+        return None if s.noise_level is None else s.noise_level / (1.0 - gammas)
+    levels = np.array(levels_in(s.noise_levels))
+    if levels.size != gammas.size:
+        raise InputError(f"noise_levels has {levels.size} numbers for {gammas.size} discounts: give one for each.")
+    return levels / (1.0 - gammas)
 
 
 def decoder(

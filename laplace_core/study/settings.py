@@ -11,7 +11,7 @@ import re
 import shlex
 from collections.abc import Mapping
 from dataclasses import dataclass, fields, replace
-from functools import partial
+from functools import lru_cache, partial
 from typing import Any, Self
 
 import numpy as np
@@ -20,7 +20,7 @@ from laplace_core.code.encoding import GAMMA_SPACINGS, PAPER_GAMMAS, THETA_SCALE
 from laplace_core.errors import InputError
 from laplace_core.inverse import ALPHA_CHOICES, MAX_STEPS, NORMALISATIONS, SOLVERS
 from laplace_core.inverse.smoothing import DISCOUNT_FILTERS
-from laplace_core.parameters import Parameter, as_text, choice, schema_of, setting, switch, text
+from laplace_core.parameters import NUMBER, Parameter, as_text, choice, schema_of, setting, switch, text
 from laplace_core.planning import TARGET_POLICIES
 from laplace_core.study.horizon import row_horizons
 from laplace_core.worlds import World
@@ -91,6 +91,9 @@ class Settings:
         1,
         "Random error that gamma-space is taken to have: standard deviation of (1 - gamma) Q. Discrepancy needs it.",
     )
+    noise_levels: str | None = text(
+        "The same at each discount, by commas, as the seeds of a learner show it; in place of --noise-level."
+    )
     weighting: str | None = _choice(
         None, WEIGHTINGS,
         "How discounts count: alike, or divided by the deviation of their error, 1/(1-gamma), which is the default "
@@ -127,6 +130,8 @@ class Settings:
             value = getattr(self, parameter.name)
             if value is not None:
                 put(parameter.name, parameter.parse(value))
+        if self.noise_levels is not None:
+            levels_in(self.noise_levels)
 
     def to_command(self, out: str | None = None) -> str:
         """The ``decode`` command that reproduces this study."""
@@ -221,7 +226,7 @@ class Resolved(Settings):
     @staticmethod
     def _open() -> tuple[str, ...]:
         """Names of the settings that may be None."""
-        return ("state", "horizon", "noise_level", *ENCODING_NAMES)
+        return ("state", "horizon", "noise_level", "noise_levels", *ENCODING_NAMES)
 
     def at_alpha(self, alpha: float) -> Self:
         """The same settings with this very alpha, whatever rule chose theirs."""
@@ -252,7 +257,22 @@ class ResolvedForWorld(Resolved):
 
     @staticmethod
     def _open() -> tuple[str, ...]:
-        return ("theta_scale", "horizon", "noise_level")
+        return ("theta_scale", "horizon", "noise_level", "noise_levels")
+
+
+@lru_cache(maxsize=64)
+def levels_in(text: str) -> tuple[float, ...]:
+    """The numbers of ``noise_levels``.
+
+    Raises:
+        InputError: a word that is no number, or not from 1e-12 to 1.
+    """
+    words = [word.strip() for word in text.split(",")]
+    levels = tuple(float(word) if NUMBER.fullmatch(word) else float("nan") for word in words)
+    for word, level in zip(words, levels, strict=True):
+        if not 1e-12 <= level <= 1.0:
+            raise InputError(f"noise_levels must be numbers from 1e-12 to 1, by commas, not {word[:40]!r}.")
+    return levels
 
 
 SCHEMA = schema_of(Settings)
@@ -422,7 +442,8 @@ def resolve_for_gamma_space(settings: Settings, gammas: np.ndarray) -> Resolved:
 
 def _weighting(values: Mapping[str, Any]) -> str:
     """The weighting that suits a typed alpha, or a rule: most rules take the error of all discounts for equal."""
-    return "equal" if values["selector"] in (None, "typed") and values["noise_level"] is None else "deviation"
+    is_known = values["noise_level"] is not None or values["noise_levels"] is not None
+    return "equal" if values["selector"] in (None, "typed") and not is_known else "deviation"
 
 
 def _nearest_horizon(values: Mapping[str, Any]) -> float | None:

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 
 from laplace_core.caching import cached
+from laplace_core.code.gamma_space import GammaSpace, encode
 from laplace_core.errors import InputError
-from laplace_core.study.pipeline import WorldStudy, policies_of, study
-from laplace_core.study.settings import Settings
+from laplace_core.study.pipeline import WorldStudy, grids, policies_of, study
+from laplace_core.study.settings import ResolvedForWorld, Settings
 from laplace_core.study.size import check_size
 from laplace_core.tabular.model import Learned
 from laplace_core.tabular.peers import ReturnDistribution, impute, return_distribution
@@ -48,6 +50,65 @@ def _basis(learned: Learned, index: int, state: str | None) -> np.ndarray:
     world = learned.world
     at = int(np.argmax(world.start)) if state is None else world.state_index(state)
     return learned.basis[index, at].astype(np.float64)
+
+
+SAME = 1e-9
+"""Standard deviations of (1 - gamma) Q up to this are rounding: the seeds have learned the same."""
+LEAST_SHARE = 1e-3
+"""Of the largest standard deviation: no discount is trusted more than a thousand times as much as another."""
+
+
+def noise_over_seeds(learned: Learned, settings: ResolvedForWorld) -> np.ndarray:
+    """Standard deviation of (1 - gamma) Q of one seed at each discount, ``(G,)``, from the spread of all seeds.
+
+    The variance over the seeds (by N - 1) is averaged over actions and sensitivities. What all seeds have in common,
+    such as that they have not learned for long enough, is no part of it.
+
+    Args:
+        settings: the state and the sensitivities.
+
+    Raises:
+        InputError: a single seed, or seeds that have learned the same.
+    """
+    if len(learned.basis) < 2:
+        raise InputError("the noise is measured from several seeds: learn at least 2.")
+    values = np.stack([each.values for each in _encoded(learned, settings)])
+    spread = (1.0 - learned.gammas) * np.sqrt(values.var(axis=0, ddof=1).mean(axis=(0, 2)))
+    if spread.max() <= SAME:
+        raise InputError("all seeds have learned the same values: there is no noise to measure.")
+    return np.maximum(spread, LEAST_SHARE * spread.max())
+
+
+def reward_gain_over_seeds(learned: Learned, settings: ResolvedForWorld) -> float:
+    """Standard deviation of the expected reward at a discount over that of one value there, as the seeds show it.
+
+    Root mean square over the discounts; :func:`laplace_core.inverse.bands.reward_gain` is the same of errors that are
+    independent, or one, which those of a learner are not.
+
+    Raises:
+        InputError: as :func:`noise_over_seeds`.
+    """
+    rewards = np.stack([each.differences @ each.bin_values for each in _encoded(learned, settings)])
+    spread = (1.0 - learned.gammas) * np.sqrt(rewards.var(axis=0, ddof=1).mean(axis=0))
+    return float(np.sqrt(np.mean((spread / noise_over_seeds(learned, settings)) ** 2)))
+
+
+def _encoded(learned: Learned, settings: ResolvedForWorld) -> list[GammaSpace]:
+    """The gamma-space of the state of the settings through the table of each seed."""
+    world, (_, thetas) = learned.world, grids(settings)
+    tables = learned.basis[:, world.state_index(settings.state)].astype(np.float64)
+    return [encode(each, world.reward_values, learned.gammas, thetas, settings.slope) for each in tables]
+
+
+def noise_settings(learned: Learned, settings: ResolvedForWorld) -> dict[str, Any]:
+    """Values of ``noise_level`` and ``noise_levels`` that state the measured noise; the first is its root mean square.
+
+    Raises:
+        InputError: as :func:`noise_over_seeds`.
+    """
+    spread = noise_over_seeds(learned, settings)
+    mean = float(np.sqrt(np.mean(spread**2)))
+    return {"noise_level": float(f"{mean:.4g}"), "noise_levels": ",".join(f"{level:.4g}" for level in spread.tolist())}
 
 
 @dataclass(frozen=True, eq=False)

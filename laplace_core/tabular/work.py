@@ -6,23 +6,25 @@ A run belongs to what it learns and not to a session: a page that is loaded agai
 from __future__ import annotations
 
 import atexit
+import hashlib
 import shutil
 import sys
 import tempfile
 import time
 from dataclasses import dataclass, field
-from functools import cache
+from functools import cache, lru_cache
 from pathlib import Path
 from typing import Any
 from weakref import WeakValueDictionary
 
 from laplace_core.caching import BUDGET, Cache
 from laplace_core.errors import InputError
-from laplace_core.supervise.jobs import WAITING, Job, Progress, Wish, too_large
+from laplace_core.supervise.jobs import WAITING, Job, Progress, Task, Wish, too_large
+from laplace_core.tabular.learner import seconds_to_learn
 from laplace_core.tabular.model import Learned
 from laplace_core.tabular.process import Run, start
-from laplace_core.tabular.settings import LearnSettings
-from laplace_core.worlds import World
+from laplace_core.tabular.settings import LearnSettings, ResolvedLearning
+from laplace_core.worlds import World, dump_world
 
 MOST_KEPT = 4
 """Runs that a session keeps; the oldest leaves first."""
@@ -115,6 +117,14 @@ class Work:
         return self._run is None and self._has_learned and self._place not in _learned
 
 
+def learning(world: World, settings: ResolvedLearning, *, slot: str) -> Task[Work]:
+    """Learners of a world as work that can be asked for; their key is that of what they learn."""
+    key = hashlib.sha256(repr((dump_world(world), settings, slot)).encode()).hexdigest()
+    lower = "lower the number of episodes or of learners"
+    return Task(key, Work(key, world, settings).learn, lambda: _seconds(world, settings), slot, lower)
+
+
+_seconds = lru_cache(maxsize=32)(seconds_to_learn)
 _learned: Cache[Learned] = Cache("learned gamma-spaces", sys.maxsize)
 _at_work: WeakValueDictionary[str, Work] = WeakValueDictionary()
 

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import re
+from pathlib import Path
 
 import numpy as np
 import pytest
 from playwright.sync_api import expect
 
-from tests.browser.support import runs_asked, settled
+from tests.browser.support import PATIENCE, WATCH, runs_asked, settled
 
 pytestmark = pytest.mark.browser
 MADE = "() => document.querySelector('.laplace-inverse')?.inverse?.scene?.made"
@@ -90,12 +91,28 @@ def test_the_non_negative_timeline_follows_the_drag_and_has_nothing_below_0(page
     settled(page)
 
 
+@pytest.mark.parametrize("solver", ["nonnegative", "feasible"])
+def test_the_band_of_a_solver_that_is_not_linear_is_drawn_after_release(page, address, solver):
+    open_at(page, address, f"world=two_branch&noise=0.01&action=long&solver={solver}")
+    note, host = page.locator(".laplace-inverse .rewards .note"), "document.querySelector('.laplace-inverse').inverse"
+    expect(note).to_have_text("")
+    first = page.evaluate(f"() => {host}.scene.told.band.noise")
+    move = hold(page, "rule-gcv", 0.6)
+    move(0.85)
+    expect(note).to_have_text("band: after release")
+    page.mouse.up()
+    expect(page).to_have_url(re.compile("alpha="))
+    expect(note).to_have_text("")
+    assert page.evaluate(f"() => {host}.scene.told.band.noise") != first
+    settled(page)
+
+
 def test_the_feasible_timeline_answers_when_alpha_is_let_go_of(page, address):
     open_at(page, address, "world=two_branch&noise=0.001&action=long&solver=feasible")
     before = drawn(page)
     move = hold(page, "rule-gcv", 0.6)
     move(0.4)
-    expect(page.locator(".laplace-inverse .tau-space .note")).to_contain_text("until you let go")
+    expect(page.locator(".laplace-inverse .tau-space .note")).to_contain_text("until release")
     page.mouse.up()
     expect(page).to_have_url(re.compile("alpha="))
     expect(page.locator(".laplace-inverse .tau-space .note")).to_have_text("")
@@ -123,6 +140,75 @@ def test_the_cursor_over_alpha_and_horizon_sets_both(page, address):
     expect(page).to_have_url(re.compile("alpha="))
     expect(page.locator(".laplace-inverse .flips .note")).to_contain_text("at T")
     settled(page)
+
+
+@pytest.fixture
+def phone(chromium):
+    """A page under a finger: what is dispatched to it, Chromium turns into pointers and scrolling as on a phone."""
+    context = chromium.new_context(viewport={"width": 390, "height": 844}, has_touch=True, is_mobile=True)
+    context.set_default_timeout(PATIENCE)
+    context.add_init_script(WATCH)
+    page = context.new_page()
+    page.finger = context.new_cdp_session(page)
+    yield page
+    context.close()
+
+
+def swipe(page, name, begin, end, steps=12):
+    """Move a finger over a picture, from one place in pixels to another."""
+    box = page.locator(f".laplace-inverse .{name} canvas").bounding_box()
+    for i in range(steps + 1):
+        x, y = (box[axis] + a + (b - a) * i / steps for axis, a, b in zip("xy", begin, end, strict=True))
+        kind = "touchMove" if i else "touchStart"
+        page.finger.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": [{"x": x, "y": y}]})
+    page.finger.send("Input.dispatchTouchEvent", {"type": "touchEnd", "touchPoints": []})
+
+
+def in_the_middle(page, name):
+    """Bring a picture to the middle of the screen, so that there is room to scroll both ways; its size."""
+    canvas = page.locator(f".laplace-inverse .{name} canvas")
+    canvas.evaluate("(canvas) => canvas.scrollIntoView({ block: 'center' })")
+    settled(page)
+    box = canvas.bounding_box()
+    return box["width"], box["height"]
+
+
+SCROLLED = "() => document.querySelector('[data-testid=stMain]').scrollTop"
+
+
+@pytest.mark.parametrize("name", ["lcurve", "rule-gcv", "flips"])
+def test_a_finger_drags_alpha(phone, address, name):
+    open_at(phone, address, "world=two_decisions&noise=0.002&alpha=0.3&selector=typed")
+    width, height = in_the_middle(phone, name)
+    swipe(phone, name, (0.5 * width, 0.5 * height), (0.85 * width, 0.5 * height))
+    expect(phone).to_have_url(re.compile("alpha=(?!0.3&)"))
+    settled(phone)
+    assert alpha(phone) > 0.4
+
+
+def test_a_finger_moves_the_cursor_up_and_down_and_elsewhere_scrolls_the_page(phone, address):
+    open_at(phone, address, "world=two_decisions&noise=0.002&alpha=0.03&selector=typed&horizon=4")
+    width, height = in_the_middle(phone, "flips")
+    at = phone.evaluate(SCROLLED)
+    # The cursor lies at the upper end of the deadlines: far below it, and far from alpha, a finger scrolls.
+    swipe(phone, "flips", (0.9 * width, 0.8 * height), (0.9 * width, 0.8 * height - 120))
+    phone.wait_for_function(f"(at) => ({SCROLLED})() > at + 40", arg=at)
+    settled(phone)
+    assert "alpha=0.03&" in phone.url
+    assert alpha(phone) == 0.03
+    assert "horizon=4" in phone.url
+    width, height = in_the_middle(phone, "flips")
+    canvas = phone.locator(".laplace-inverse .flips canvas")
+    before = canvas.bounding_box()["y"]
+    top = phone.evaluate("() => document.querySelector('.laplace-inverse').inverse.scene.state.horizon")
+    cursor = 22 + (height - 60) * 0.12  # within a finger's width of the row of the longest deadline
+    swipe(phone, "flips", (0.6 * width, cursor), (0.6 * width, 0.75 * height))
+    expect(phone).to_have_url(re.compile(r"horizon=[0-9.]+"))
+    phone.wait_for_function(
+        "(top) => document.querySelector('.laplace-inverse').inverse.scene.state.horizon < top", arg=top
+    )
+    settled(phone)
+    assert canvas.bounding_box()["y"] == pytest.approx(before, abs=1)  # the page has not moved under the finger
 
 
 def test_back_brings_the_alpha_before(page, address):
@@ -242,3 +328,21 @@ def test_a_new_user_shows_that_values_of_mixed_policies_are_no_process(page, add
     assert "No feasible timeline has these values" in walk.sentence
     expect(page.locator(".laplace-inverse .verdict")).to_have_class(re.compile("bad"))
     assert walk.clicks <= 7
+
+
+def test_a_new_user_compares_rules_on_random_worlds_and_takes_the_cases_along(page, address):
+    walk = Walk(page, address)
+    walk.press("Study: solvers and rules on many worlds")
+    walk.type("Cases of each", "2")
+    page.get_by_role("button", name="Run the study").click()
+    csv = page.get_by_role("button", name="CSV of all cases")
+    expect(page.get_by_role("button", name="Run the study")).to_have_count(0)
+    expect(page.get_by_role("button", name="Cancel")).to_have_count(0)
+    expect(page.locator(".js-plotly-plot")).to_have_count(2)
+    expect(csv).to_be_visible()
+    with page.expect_download() as taken:
+        csv.click()
+    rows = [line for line in Path(taken.value.path()).read_text().splitlines()[2:] if line]
+    assert len(rows) == 2 * 3 * 2 * 4  # worlds, noises, solvers; the best alpha and three rules
+    assert walk.clicks + 2 <= 5
+    settled(page)

@@ -15,6 +15,8 @@ import streamlit as st
 from app import session
 from app.components import assets
 from laplace_core.exchange import messages
+from laplace_core.payloads.inverse import Band
+from laplace_core.payloads.inverse_words import Rule, Said
 from laplace_core.payloads.packing import pack
 
 _HELD = 2
@@ -32,26 +34,10 @@ class State:
     axis: str
 
 
-@dataclass(frozen=True)
-class Said:
-    """What is said of a state; ``tone`` is ok, warn, bad or unknown."""
-
-    tone: str
-    sentence: str
-
-
-@dataclass(frozen=True)
-class Rule:
-    """A rule for alpha: its title, what it makes small in a sentence, and the formula."""
-
-    title: str
-    why: str
-    formula: str
-
-
 def inverse(
     data: bytes, state: State, key: str, *, said: Said, rules: Mapping[str, Rule], rule: str | None,
     on_release: Callable[[State], None], certified: Sequence[tuple[float, int]] | None = None,
+    band: Band | None = None,
 ) -> None:  # fmt: skip
     """Draw the pictures.
 
@@ -62,6 +48,7 @@ def inverse(
         rule: the one that chose alpha; None of an alpha that was set by hand.
         on_release: called with a state that was released, before the rerun, as a widget's callback.
         certified: horizons, and the action that is certainly best there, -1 where none is.
+        band: of a solver that is not linear, at the alpha of the state.
     """
     widget, digest = f"inverse {key}", messages.name_of(data)
     channel, shown = session.channel(widget), asdict(state)
@@ -75,6 +62,7 @@ def inverse(
         "rules": {name: asdict(each) for name, each in rules.items()},
         "rule": rule,
         "certified": None if certified is None else [list(each) for each in certified],
+        "band": None if band is None else band._asdict(),
     }
 
     def released() -> None:

@@ -1,4 +1,4 @@
-// The page of the inverse inside Streamlit: one alpha, dragged on any of its pictures. The server hears releases only;
+// The page of the inverse inside Streamlit: one alpha, dragged on any of its pictures. The server is told of releases only;
 // the rule of payloads, revisions and releases is written down in app/session/message.py.
 /** @import { InverseModel, InverseScene, InverseTold, Message } from '../types.js' */
 import { coloursOf } from '../draw/colours.js';
@@ -122,19 +122,38 @@ function mount(host, firstModel, firstTold, report) {
 
   function listen(view) {
     const { canvas, panel } = view;
-    const place = (event) => {
+    let before = scene.state;
+    const placeOf = ({ clientX, clientY }) => {
       const { left, top } = canvas.getBoundingClientRect();
-      if (view.scale) set(panel.drag(scene, view.scale, event.clientX - left, event.clientY - top));
+      return [clientX - left, clientY - top];
     };
+    const place = (event) => {
+      if (view.scale) set(panel.drag(scene, view.scale, ...placeOf(event)));
+    };
+    // A finger scrolls the page up and down, unless it takes hold of a handle that moves up and down itself.
+    canvas.addEventListener(
+      'touchstart',
+      (event) => {
+        const [x, y] = placeOf(event.touches[0]);
+        if (event.touches.length === 1 && view.scale && panel.handle?.(scene, view.scale, x, y)) event.preventDefault();
+      },
+      { passive: false },
+    );
     canvas.addEventListener('pointerdown', (event) => {
-      if (event.button) return;
+      if (event.button || !event.isPrimary) return;
+      before = scene.state;
       canvas.setPointerCapture(event.pointerId);
-      place(event);
+      if (event.pointerType !== 'touch') place(event); // a finger may be about to scroll
     });
     canvas.addEventListener('pointermove', (event) => {
       if (canvas.hasPointerCapture(event.pointerId)) place(event);
     });
-    for (const end of ['pointerup', 'pointercancel']) canvas.addEventListener(end, () => rest());
+    canvas.addEventListener('pointerup', (event) => {
+      if (!canvas.hasPointerCapture(event.pointerId)) return;
+      place(event);
+      rest();
+    });
+    canvas.addEventListener('pointercancel', () => set(before)); // the browser scrolls instead
     canvas.addEventListener('keydown', (event) => {
       const way = { ArrowLeft: -1, ArrowRight: 1, ArrowDown: -1, ArrowUp: 1 }[event.key];
       if (!way || event.ctrlKey || event.metaKey || event.altKey) return;
@@ -204,9 +223,9 @@ function mount(host, firstModel, firstTold, report) {
     }
     readout.textContent = `alpha ${short(alpha)} · ${short(scene.made.degrees)} degrees of freedom`;
     axis.textContent = scene.state.axis === 'time' ? 'axis: time constant' : 'axis: discount γ';
-    const heard = JSON.stringify(told.said.state) === JSON.stringify(scene.state);
-    said.className = `verdict ${heard ? told.said.tone : 'unknown'}`;
-    const words = heard ? told.said.sentence : `Alpha ${short(alpha)}, by hand. Let go to have it judged.`;
+    const isSaid = JSON.stringify(told.said.state) === JSON.stringify(scene.state);
+    said.className = `verdict ${isSaid ? told.said.tone : 'unknown'}`;
+    const words = isSaid ? told.said.sentence : `Alpha ${short(alpha)}, by hand. Release it to have it judged.`;
     if (sentence.textContent !== words) sentence.textContent = words;
   }
 

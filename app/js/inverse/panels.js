@@ -6,7 +6,8 @@ import { disc, inside, top } from '../draw/frame.js';
 import { averagingKernel, nearest } from './maths.js';
 
 export const CURSOR = '#e8590c';
-const TRUTH = '#7048e8';
+const TRUTH = '#7048e8',
+  FINGER = 28; // pixels within which a finger takes hold of a handle
 
 /**
  * Powers of ten in a range of logarithms, so many that their labels have room.
@@ -110,10 +111,14 @@ const lcurve = {
       colours,
     });
     line(pen, xs.map(scale.X), ys.map(scale.Y), { stroke: colours.primary, width: 2 });
-    const at = [scale.X(Math.log10(made.residual)), scale.Y(Math.log10(made.size))];
-    pen.path(disc(at[0], at[1], 6), { fill: CURSOR, stroke: colours.paper, width: 1.5, close: true });
+    const within = (value, low, high) => Math.min(high, Math.max(low, value)), // an alpha beyond the sweep: at its end
+      px = within(scale.X(Math.log10(made.residual)), box.x, box.x + box.w),
+      py = within(scale.Y(Math.log10(made.size)), box.y, box.y + box.h);
+    pen.path(disc(px, py, 6), { fill: CURSOR, stroke: colours.paper, width: 1.5, close: true });
     return scale;
   },
+  handle: ({ made }, { X, Y }, px, py) =>
+    Math.hypot(px - X(Math.log10(made.residual)), py - Y(Math.log10(made.size))) < FINGER,
   drag({ model, images }, { X, Y }, px, py) {
     const alphas = model.arrays.alphas.slice(model.header.first),
       xs = images.misfits,
@@ -444,7 +449,7 @@ const tauSpace = {
     'x = argmin |W(Fx − z)|² + α²|Lx|², or another filter of the same components',
   ],
   note: ({ made, model }) =>
-    made.still ? `${model.header.solver}: at alpha ${short(model.header.decoded_at ?? 0)}, until you let go` : '',
+    made.still ? `${model.header.solver}: at alpha ${short(model.header.decoded_at ?? 0)}, until release` : '',
   draw: (pen, w, h, scene) => space(pen, w, h, scene, 'decoded', scene.made.tau),
 };
 
@@ -459,6 +464,9 @@ const truth = {
   draw: (pen, w, h, scene) => space(pen, w, h, scene, 'true', scene.model.arrays.truth),
 };
 
+// The band that the server has drawn, if it is that of this alpha.
+const bandAt = ({ band }, { alpha }) => (band && Math.abs(alpha / band.alpha - 1) < 1e-6 ? band : undefined);
+
 /** @type {InversePanel} */
 const rewards = {
   name: 'rewards',
@@ -467,9 +475,12 @@ const rewards = {
     'The dark band is what the noise does to each step, two standard deviations; the pale one adds what the solver adds or takes away.',
     'E[r_τ] ± (2 σ_τ + |bias_τ|)',
   ],
-  draw(pen, w, h, { model, made, colours }) {
+  note: ({ model, told, state }) =>
+    model.arrays.deviations && !model.arrays.reference && !bandAt(told, state) ? 'band: after release' : '',
+  draw(pen, w, h, { model, made, told, state, colours }) {
     const { K, dt, arrays } = model,
-      { rewards: found, noise, bias } = made,
+      { rewards: found } = made,
+      { noise, bias } = made.noise ? made : (bandAt(told, state) ?? {}),
       true_ = arrays.true_rewards,
       box = inside(w, h, { top: true_ ? 22 : 8, left: 48 });
     const spread = (k) => (noise && bias ? 2 * noise[k] + Math.abs(bias[k]) : 0);
@@ -597,6 +608,8 @@ const flips = {
     });
     return scale;
   },
+  handle: ({ state }, { X, Y }, px, py) =>
+    Math.min(Math.abs(px - X(Math.log10(state.alpha))), Math.abs(py - Y(state.horizon))) < FINGER,
   drag({ model }, { toX, toY }, px, py) {
     const row = rowOf(model, toY(py));
     return { alpha: alphaOf(toX(px), model), horizon: model.horizons[row] };

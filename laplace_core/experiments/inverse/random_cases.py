@@ -1,4 +1,4 @@
-"""Random cases of the study of the inverse: a world, a state, a policy, and how it is encoded, with its exact timeline.
+"""Cases of the study of the inverse: a world, a state, a policy, and how it is encoded, with its exact timeline.
 
 Chains, branches, trees, cycles, grids, endless worlds, hundreds of steps, dozens of rewards, chance in worlds and in
 policies, and rows that lie closer than steps.
@@ -6,7 +6,7 @@ policies, and rows that lie closer than steps.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -19,7 +19,7 @@ from laplace_core.planning import greedy_policy, reward_indicator_basis, reward_
 from laplace_core.study.horizon import horizon_values, row_horizons
 from laplace_core.study.pipeline import grids, row_shares
 from laplace_core.study.settings import ResolvedForWorld, Settings, resolve
-from laplace_core.worlds import World
+from laplace_core.worlds import World, load_world
 
 MOST_ROWS = 400
 LEAST_NOISE = 1e-9
@@ -115,6 +115,14 @@ def random_case(rng: np.random.Generator, *, whole_steps: bool = False) -> Rando
     )
     resolved = resolve(settings, world)
     return RandomCase(world, world.state_index(resolved.state), _policy(rng, world, resolved.acting_gamma), resolved)
+
+
+def listed_case(name: str) -> RandomCase:
+    """The start state of a listed world under the policy that is greedy at its acting gamma, as its page shows it."""
+    world = load_world(name)
+    s = resolve(Settings(world=name, gammas=15), world)
+    s = replace(s, steps=min(s.steps, MOST_ROWS))
+    return RandomCase(world, world.state_index(s.state), greedy_policy(world, s.acting_gamma), s)
 
 
 def _policy(rng: np.random.Generator, world: World, gamma: float) -> np.ndarray:

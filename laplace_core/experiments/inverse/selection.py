@@ -1,13 +1,15 @@
-"""The study of the inverse: random worlds x noises x grids x solvers x selectors, with the truth beside them.
+"""The study of the inverse: worlds x noises x grids x solvers x selectors, with the truth beside them.
 
-For each world, noise and grid (a job) every solver decodes with the alpha of each selector and with every alpha of a
-sweep, of which the one of least distance from the truth is the best that any selector could have chosen. ``distance``
-is :func:`laplace_core.inverse.distances.mean_time_distance` (Wasserstein-1 over time), mean over the actions;
-``regret`` is :func:`laplace_core.inverse.distances.choice_regret`.
+Worlds are random ones (:func:`laplace_core.experiments.inverse.random_cases.random_case`), or listed ones by name, each
+with several draws of its noise. For each world, noise and grid (a job) every solver decodes with the alpha of each
+selector and with every alpha of a sweep, of which the one of least distance from the truth is the best that any
+selector could have chosen. ``distance`` is :func:`laplace_core.inverse.distances.mean_time_distance` (Wasserstein-1
+over time), mean over the actions; ``regret`` is :func:`laplace_core.inverse.distances.choice_regret`.
 """
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cache, partial
@@ -18,7 +20,7 @@ import numpy as np
 
 from laplace_core.code.encoding import PAPER_GAMMAS, discount_grid
 from laplace_core.errors import InputError
-from laplace_core.experiments.inverse.random_cases import RandomCase, random_case
+from laplace_core.experiments.inverse.random_cases import RandomCase, listed_case, random_case
 from laplace_core.experiments.inverse.table_file import TableFile
 from laplace_core.inverse import LINEAR, SELECTORS, SOLVERS, Problem, choose_alpha, is_linear, solve
 from laplace_core.inverse.components import sweep_alphas
@@ -32,6 +34,7 @@ from laplace_core.inverse.distances import (
 from laplace_core.inverse.linear import shares_kept
 from laplace_core.inverse.solvers import selecting, spectrum_for
 from laplace_core.supervise.parallel import in_parallel
+from laplace_core.worlds import PRESETS, TOY_TEXT
 
 NOISES = (1e-4, 1e-3, 1e-2)
 GRIDS = ("paper", "inverse-log", "log")
@@ -39,6 +42,13 @@ ALPHAS = 41
 """Alphas of a sweep, of a solver that is linear."""
 FEW_ALPHAS = 9
 """The same of one that is not, each of which takes a tenth of a second or more."""
+RANDOM = "random"
+WORLDS = (RANDOM, *PRESETS, *(f"gym:{name}" for name in TOY_TEXT))
+"""What can be studied: random worlds, or a listed world by its name."""
+TIMES = {"nonnegative": 5.0, "feasible": 85.0}
+"""Seconds of a solver over those of a linear one, about, with all selectors."""
+SWEEPING = 0.25
+"""Of the seconds of a linear solver with all selectors, the share that the sweep for the best alpha takes."""
 NO_SELECTOR = "best"
 """In place of a selector: the alpha of least distance, which only somebody who knows the truth can choose."""
 COLUMNS = ("case", "noise", "grid", "solver", "selector", "alpha", "distance", "least", "regret", "regret_at_least",
@@ -48,9 +58,9 @@ Row = dict[str, Any]
 
 
 class Job(NamedTuple):
-    """One world, noise and grid."""
+    """One world, noise and grid; ``case`` is the number of a random world, or a name and the number of a draw."""
 
-    case: int
+    case: int | str
     noise: float
     grid: str
 
@@ -60,8 +70,9 @@ class Plan:
     """What a study covers.
 
     Attributes:
-        cases: how many random worlds, counted from 0.
-        seed: of the worlds and of their noise.
+        cases: how many random worlds, counted from 0, and how many draws of the noise of each listed world.
+        seed: of the random worlds, and of the first draw of a listed one.
+        worlds: of ``WORLDS``.
 
     Raises:
         InputError: names that there are not, or a number out of range.
@@ -73,9 +84,10 @@ class Plan:
     solvers: Sequence[str] = ("tikhonov", "tikhonov1", "tikhonov2")
     selectors: Sequence[str] = tuple(name for name in SELECTORS)
     seed: int = 0
+    worlds: Sequence[str] = (RANDOM,)
 
     def __post_init__(self) -> None:
-        known = {"grid": (self.grids, GRIDS), "solver": (self.solvers, tuple(SOLVERS)),
+        known = {"world": (self.worlds, WORLDS), "grid": (self.grids, GRIDS), "solver": (self.solvers, tuple(SOLVERS)),
                  "selector": (self.selectors, tuple(SELECTORS))}  # fmt: skip
         for what, (given, names) in known.items():
             for name in given:
@@ -90,10 +102,17 @@ class Plan:
 
     def jobs(self) -> list[Job]:
         """Every world, noise and grid, world by world."""
-        return [Job(case, noise, grid) for case in range(self.cases) for noise in self.noises for grid in self.grids]
+        cases = [i if world == RANDOM else f"{world}:{i}" for world in self.worlds for i in range(self.cases)]
+        return [Job(case, noise, grid) for case in cases for noise in self.noises for grid in self.grids]
 
-    def rows_of(self, job: Job) -> int:
-        """How many rows of the table a job has."""
+    @property
+    def size(self) -> int:
+        """How many jobs there are."""
+        return len(self.worlds) * self.cases * len(self.noises) * len(self.grids)
+
+    @property
+    def rows_of_a_job(self) -> int:
+        """How many rows of the table each job has."""
         return sum(1 + (len(self.selectors) if SOLVERS[solver].has_alpha else 0) for solver in self.solvers)
 
 
@@ -104,14 +123,22 @@ def gammas_of(grid: str) -> np.ndarray:
 
 def rows_of(job: Job, plan: Plan) -> list[Row]:
     """The rows of one job."""
-    case = random_case(np.random.default_rng([plan.seed, job.case]))
-    problem = case.problem(job.noise, seed=job.case, gammas=gammas_of(job.grid))
+    case, draw = _case(job, plan.seed)
+    problem = case.problem(job.noise, seed=draw, gammas=gammas_of(job.grid))
     rows = []
     for solver in plan.solvers:
         measured = _Measured(case, problem, solver)
         for selector, alpha in _alphas(problem, solver, plan.selectors):
             rows.append(dict(zip(COLUMNS, (*job, solver, selector, *measured.row(alpha)), strict=True)))
     return rows
+
+
+def _case(job: Job, seed: int) -> tuple[RandomCase, int]:
+    """The world of a job, and the seed of its noise."""
+    name, _, number = str(job.case).rpartition(":")
+    if name:
+        return listed_case(name), seed + int(number)
+    return random_case(np.random.default_rng([seed, int(number)])), int(number)
 
 
 def _alphas(problem: Problem, solver: str, selectors: Sequence[str]) -> list[tuple[str, float | None]]:
@@ -182,6 +209,24 @@ class _Linear:
         return float(distance.mean()), choice_regret(values, self._values)
 
 
+@cache
+def _seconds_of_one() -> float:
+    """Of this thread's work: one linear solver with all selectors on one case, once all that it imports is there."""
+    plan = Plan(cases=1, noises=(1e-3,), grids=("paper",), solvers=("tikhonov",))
+    (job,) = plan.jobs()
+    rows_of(job, plan)
+    began = time.thread_time()
+    rows_of(job, plan)
+    return time.thread_time() - began
+
+
+def seconds_to_measure(plan: Plan) -> float:
+    """About how long a study takes in one process of this machine."""
+    share = SWEEPING + (1.0 - SWEEPING) * len(plan.selectors) / len(SELECTORS)
+    each = sum(TIMES.get(solver, 1.0) for solver in plan.solvers) * share * _seconds_of_one()
+    return each * plan.size
+
+
 def run(
     plan: Plan, path: Path, *, processes: int = 1, cluster: str | None = None
 ) -> Iterator[tuple[int, int]]:  # fmt: skip
@@ -199,7 +244,7 @@ def run(
     """
     jobs, table = plan.jobs(), TableFile(path, COLUMNS, ("case", "noise", "grid"), about=f"seed {plan.seed}")
     counts = table.counts()
-    complete = {key for key, count in counts.items() if count == plan.rows_of(Job(0, 0.0, ""))}
+    complete = {key for key, count in counts.items() if count == plan.rows_of_a_job}
     left = [job for job in jobs if table.key(job._asdict()) not in complete]
     if any(table.key(job._asdict()) in counts for job in left):
         raise InputError(f"{path} is a study of other solvers or selectors: name another file with --out.")

@@ -16,6 +16,17 @@ from laplace_core.files.atomic import write_whole
 MOST_BYTES = 2_000_000_000
 
 
+def whole_groups(text: str) -> str:
+    """What of a table's text was written to the end: a group ends with an empty line; empty before the first one."""
+    return text[: text.rfind("\n\n") + 2] if "\n\n" in text else ""
+
+
+def rows_in(text: str) -> list[dict[str, str]]:
+    """The rows of a table's text, behind its comment and its header."""
+    table = csv.DictReader(io.StringIO(text.partition("\n")[2]))
+    return [row for row in table if None not in row.values()]
+
+
 class TableFile:
     """Rows in a CSV file behind a comment and a header.
 
@@ -47,9 +58,7 @@ class TableFile:
         text = path.read_bytes().decode(errors="replace")
         if not text.startswith(self._head):
             raise InputError(f"{path} is no table of a study like this one: name another file with --out.")
-        whole = text[: text.rindex("\n") + 1]
-        ends = whole.rfind("\n\n")  # a group ends with an empty line
-        whole = whole[: ends + 2] if ends >= 0 else self._head
+        whole = whole_groups(text) or self._head
         if whole != text:
             write_whole(path, whole.encode())
 
@@ -59,8 +68,7 @@ class TableFile:
 
     def rows(self) -> list[dict[str, str]]:
         """All rows, as text."""
-        text = self.path.read_text(encoding="utf-8").partition("\n")[2]
-        return [row for row in csv.DictReader(io.StringIO(text)) if None not in row.values()]
+        return rows_in(self.path.read_text(encoding="utf-8"))
 
     def counts(self) -> Counter[tuple[str, ...]]:
         """How many rows each group has."""

@@ -10,15 +10,21 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from app.inverse import compute, grids, words
+from app.inverse import compute
 from app.inverse.subjects import OPENING, view_of
 from app.view.compute import study_for
+from laplace_core.experiments.inverse.measuring import plan_of
+from laplace_core.experiments.inverse.selection import rows_of
+from laplace_core.experiments.inverse.table_file import rows_in
 from laplace_core.inverse.certificate import certify
 from laplace_core.inverse.consistency import check_noise
-from laplace_core.inverse.grids import task_for
+from laplace_core.inverse.grids import judged, task_for
+from laplace_core.payloads import inverse_words as words
 from laplace_core.study.course import errors_of
 from laplace_core.study.evidence import Evidence, gathered, horizons_of
-from tests.support.pages import link, opened, press, run, wait
+from laplace_core.tabular import noise_over_seeds, reward_gain_over_seeds, study_of
+from tests.support.lens_reference import unpacked
+from tests.support.pages import charts, downloads, labels, link, opened, press, run, wait
 
 
 def told(page):
@@ -50,6 +56,14 @@ def test_the_sentence_names_the_rule_its_alpha_and_how_far_the_best_is():
 
 def test_an_alpha_by_hand_is_compared_with_what_the_data_suggest():
     assert sentence({"alpha": 0.3}).sentence.startswith("Alpha 0.3 was set by hand; automatic takes ")
+
+
+def test_degrees_of_freedom_are_those_of_an_alpha_beyond_the_sweep():
+    """The reference: sum of s^2 / (s^2 + alpha^2) over the singular values, which all lie far below this alpha."""
+    view = view_of({**OPENING, "alpha": 1e4})
+    s = compute.shown(view).found.sweep.spectrum.s
+    degrees = float(np.sum(s**2 / (s**2 + 1e8)))
+    assert f"{degrees:.3g} of 15 degrees of freedom are fitted" in sentence({"alpha": 1e4}).sentence
 
 
 def test_values_of_no_timeline_are_called_so():
@@ -200,6 +214,90 @@ def test_grids_are_judged_and_one_is_used():
     page = wait(opened("grids", screen="inverse", world="two_branch", gammas="6"), lambda page: bool(page.dataframe))
     (table,) = page.dataframe
     assert list(table.value["Grid"])[:2] == ["designed", "inverse-log"]
-    found = grids.judged(task_for(3, 0.0), 6, lambda done, of: None)
+    found = judged(task_for(3, 0.0), 6, lambda done, of: None)
     assert [each.name for each in found] == list(table.value["Grid"])
     assert found[0].error == min(each.error for each in found if len(each.gammas) == 6)
+
+
+SMALL_STUDY = {"s.noises": "0.001", "s.solvers": "tikhonov,tsvd", "s.selectors": "gcv,aic"}
+
+
+def test_a_study_of_many_worlds_is_measured_drawn_and_taken_along(monkeypatch):
+    saved = downloads(monkeypatch)
+    page = opened("study", screen="inverse", world="two_branch", **{**SMALL_STUDY, "s.cases": "3"})
+    assert not charts(page).keys() & {"study ratio", "study excess"}
+    press(page, "Run the study")
+    wait(page, lambda page: "study ratio" in charts(page) and "Cancel" not in labels(page))
+    assert [trace["name"] for trace in charts(page)["study ratio"]["data"]] == ["Tikhonov", "Truncated SVD"]
+    plan = plan_of({"cases": 3, "noises": "0.001", "solvers": "tikhonov,tsvd", "selectors": "gcv,aic"})
+    rows = rows_in(saved["inverse_study.csv"])
+    assert len(rows) == 3 * plan.rows_of_a_job
+    assert rows[4]["alpha"] == str(rows_of(plan.jobs()[0], plan)[4]["alpha"])
+    assert "Run the study" not in labels(page)
+
+
+def test_what_a_cancelled_study_has_measured_stays_and_the_rest_can_be_measured():
+    page = opened("study", screen="inverse", world="two_branch", **{**SMALL_STUDY, "s.cases": "400"})
+    press(page, "Run the study")
+    wait(page, lambda page: "study ratio" in charts(page))
+    press(page, "Cancel")
+    wait(page, lambda page: "Measure the rest" in labels(page))
+    assert any("of 400 cases are measured" in caption.value for caption in page.caption)
+    assert {"study ratio", "study excess"} <= charts(page).keys()
+
+
+def test_words_of_a_study_that_make_no_sense_are_one_sentence():
+    page = opened("study", screen="inverse", world="two_branch", **{"s.solvers": "magic"})
+    assert any("solver 'magic' is not one of" in warning.value for warning in page.warning)
+    assert link(page) == {"world": "two_branch"}
+    page.text_input(key="s.noises").set_value("0.1; 5")
+    run(page)
+    assert [error.value for error in page.error] == [
+        "noise '0.1; 5' is not a number: give numbers above 0 and at most 1, such as 0.001."
+    ]
+    page.multiselect(key="s.solvers box").set_value([])
+    page.text_input(key="s.noises").set_value("0.1")
+    run(page)
+    assert [error.value for error in page.error] == ["name each solver of the study once, and at least one."]
+    page.multiselect(key="s.solvers box").set_value(["tsvd", "dsvd"])
+    run(page)
+    assert link(page) == {"world": "two_branch", "s.noises": "0.1", "s.solvers": "tsvd,dsvd"}
+    assert "Run the study" in labels(page)
+
+
+def test_a_study_longer_than_the_server_allows_is_refused():
+    page = opened("study", screen="inverse", world="two_branch",
+                  **{"s.solvers": "feasible", "s.cases": "1000", "s.selectors": "gcv"})  # fmt: skip
+    button = next(button for button in page.button if button.label == "Run the study")
+    assert button.disabled
+    assert any("this server allows 10 minutes: lower its worlds" in warning.value for warning in page.warning)
+
+
+def test_noise_is_measured_from_the_seeds_of_a_learner_that_is_then_looked_at():
+    page = opened(screen="inverse", world="two_branch", **{"p.slip": "0.3", "measured": "true", "seeds": "3",
+                                                          "episodes": "50"})  # fmt: skip
+    wait(page, lambda page: any("Measured noise" in caption.value for caption in page.caption))
+    values = {"world": "two_branch", "p.slip": 0.3, "measured": True, "seeds": 3, "episodes": 50}
+    view = view_of(values)
+    learned = view.learner.learned
+    assert learned.settings.episodes == 50
+    spread = noise_over_seeds(learned, view.settings)
+    assert any(f"{view.settings.noise_level:.2g} on average, over 3 seeds" in caption.value for caption in page.caption)
+    header, arrays = unpacked(compute.shown(view).data)
+    assert header["gain"] == reward_gain_over_seeds(learned, view.settings)
+    np.testing.assert_allclose(arrays["deviations"], spread / (1 - learned.gammas), rtol=1e-3)
+    own = study_of(learned, view.settings, 0).gamma_space.values
+    np.testing.assert_array_equal(study_for(view).gamma_space.values, own)
+    assert view_of({**values, "noise_level": 0.02}).settings.noise_levels is None  # a given level holds
+    page.checkbox(key="measured").uncheck()
+    run(page)
+    assert view_of({**values, "measured": False}).learner is None
+    assert told(page)["said"]["sentence"].endswith(words.NO_NOISE)
+
+
+def test_seeds_that_agree_are_said_to_show_no_noise():
+    page = opened(screen="inverse", world="two_branch", measured="true", seeds="2")
+    wait(page, lambda page: page.info)
+    assert [info.value for info in page.info] == [
+        "all seeds have learned the same values: there is no noise to measure."
+    ]

@@ -1,20 +1,40 @@
-"""What rules and solvers are called, and the sentence that judges an alpha."""
+"""What rules and solvers are called on the page of the inverse, and the sentence that judges an alpha."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 
 import numpy as np
 
-from app.components.inverse import Rule, Said
 from laplace_core import Study
 from laplace_core.inverse import AUTO, SELECTORS
+from laplace_core.inverse.components import sweep_of
 from laplace_core.inverse.consistency import LEVEL
 from laplace_core.inverse.selectors import TYPED
 from laplace_core.inverse.titles import RULE_TITLES, SOLVER_TITLES
 from laplace_core.payloads.inverse import Swept
 from laplace_core.study.course import Course, errors_of, turns
 from laplace_core.study.evidence import Evidence, tested
+from laplace_core.study.pipeline import problem_for
+
+
+@dataclass(frozen=True)
+class Said:
+    """What is said of a state; ``tone`` is ok, warn, bad or unknown."""
+
+    tone: str
+    sentence: str
+
+
+@dataclass(frozen=True)
+class Rule:
+    """A rule for alpha: its title, what it makes small in a sentence, and the formula."""
+
+    title: str
+    why: str
+    formula: str
+
 
 _WHY: Mapping[str, tuple[str, str]] = {
     "gcv": ("Cross-validation: how well a value that is left out would be predicted.",
@@ -86,7 +106,8 @@ def said(study: Study, found: Swept, course: Course, evidence: Evidence | None, 
             )
         if tone == "unknown" and course.solver == s.solver:
             tone = "ok" if error <= FAR * least else "warn"
-    degrees = float(np.interp(np.log(s.alpha), np.log(found.sweep.alphas), found.sweep.degrees))
+    at_alpha = sweep_of(problem_for(study.gamma_space, s), s.solver, alphas=np.array([s.alpha]))  # may lie beyond it
+    degrees = float(at_alpha.degrees[0])
     parts.append(f"{degrees:.3g} of {found.sweep.discounts} degrees of freedom are fitted.")
     if len(study.action_names) > 1:
         parts.append(chosen_over(study, study.decoded.actions))
@@ -105,7 +126,7 @@ def _choice(study: Study, found: Swept) -> str:
         by = f", by the {RULE_TITLES[AUTO].lower()}," if record.rule == "auto" else ""
         return f"{name}{by} takes alpha {alpha:.3g}."
     suggested = float(found.sweep.alphas[found.chosen[AUTO]])
-    return f"Alpha {alpha:.3g} was set by hand; automatic takes {suggested:.3g}."
+    return f"Alpha {alpha:.4g} was set by hand; automatic takes {suggested:.3g}."
 
 
 def chosen_over(study: Study, actions: np.ndarray) -> str:

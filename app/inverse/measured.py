@@ -1,0 +1,83 @@
+"""Noise as the seeds of a learner show it: they learn in the background, and the first of them is looked at."""
+
+from __future__ import annotations
+
+from contextlib import suppress
+from dataclasses import replace
+from typing import Any
+
+import streamlit as st
+
+from app.components.waiting import attempt, offer, progress
+from app.components.widgets import field
+from app.session.jobs import Wish, learners
+from laplace_core import InputError, World
+from laplace_core.exchange.links import Values, by_name
+from laplace_core.parameters import Parameter
+from laplace_core.study.settings import ResolvedForWorld
+from laplace_core.subjects import Exact, Subject, about, learner
+from laplace_core.supervise.jobs import Kind
+from laplace_core.tabular import LEARN_SCHEMA, Learned, LearnSettings, noise_settings, resolve_learning
+from laplace_core.tabular.settings import DECIDED_NAMES, ResolvedLearning
+from laplace_core.tabular.work import MOST_KEPT, Work, learning
+
+PARAMETERS = by_name(
+    Parameter("measured", False, help="Look at a learned gamma-space, with the spread over seeds as its noise."),
+    Parameter("seeds", 4, 2, 8, "Independent learners; the first one is looked at."),
+    by_name(*LEARN_SCHEMA)["episodes"],
+)
+_learners: Kind[Work] = Kind("learners of the inverse", MOST_KEPT, line=learners)
+
+
+def _wanted(values: Values, world: World, settings: ResolvedForWorld) -> ResolvedLearning:
+    """How the learners of a view learn: with its discounts and its target policy."""
+    given: dict[str, Any] = {name: getattr(settings, name) for name in DECIDED_NAMES}
+    given |= {"seeds": values.get("seeds", PARAMETERS["seeds"].default), "episodes": values.get("episodes")}
+    return resolve_learning(LearnSettings(**given), world)
+
+
+def seen(values: Values, world: World, settings: ResolvedForWorld) -> tuple[Subject, ResolvedForWorld]:
+    """The first learner with the noise that all of them show, known of nothing else; until then, the exact world."""
+    settings = replace(settings, noise=0.0, noise_level=values.get("noise_level"))
+    key = learning(world, _wanted(values, world, settings), slot="noise").key
+    job = _learners.get(key)
+    found = job.result().learned() if job is not None and job.worked else None
+    if found is None:  # it may have had to make room
+        _learners.drop(key)
+        return Exact(world), settings
+    if settings.noise_level is None:  # else a given level holds
+        with suppress(InputError):  # the sidebar says that they show none
+            settings = replace(settings, **noise_settings(found, settings))
+    return learner(world, about(found, world), 0), settings
+
+
+def controls(values: Values, world: World, settings: ResolvedForWorld) -> bool:
+    """Whether noise is measured; if so, from which learners, and how far they are."""
+    field(PARAMETERS["measured"], PARAMETERS["measured"].default, "Measure noise from a learner's seeds")
+    if not values.get("measured"):
+        return False
+    wanted = _wanted(values, world, settings)
+    left, right = st.columns(2)
+    field(PARAMETERS["seeds"], wanted.seeds, "Learners", place=left)
+    field(PARAMETERS["episodes"], wanted.episodes, "Episodes", place=right)
+    wish = Wish.of(_learners, learning(world, wanted, slot="noise"))
+    job = wish.look()
+    if job is None:
+        offer(wish, "Learn", key="learn_noise", words="The pictures are exact until then.")
+    elif job.going:
+        progress(job, "{done:,} of {of:,} episodes", wish.cancel, key="cancel_noise")
+    else:
+        work = attempt(job.result)
+        found = None if work is None else work.learned()
+        if found is not None:
+            _say(found, settings)
+    return True
+
+
+def _say(found: Learned, settings: ResolvedForWorld) -> None:
+    try:
+        levels = noise_settings(found, settings)
+    except InputError as error:
+        st.info(str(error))
+    else:
+        st.caption(f"Measured noise {levels['noise_level']:.2g} on average, over {len(found.basis)} seeds.")
