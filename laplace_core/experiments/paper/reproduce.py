@@ -67,8 +67,13 @@ def reproduce(
                     return
             known = results.saved_row(training) is not None
             done = Done(training, results.row_of(training))
-            for experiment in experiments:
-                if not known and any(training.name == each.name for each in trainings[experiment.name]):
+            needed = [each for each in experiments if any(training.name == one.name for one in trainings[each.name])]
+            for experiment in needed:  # the row is in every file before anything else is measured
+                if not known:
+                    results.write(experiment, trainings[experiment.name], out)
+            for experiment in needed:
+                if experiment.reading and results.saved_reading(experiment, training, out) is None:
+                    results.reading_of(experiment, training)
                     results.write(experiment, trainings[experiment.name], out)
         except InputError as error:
             done = Done(training, trouble=str(error))

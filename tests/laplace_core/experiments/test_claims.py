@@ -181,7 +181,7 @@ def test_a_deadline_that_a_peer_acts_better_for_agrees_with_the_paper():
         ("multiplexer", {"network": [10.0, 100.0], "multiplexer": [150.0, 90.0], "trunk": [250.0]}, [IN_PART, NEW]),
         ("multiplexer", {"network": [200.0], "multiplexer": [150.0]}, [DIFFERS, None]),
         ("auxiliary", {"CartPole,_alone": [300.0], "CartPole,_beside_fourteen": [400.0]}, [AGREES, None]),
-        ("termination", {"plain": [240.0], "auxiliary": [230.0], "absorbing": [200.0]}, [DIFFERS, NEW]),
+        ("termination", {"plain": [240.0], "auxiliary": [230.0], "absorbing": [200.0]}, [None, None, None, NEW]),
         ("paper_agent", {"CartPole": [500.0, 300.0], "LunarLander": [20.0]}, [IN_PART, DIFFERS]),
         ("new_agents", {"averaging_.005": [239.0, 270.0]}, [NEW]),
     ],
