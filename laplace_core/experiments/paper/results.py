@@ -15,6 +15,7 @@ from laplace_core.errors import InputError
 from laplace_core.experiments.paper.experiment import Experiment, train_command
 from laplace_core.experiments.paper.result_files import BEST, RESULT, cells_in, result_file
 from laplace_core.experiments.paper.runs import Training
+from laplace_core.experiments.paper.smoothing import smoothed
 from laplace_core.experiments.search import EPISODES, START_SEEDS
 from laplace_core.experiments.training import evaluated, seconds_behind
 from laplace_core.files.atomic import write_whole
@@ -202,9 +203,7 @@ def curves(returns: Sequence[float], steps: Sequence[int]) -> dict[str, Any]:
     if not count:
         nothing: dict[str, list[float]] = {"returns": []}
         return {"by_episode": {"episodes": [], **nothing}, "by_step": {"steps": [], **nothing}, "smoothing": 0}
-    summed = np.concatenate([[0.0], np.cumsum(np.asarray(returns, dtype=float))])
-    low, high = np.maximum(np.arange(count) - reach, 0), np.minimum(np.arange(count) + reach + 1, count)
-    smooth = (summed[high] - summed[low]) / (high - low)
+    smooth = smoothed(returns, reach)
     points = min(count, POINTS)
     picked = np.round(np.linspace(0, count - 1, points)).astype(int)
     places = np.linspace(steps[0], steps[-1], points)

@@ -25,6 +25,7 @@ from laplace_core.experiments.paper.claims.entry import (
 from laplace_core.experiments.paper.claims.words import listed, number
 from laplace_core.experiments.paper.fig3 import ALGORITHMS, ENVIRONMENTS
 from laplace_core.experiments.paper.result_files import result_file
+from laplace_core.experiments.paper.smoothing import smoothed
 
 PEERS = ("c51", "qrdqn")
 """Which the paper compares with."""
@@ -70,14 +71,6 @@ def over_episodes(results: Results, environment: str) -> dict[str, list[Mapping[
         if rows and cell["environment"] == environment:
             found[cell["algorithm"]] = rows
     return found
-
-
-def smoothed(returns: Sequence[float], reach: int) -> np.ndarray:
-    """Convolution with a box: at each place the mean of ``reach`` neighbours on either side, as far as there are."""
-    values, count = np.asarray(returns, dtype=float), len(returns)
-    summed = np.concatenate([[0.0], np.cumsum(values)])
-    low, high = np.maximum(np.arange(count) - reach, 0), np.minimum(np.arange(count) + reach + 1, count)
-    return np.asarray((summed[high] - summed[low]) / (high - low))
 
 
 def at_episodes(rows: Sequence[Mapping[str, Any]], reach: int) -> tuple[np.ndarray, np.ndarray]:

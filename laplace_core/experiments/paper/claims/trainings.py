@@ -40,14 +40,17 @@ def _not_without(results: Results) -> Finding | None:
     return Finding(state, told)
 
 
-def _accumulated(results: Results) -> Finding | None:
-    found = cells_of(results)
-    if "accumulated" not in found:
-        return None
-    scores = found["accumulated"]
-    solved = sum(score >= SOLVED for score in scores)
-    state = AGREES if solved == len(scores) else DIFFERS if not solved else IN_PART
-    return Finding(state, f"Accumulated outputs score {spread(scores)}: {solved} of {len(scores)} solve it.")
+def _solves(label: str, told: str) -> Judge:
+    def judge(results: Results) -> Finding | None:
+        found = cells_of(results)
+        if label not in found:
+            return None
+        scores = found[label]
+        solved = sum(score >= SOLVED for score in scores)
+        state = AGREES if solved == len(scores) else DIFFERS if not solved else IN_PART
+        return Finding(state, f"{told} score {spread(scores)}: {solved} of {len(scores)} solve it.")
+
+    return judge
 
 
 def _softmax(results: Results) -> Finding | None:
@@ -64,7 +67,8 @@ FIG7 = Entry(
     title="Ways to keep the outputs monotone over the sensitivities",
     claims=[
         Claim("Without a constraint Laplace DQN cannot be trained to the optimum.", _not_without),
-        Claim("Accumulated outputs can.", _accumulated),
+        Claim("Accumulated outputs can.", _solves("accumulated", "Accumulated outputs")),
+        Claim("So can outputs that are clipped to what lies to their left.", _solves("clipped", "Clipped outputs")),
         Claim("A softmax over the bins between sensitivities (not in the paper).", _softmax),
     ],
     lines=lines_of("fig7", {"accumulated": "a curve", "clipped": "a curve", "free": "a curve"}),
