@@ -103,11 +103,11 @@ def timelines(panels: Mapping[str, np.ndarray], rewards: Sequence[float]) -> Fig
 
 
 @dataclass(frozen=True, eq=False)
-class Interquartile:
-    """Interquartile mean of several seeds and its band, ``(N,)`` each.
+class Banded:
+    """A curve of several seeds, such as their interquartile mean, and its band, ``(N,)`` each.
 
     Attributes:
-        raw: the interquartile mean before smoothing.
+        raw: the curve before smoothing.
     """
 
     name: str
@@ -125,15 +125,19 @@ class Panel:
 
     title: str
     across: str
-    bands: Sequence[Interquartile]
+    bands: Sequence[Banded]
 
 
 _PANEL, _BETWEEN = 150, 62
 """Height of a panel, and of what lies between two, in pixels."""
 
 
-def interquartile_curves(panels: Sequence[Panel]) -> Figure:
-    """Panels beneath each other: lines with bands, and faint what they were before smoothing."""
+def banded_curves(title: str, panels: Sequence[Panel], upwards: str = "return", **options: object) -> Figure:
+    """Panels beneath each other: lines with bands, and faint what they were before smoothing.
+
+    Args:
+        upwards: what the vertical axes show; ``options`` go to plotly for them.
+    """
     traces: list[Trace] = []
     layout, words, names = {}, [], set()
     inner = len(panels) * _PANEL + (len(panels) - 1) * _BETWEEN
@@ -141,7 +145,7 @@ def interquartile_curves(panels: Sequence[Panel]) -> Figure:
         end, top = "" if i == 0 else str(i + 1), inner - i * (_PANEL + _BETWEEN)
         up = [max(0.0, (top - _PANEL) / inner), top / inner]
         layout[f"xaxis{end}"] = axis(panel.across, anchor=f"y{end}", rangemode="tozero")
-        layout[f"yaxis{end}"] = axis("return", domain=up, anchor=f"x{end}")
+        layout[f"yaxis{end}"] = axis(upwards, domain=up, anchor=f"x{end}", **options)
         words.append({"text": in_plotly(panel.title), "showarrow": False, "font": {"size": 11}, "xref": "paper",
                       "yref": "paper", "x": 0.0, "xanchor": "left", "y": up[1], "yanchor": "bottom"})  # fmt: skip
         for band in panel.bands:
@@ -162,7 +166,7 @@ def interquartile_curves(panels: Sequence[Panel]) -> Figure:
                            "hovertemplate": f"{hover}%{{customdata[1]:.4g}}<extra></extra>"})  # fmt: skip
             names.add(name)
     return build(
-        "interquartile means of the return, 95% bootstrap bands",
+        title,
         traces,
         margin={"l": 56, "t": 58, "b": 44},
         height=inner + 58 + 44,

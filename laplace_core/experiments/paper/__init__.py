@@ -28,7 +28,7 @@ EXPERIMENTS: dict[str, Experiment] = {
     for module in (new_agents, fig7, multiplexer, table2, auxiliary, termination, interpolation, paper_agent, fig3)
 }
 """What is trained, by name, in the order in which ``reproduce all`` trains it."""
-MEASUREMENTS = ("fig1_5", "fig4", "fig6", "aliasing", "table1", "acting")
+MEASUREMENTS = ("fig1_5", "fig4", "fig6", "aliasing", "timescales", "table1", "acting")
 """Names of what is measured, in the order in which ``reproduce all`` measures it."""
 
 

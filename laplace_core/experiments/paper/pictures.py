@@ -87,6 +87,24 @@ def _aliasing(found: Found) -> Picture:
     return Picture(figures.shares("codes of two states, distinguished", bars, _CHANCE), alt)
 
 
+def _timescales(found: Found) -> Picture:
+    """Episodes until a value is accurate over the distance to the end, at three of the discounts."""
+    panels = []
+    for rewards in found.results.summary:
+        mine = [row["result"] for row in found.results.rows if row["part"]["rewards"] == rewards]
+        gammas, bands = mine[0]["gammas"], []
+        for i, g in enumerate((0, len(gammas) // 2, len(gammas) - 1)):
+            distances = np.array([int(left) for left in mine[0]["episodes"]])
+            when = np.array([[each["episodes"][str(left)][g] for left in distances] for each in mine])
+            name = f"discount {gammas[g]:.3g}"
+            bands.append(
+                figures.Banded(name, action_colour(i), distances, when.min(axis=0), when.mean(axis=0), when.max(axis=0))
+            )
+        panels.append(figures.Panel(f"rewards: {rewards}", "steps to the end", bands))
+    alt = "Episodes until a value is accurate, over the steps to the end of the episode, at three discounts."
+    return Picture(figures.banded_curves("episodes until a value is accurate", panels, "episodes", type="log"), alt)
+
+
 def _deadlines(found: Found) -> Picture:
     rows = [
         Spread(title, f"T {horizon}", column[name]["mean"], column[name]["interval"], of_paper(name, horizon))
@@ -130,15 +148,16 @@ def _curves(found: Found) -> Picture | None:
     if not panels:
         return None
     alt = "Interquartile means of the return with 95% bootstrap bands: " + "; ".join(each.title for each in panels)
-    return Picture(figures.interquartile_curves(panels), f"{alt}.")
+    title = "interquartile means of the return, 95% bootstrap bands"
+    return Picture(figures.banded_curves(title, panels), f"{alt}.")
 
 
-def _over_steps(algorithm: str, curves: Sequence[TrainingCurve]) -> figures.Interquartile:
+def _over_steps(algorithm: str, curves: Sequence[TrainingCurve]) -> figures.Banded:
     steps, scores = at_steps(curves)
     return _interquartile(algorithm, steps, scores)
 
 
-def _over_episodes(algorithm: str, rows: Sequence[Mapping[str, Any]], reach: int) -> figures.Interquartile:
+def _over_episodes(algorithm: str, rows: Sequence[Mapping[str, Any]], reach: int) -> figures.Banded:
     places, returns = at_episodes(rows, reach)
     raw = interquartile_band(at_episodes(rows, 0)[1])[1]
     return _interquartile(algorithm, places, returns, raw)
@@ -146,10 +165,10 @@ def _over_episodes(algorithm: str, rows: Sequence[Mapping[str, Any]], reach: int
 
 def _interquartile(
     algorithm: str, places: np.ndarray, returns: np.ndarray, raw: np.ndarray | None = None
-) -> figures.Interquartile:
+) -> figures.Banded:
     low, middle, high = interquartile_band(returns)
     index = list(ALGORITHMS).index(algorithm)
-    return figures.Interquartile(ALGORITHMS[algorithm], action_colour(index), places, low, middle, high, raw)
+    return figures.Banded(ALGORITHMS[algorithm], action_colour(index), places, low, middle, high, raw)
 
 
 def _held_out(found: Found) -> Picture | None:
@@ -202,6 +221,7 @@ _DRAWN: dict[str, Callable[[Found], Picture | None]] = {
     "fig4": _toy,
     "fig6": _chain,
     "aliasing": _aliasing,
+    "timescales": _timescales,
     "table1": _deadlines,
     "acting": _acting,
     "interpolation": _held_out,

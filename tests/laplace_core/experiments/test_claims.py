@@ -294,6 +294,21 @@ def test_a_claim_without_a_finding_makes_an_entry_one_in_part():
     assert Found(entry, results, [], [None, entry.claims[1].judge(results), None, None]).state == IN_PART
 
 
+@pytest.mark.parametrize(
+    ("sure", "coins", "state"), [((3, 29), (90, 50), IN_PART), ((3, 29), (40, 50), AGREES), ((9, 9), (90, 50), DIFFERS)]
+)
+def test_the_discount_that_is_accurate_first_is_named(sure, coins, state):
+    def row(after, played):
+        return {"smallest": 0.368, "after": after[0], "largest": 0.99, "its after": after[1], "played": played, "of": 1}
+
+    summary = {"sure": {"32": row(sure, 48)}, "coins": {"1": row((1, 1), 91), "32": row(coins, 91)}}
+    results = Results(Path("x.json"), 4, 4, summary=summary)
+    assert judged("timescales", results) == [state]
+    told = BY_NAME["timescales"].claims[0].judge(results).sentence
+    assert f"32 steps from the end, discount 0.368 is within a tenth after {sure[0]} episodes" in told
+    assert ("more than 86" in told) == (coins[0] == 90)
+
+
 # ---- figure 3, and what is read of trainings
 
 

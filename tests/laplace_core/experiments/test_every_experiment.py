@@ -71,6 +71,7 @@ def test_every_configuration_runs_end_to_end(name, tmp_path, monkeypatch):
 QUICK = {
     "fig4": [{"values": "exact"}, {"values": "tabular", "seed": 0}],
     "fig6": [{"values": "exact"}, {"values": "tabular", "seed": 0}],
+    "timescales": [{"rewards": "sure", "seed": 0}],
     "table1": [{"agent": "dqn_LunarLander-v3", "rule": "greedy", "horizon": 50}],
     "acting": [{"agent": SEEDS[0], "rule": "fading", "horizon": 50, "episodes": 100}],
 }
@@ -80,6 +81,7 @@ LONG = {
     "fig4": [{"values": "network", "seed": 0}],
     "fig6": [{"values": "network", "seed": 0}],
     "aliasing": [{"seed": 8}],
+    "timescales": [{"rewards": "coins", "seed": 0}],
     "table1": [{"agent": SEEDS[0], "way": "as in the paper", "horizon": 50}],
 }
 """Parts that take longer."""

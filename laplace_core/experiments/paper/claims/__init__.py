@@ -15,12 +15,12 @@ from laplace_core.experiments.paper.claims.trainings import (
     PAPER_AGENT,
     TABLE2,
 )
-from laplace_core.experiments.paper.claims.worlds import ALIASING, FIG1_5, FIG4, FIG6
+from laplace_core.experiments.paper.claims.worlds import ALIASING, FIG1_5, FIG4, FIG6, TIMESCALES
 
 __all__ = ["ENTRIES", "MISSING", "STATES", "Entry", "Found", "look"]
 
 ENTRIES: tuple[Entry, ...] = (
-    FIG1_5, FIG3, FIG4, FIG6, FIG7, TABLE1, TABLE2, AUXILIARY, MULTIPLEXER, INTERPOLATION, PAPER_AGENT, TERMINATION,
-    ALIASING, ACTING, SEARCH, NEW_AGENTS,
+    FIG1_5, FIG3, FIG4, FIG6, FIG7, TABLE1, TABLE2, AUXILIARY, TIMESCALES, MULTIPLEXER, INTERPOLATION, PAPER_AGENT,
+    TERMINATION, ALIASING, ACTING, SEARCH, NEW_AGENTS,
 )  # fmt: skip
 """Figures first, then tables, then what the text claims, in the order of the paper, and what is beyond it."""
