@@ -102,7 +102,9 @@ def _timescales(found: Found) -> Picture:
             )
         panels.append(figures.Panel(f"rewards: {rewards}", "steps to the end", bands))
     alt = "Episodes until a value is accurate, over the steps to the end of the episode, at three discounts."
-    return Picture(figures.banded_curves("episodes until a value is accurate", panels, "episodes", type="log"), alt)
+    return Picture(
+        figures.banded_curves("episodes until a value is accurate", panels, "episodes", type="log", dtick=1), alt
+    )
 
 
 def _deadlines(found: Found) -> Picture:
@@ -137,18 +139,18 @@ def _curves(found: Found) -> Picture | None:
             longest = max(len(each["returns"]) for several in rows.values() for each in several)
             reach = max(_LEAST_REACH, round(_REACH * longest))
             bands = [_over_episodes(algorithm, each, reach) for algorithm, each in rows.items()]
-            title = f"{name}, episodes while training: mean over {2 * reach + 1}, and raw"
+            title = f"{name}: training, mean of {2 * reach + 1} and raw"
             panels.append(figures.Panel(title, "episode", bands))
         known = found.results.summary.get(environment, {})
         curves = {each: known[each]["curves"] for each in ALGORITHMS if each in known and known[each]["curves"]}
         if curves:
             count = max(map(len, curves.values()))
             bands = [_over_steps(algorithm, several) for algorithm, several in curves.items()]
-            panels.append(figures.Panel(f"{name}, evaluations of the shipped agents, {count} seeds", "step", bands))
+            panels.append(figures.Panel(f"{name}: evaluations, {count} seeds", "step", bands))
     if not panels:
         return None
     alt = "Interquartile means of the return with 95% bootstrap bands: " + "; ".join(each.title for each in panels)
-    title = "interquartile means of the return, 95% bootstrap bands"
+    title = "return: interquartile mean, 95% band"
     return Picture(figures.banded_curves(title, panels), f"{alt}.")
 
 

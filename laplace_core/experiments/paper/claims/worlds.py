@@ -239,10 +239,10 @@ def _after(each: Mapping[str, Any], when: str) -> str:
 def _timescale_lines(results: Results) -> list[Line]:
     lines = [
         Line(
-            f"{_CHAINS.get(rewards, rewards)}, {left} to the end: episodes",
+            f"{_CHAINS.get(rewards, rewards)}, {left} to go",
             "",
-            f"{_after(each, 'after')} at {each['smallest']:.3f}, {_after(each, 'its after')} at {each['largest']:g}, "
-            f"{each['of']} learner{'s' if each['of'] > 1 else ''}",
+            f"{_after(each, 'after')} episodes at {each['smallest']:.3f}, "
+            f"{_after(each, 'its after')} at {each['largest']:g}, {each['of']} learner{'s' if each['of'] > 1 else ''}",
         )
         for rewards, distances in results.summary.items()
         for left, each in distances.items()
