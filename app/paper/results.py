@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from pathlib import Path
 
 from app.catalogue.checkpoints import SHIPPED
 from laplace_core.caching import cached
 from laplace_core.experiments.paper.claims import ENTRIES, Entry, Found, look
-from laplace_core.experiments.shipping import MANIFEST
 
 FOLDER = Path(__file__).resolve().parents[2] / "docs" / "paper"
 
@@ -18,15 +18,15 @@ def found() -> list[Found]:
 
 
 @cached(64)
-def _found(name: str, folder: Path, stamp: tuple[int, ...]) -> Found:
+def _found(name: str, folder: Path, stamp: tuple[tuple[int, int], ...]) -> Found:
     return look(next(entry for entry in ENTRIES if entry.name == name), folder, SHIPPED)
 
 
-def _stamp(entry: Entry) -> tuple[int, ...]:
-    """When the file of an entry was written, and its size; nothing where there is none."""
-    try:
-        path = SHIPPED / MANIFEST if entry.read else FOLDER / f"{entry.name}.json"
-        status = path.stat()
-    except OSError:
-        return ()
-    return status.st_mtime_ns, status.st_size
+def _stamp(entry: Entry) -> tuple[tuple[int, int], ...]:
+    """When each file of an entry was written, and its size; nothing of those that are not there."""
+    found = []
+    for path in entry.files(FOLDER, SHIPPED):
+        with suppress(OSError):
+            status = path.stat()
+            found.append((status.st_mtime_ns, status.st_size))
+    return tuple(found)

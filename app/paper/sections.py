@@ -8,10 +8,9 @@ from pathlib import Path
 
 import streamlit as st
 
-from app.catalogue.checkpoints import SHIPPED
 from app.components.chart import chart
 from app.components.widgets import download
-from laplace_core.experiments.paper.claims import STATES, Found
+from laplace_core.experiments.paper.claims import MISSING, STATES, Found
 from laplace_core.experiments.paper.pictures import CANNOT_DRAW, Picture, picture
 
 _FEW = 12
@@ -53,7 +52,7 @@ def section(found: Found) -> None:
             with place:
                 chart(drawn.figure, f"paper {entry.name}", drawn.alt, height, revision=entry.name)
         st.code(entry.makes, language="bash", wrap_lines=True)
-        with st.container(horizontal=True):
+        with st.container(horizontal=True, vertical_alignment="center"):
             _take_along(found)
 
 
@@ -62,7 +61,7 @@ def _pill(state: str) -> str:
 
 
 def _so_far(found: Found) -> str:
-    return "" if found.results.complete or not found.results.finished else f" ({found.results.progress})"
+    return "" if found.results.complete or found.results.planned is None else f" ({found.results.progress})"
 
 
 def _claims(found: Found) -> str:
@@ -70,6 +69,9 @@ def _claims(found: Found) -> str:
     if found.trouble is not None:
         return f'<p class="paper-trouble">{escape(found.trouble)}</p>'
     rows = []
+    if found.state == MISSING:  # said once for all claims
+        said = "".join(f"<q>{escape(claim.says)}</q>" for claim in found.entry.claims)
+        return f'<ul class="paper-claims"><li>{said}{escape(found.sentence(0))}</li></ul>'
     for index, (claim, finding) in enumerate(zip(found.entry.claims, found.findings, strict=True)):
         state = "" if finding is None else finding.state
         told = f"<b>{state.capitalize()}.</b> " if state else ""
@@ -80,7 +82,7 @@ def _claims(found: Found) -> str:
 
 def _picture(found: Found) -> Picture | None:
     try:
-        return picture(found, SHIPPED)
+        return picture(found)
     except CANNOT_DRAW:
         st.warning(f"{found.results.path.name} cannot be drawn: it holds something else than results.")
         return None
@@ -108,8 +110,9 @@ def _table(found: Found, first: int, last: int) -> str:
 def _take_along(found: Found) -> None:
     """The raw results as a file, and the view of the workbench."""
     path, view = found.results.path, found.entry.view
-    if found.results.finished and path.is_file():
-        download(f"Raw results ({path.name})", lambda: _content(path), path.name, key=f"raw_{found.entry.name}")
+    if found.results.there and path.exists():
+        name = f"{path.stem}.json"
+        download(f"Raw results ({name})", lambda: _content(path), name, key=f"raw_{found.entry.name}")
     if view is not None:
         st.page_link(
             f"screens/{view.page}.py", label="Open in the workbench", icon=":material/open_in_new:",
@@ -118,8 +121,10 @@ def _take_along(found: Found) -> None:
 
 
 def _content(path: Path) -> bytes:
-    """The file, when it is clicked; empty if it is gone by then."""
+    """The file, when it is clicked, or a list of those in a folder; empty if it is gone by then."""
     try:
+        if path.is_dir():
+            return b"[" + b",".join(each.read_bytes() for each in sorted(path.glob("*.json"))) + b"]"
         return path.read_bytes()
     except OSError:
         return b""

@@ -18,6 +18,7 @@ from laplace_core.figures.theme import (
     in_plotly,
     probability_scale,
     staircase,
+    translucent,
 )
 
 TALL = 340
@@ -99,6 +100,80 @@ def timelines(panels: Mapping[str, np.ndarray], rewards: Sequence[float]) -> Fig
         words.append({"text": in_plotly(name), "showarrow": False, "font": {"size": 11}, "xref": "paper",
                       "yref": "paper", "x": across[0], "xanchor": "left", "y": 1.0, "yanchor": "bottom"})  # fmt: skip
     return build("probability of each reward", traces, margin={"t": 56}, height=TALL, annotations=words, **layout)
+
+
+@dataclass(frozen=True, eq=False)
+class Banded:
+    """A curve of several seeds, such as their interquartile mean, and its band, ``(N,)`` each.
+
+    Attributes:
+        raw: the curve before smoothing.
+    """
+
+    name: str
+    colour: str
+    places: np.ndarray
+    low: np.ndarray
+    middle: np.ndarray
+    high: np.ndarray
+    raw: np.ndarray | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class Panel:
+    """Curves with one pair of axes."""
+
+    title: str
+    across: str
+    bands: Sequence[Banded]
+
+
+_PANEL, _BETWEEN = 150, 62
+"""Height of a panel, and of what lies between two, in pixels."""
+
+
+def banded_curves(title: str, panels: Sequence[Panel], upwards: str = "return", **options: object) -> Figure:
+    """Panels beneath each other: lines with bands, and faint what they were before smoothing.
+
+    Args:
+        upwards: what the vertical axes show; ``options`` go to plotly for them.
+    """
+    traces: list[Trace] = []
+    layout, words, names = {}, [], set()
+    inner = len(panels) * _PANEL + (len(panels) - 1) * _BETWEEN
+    for i, panel in enumerate(panels):
+        end, top = "" if i == 0 else str(i + 1), inner - i * (_PANEL + _BETWEEN)
+        up = [max(0.0, (top - _PANEL) / inner), top / inner]
+        layout[f"xaxis{end}"] = axis(panel.across, anchor=f"y{end}", rangemode="tozero")
+        layout[f"yaxis{end}"] = axis(upwards, domain=up, anchor=f"x{end}", **options)
+        words.append({"text": in_plotly(panel.title), "showarrow": False, "font": {"size": 11}, "xref": "paper",
+                      "yref": "paper", "x": 0.0, "xanchor": "left", "y": up[1], "yanchor": "bottom"})  # fmt: skip
+        for band in panel.bands:
+            name = in_plotly(band.name)
+            common = {"type": "scatter", "mode": "lines", "xaxis": f"x{end}", "yaxis": f"y{end}", "name": name,
+                      "legendgroup": name}  # fmt: skip
+            around = np.concatenate([band.low, band.high[::-1]])
+            traces.append({**common, "x": np.concatenate([band.places, band.places[::-1]]), "y": around,
+                           "fill": "toself", "fillcolor": translucent(band.colour, 0.1), "line": {"width": 0},
+                           "hoverinfo": "skip", "showlegend": False})  # fmt: skip
+            if band.raw is not None:
+                traces.append({**common, "x": band.places, "y": band.raw, "showlegend": False, "hoverinfo": "skip",
+                               "line": {"color": translucent(band.colour, 0.35), "width": 0.8}})  # fmt: skip
+            hover = f"{name}<br>{panel.across} %{{x:,.0f}}<br>%{{y:.4g}}, from %{{customdata[0]:.4g}} to "
+            traces.append({**common, "x": band.places, "y": band.middle, "showlegend": name not in names,
+                           "customdata": np.stack([band.low, band.high], axis=-1),
+                           "line": {"color": band.colour, "width": 1.8},
+                           "hovertemplate": f"{hover}%{{customdata[1]:.4g}}<extra></extra>"})  # fmt: skip
+            names.add(name)
+    return build(
+        title,
+        traces,
+        margin={"l": 56, "t": 58, "b": 44},
+        height=inner + 58 + 44,
+        legend=_ON_THE_RIGHT,
+        annotations=words,
+        **layout,
+    )
 
 
 @dataclass(frozen=True)

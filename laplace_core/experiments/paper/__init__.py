@@ -11,7 +11,9 @@ from importlib import import_module
 
 from laplace_core.experiments.paper import (
     auxiliary,
+    fig3,
     fig7,
+    interpolation,
     multiplexer,
     new_agents,
     paper_agent,
@@ -23,10 +25,10 @@ from laplace_core.experiments.paper.measurement import Measurement
 
 EXPERIMENTS: dict[str, Experiment] = {
     module.EXPERIMENT.name: module.EXPERIMENT
-    for module in (new_agents, fig7, multiplexer, table2, auxiliary, termination, paper_agent)
+    for module in (new_agents, fig7, multiplexer, table2, auxiliary, termination, interpolation, paper_agent, fig3)
 }
 """What is trained, by name, in the order in which ``reproduce all`` trains it."""
-MEASUREMENTS = ("fig1_5", "fig4", "fig6", "aliasing", "table1", "acting")
+MEASUREMENTS = ("fig1_5", "fig4", "fig6", "aliasing", "timescales", "table1", "acting")
 """Names of what is measured, in the order in which ``reproduce all`` measures it."""
 
 

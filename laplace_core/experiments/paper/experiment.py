@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import hashlib
 import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, fields, replace
+from pathlib import Path
+from typing import Any
 
 from laplace_core.agents.settings import LoopSettings
 from laplace_core.training.defaults import command_of, settings_of
@@ -44,12 +46,15 @@ class Experiment:
         name: what ``reproduce`` calls it.
         title: what it is in the paper.
         question: what it asks.
+        reading: what is measured on a finished training besides its score: numbers, lists and dictionaries of them,
+            from its run folder; None where the score is all.
     """
 
     name: str
     title: str
     question: str
     cells: Sequence[Cell]
+    reading: Callable[[Path], dict[str, Any]] | None = None
 
 
 def run_name(settings: LoopSettings) -> str:

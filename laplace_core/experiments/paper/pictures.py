@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from laplace_core.agents.settings import algorithm_title
-from laplace_core.experiments import shipped_agents
+from laplace_core.acting.bootstrap import interquartile_band
 from laplace_core.experiments.paper.claims import Found
+from laplace_core.experiments.paper.claims.curves import at_episodes, at_steps, over_episodes
 from laplace_core.experiments.paper.claims.deadlines import TITLES, columns, of_paper
+from laplace_core.experiments.paper.claims.readings import difference, held_out_errors
+from laplace_core.experiments.paper.fig3 import ALGORITHMS, ENVIRONMENTS
+from laplace_core.experiments.paper.termination import ENDINGS, HORIZONS, READINGS
 from laplace_core.experiments.shipping import TrainingCurve
 from laplace_core.figures import paper as figures
 from laplace_core.figures.paper import Spread
@@ -22,8 +24,9 @@ from laplace_core.worlds.titles import world_title
 
 CANNOT_DRAW = (LookupError, TypeError, ValueError, AttributeError, ArithmeticError)
 """What drawing raises where a file holds something else than was written."""
-_COMPARED = ("laplace", "c51", "qrdqn", "dqn")
 _CHANCE = 0.5
+_REACH, _LEAST_REACH = 0.02, 5
+"""Smoothing over episodes: on either side this share of the longest training, and so many at least."""
 
 
 @dataclass(frozen=True)
@@ -34,15 +37,11 @@ class Picture:
     alt: str
 
 
-def picture(found: Found, shipped: Path) -> Picture | None:
-    """The picture of an entry; None where nothing of it is measured.
-
-    Args:
-        shipped: the folder of the agents that ship.
-    """
-    if not found.results.finished:
+def picture(found: Found) -> Picture | None:
+    """The picture of an entry; None where nothing of it is measured."""
+    if not found.results.there or found.entry.name == "search":  # which the page Train draws
         return None
-    return _shipped(shipped) if found.entry.name == "fig3" else _DRAWN.get(found.entry.name, _trained)(found)
+    return _DRAWN.get(found.entry.name, _trained)(found)
 
 
 def _codes(found: Found) -> Picture:
@@ -88,6 +87,26 @@ def _aliasing(found: Found) -> Picture:
     return Picture(figures.shares("codes of two states, distinguished", bars, _CHANCE), alt)
 
 
+def _timescales(found: Found) -> Picture:
+    """Episodes until a value is accurate over the distance to the end, at three of the discounts."""
+    panels = []
+    for rewards in found.results.summary:
+        mine = [row["result"] for row in found.results.rows if row["part"]["rewards"] == rewards]
+        gammas, bands = mine[0]["gammas"], []
+        for i, g in enumerate((0, len(gammas) // 2, len(gammas) - 1)):
+            distances = np.array([int(left) for left in mine[0]["episodes"]])
+            when = np.array([[each["episodes"][str(left)][g] for left in distances] for each in mine])
+            name = f"discount {gammas[g]:.3g}"
+            bands.append(
+                figures.Banded(name, action_colour(i), distances, when.min(axis=0), when.mean(axis=0), when.max(axis=0))
+            )
+        panels.append(figures.Panel(f"rewards: {rewards}", "steps to the end", bands))
+    alt = "Episodes until a value is accurate, over the steps to the end of the episode, at three discounts."
+    return Picture(
+        figures.banded_curves("episodes until a value is accurate", panels, "episodes", type="log", dtick=1), alt
+    )
+
+
 def _deadlines(found: Found) -> Picture:
     rows = [
         Spread(title, f"T {horizon}", column[name]["mean"], column[name]["interval"], of_paper(name, horizon))
@@ -110,20 +129,79 @@ def _acting(found: Found) -> Picture:
     return Picture(figures.spreads("difference from greedy, 95% intervals", rows, "return"), alt)
 
 
-def _shipped(folder: Path) -> Picture:
-    environment = "LunarLander-v3"
-    curves = shipped_agents.curves_for(folder, environment)
-    bands = [
-        Band.of(algorithm_title(name), action_colour(i), curves[name])
-        for i, name in enumerate(_COMPARED)
-        if name in curves
+def _curves(found: Found) -> Picture | None:
+    """Over episodes as far as there are trainings, and the evaluations of the agents that ship over steps."""
+    panels = []
+    for environment in ENVIRONMENTS:
+        name = world_title(environment)
+        rows = over_episodes(found.results, environment)
+        if rows:
+            longest = max(len(each["returns"]) for several in rows.values() for each in several)
+            reach = max(_LEAST_REACH, round(_REACH * longest))
+            bands = [_over_episodes(algorithm, each, reach) for algorithm, each in rows.items()]
+            title = f"{name}: training, mean of {2 * reach + 1} and raw"
+            panels.append(figures.Panel(title, "episode", bands))
+        known = found.results.summary.get(environment, {})
+        curves = {each: known[each]["curves"] for each in ALGORITHMS if each in known and known[each]["curves"]}
+        if curves:
+            count = max(map(len, curves.values()))
+            bands = [_over_steps(algorithm, several) for algorithm, several in curves.items()]
+            panels.append(figures.Panel(f"{name}: evaluations, {count} seeds", "step", bands))
+    if not panels:
+        return None
+    alt = "Interquartile means of the return with 95% bootstrap bands: " + "; ".join(each.title for each in panels)
+    title = "return: interquartile mean, 95% band"
+    return Picture(figures.banded_curves(title, panels), f"{alt}.")
+
+
+def _over_steps(algorithm: str, curves: Sequence[TrainingCurve]) -> figures.Banded:
+    steps, scores = at_steps(curves)
+    return _interquartile(algorithm, steps, scores)
+
+
+def _over_episodes(algorithm: str, rows: Sequence[Mapping[str, Any]], reach: int) -> figures.Banded:
+    places, returns = at_episodes(rows, reach)
+    raw = interquartile_band(at_episodes(rows, 0)[1])[1]
+    return _interquartile(algorithm, places, returns, raw)
+
+
+def _interquartile(
+    algorithm: str, places: np.ndarray, returns: np.ndarray, raw: np.ndarray | None = None
+) -> figures.Banded:
+    low, middle, high = interquartile_band(returns)
+    index = list(ALGORITHMS).index(algorithm)
+    return figures.Banded(ALGORITHMS[algorithm], action_colour(index), places, low, middle, high, raw)
+
+
+def _held_out(found: Found) -> Picture | None:
+    rows = [
+        Spread(
+            label, "by the network" if how == "network" else "by a line", float(np.mean(each)), (min(each), max(each))
+        )
+        for label, ways in held_out_errors(found.results).items()
+        for how, each in ways.items()
     ]
-    title = f"{world_title(environment)}: evaluations, {max(len(each) for each in curves.values())} seeds"
-    alt = f"Evaluations over the steps of training on {environment}, from the lowest to the highest seed."
-    return Picture(shipped_curves(title, bands), alt)
+    if not rows:
+        return _trained(found)
+    alt = "Mean error of the values at the seven held-out discounts, from the lowest to the highest seed."
+    return Picture(figures.spreads("error at held-out discounts, lowest to highest seed", rows, "reward a step"), alt)
 
 
-def _trained(found: Found) -> Picture:
+def _endings(found: Found) -> Picture | None:
+    rows = [
+        Spread(f"{ending}, rows {reading}", f"T {horizon}", *there)
+        for horizon in HORIZONS
+        for ending in ENDINGS[1:]
+        for reading in READINGS
+        if (there := difference(found.results, ending, reading, horizon)) is not None
+    ]
+    if not rows:
+        return _trained(found)
+    alt = "Paired differences of the return from agents with the plain ending, with 95% intervals."
+    return Picture(figures.spreads("difference from the plain ending, 95% intervals", rows, "return"), alt)
+
+
+def _trained(found: Found) -> Picture | None:
     bands = []
     for i, cell in enumerate(found.results.cells):
         curves = [
@@ -139,12 +217,16 @@ def _trained(found: Found) -> Picture:
     return Picture(shipped_curves("evaluations while training", bands), alt)
 
 
-_DRAWN: dict[str, Callable[[Found], Picture]] = {
+_DRAWN: dict[str, Callable[[Found], Picture | None]] = {
     "fig1_5": _codes,
+    "fig3": _curves,
     "fig4": _toy,
     "fig6": _chain,
     "aliasing": _aliasing,
+    "timescales": _timescales,
     "table1": _deadlines,
     "acting": _acting,
+    "interpolation": _held_out,
+    "termination": _endings,
 }
-"""What is drawn of each entry but of figure 3; trainings of any other are drawn as curves."""
+"""What is drawn of each entry; trainings of any other are drawn as curves."""

@@ -70,7 +70,7 @@ def reproduce(
             yield Done(training, trouble=str(error))
             continue
         if row is not None and finished:
-            yield Done(training, row)
+            yield _read(experiments, trainings, Done(training, row), out)
         elif finished or not collect:
             left.append(training)
     alone = cluster is None and (processes == 1 or len(left) < 2)
@@ -85,11 +85,30 @@ def reproduce(
             done = replace(outcome, training=left[i])
             if done.row is not None:
                 results.save_row(done.training, done.row)
-                for experiment in experiments:
-                    if any(done.training.name == each.name for each in trainings[experiment.name]):
-                        results.write(experiment, trainings[experiment.name], out)
+                for experiment in _needing(experiments, trainings, done.training):  # before anything else is measured
+                    results.write(experiment, trainings[experiment.name], out)
+                done = _read(experiments, trainings, done, out)
             if done.row is not None or done.trouble is not None:
                 yield done
+
+
+def _needing(
+    experiments: Sequence[Experiment], trainings: dict[str, list[Training]], training: Training
+) -> list[Experiment]:
+    """The experiments that a training belongs to."""
+    return [each for each in experiments if any(training.name == one.name for one in trainings[each.name])]
+
+
+def _read(experiments: Sequence[Experiment], trainings: dict[str, list[Training]], done: Done, out: Path) -> Done:
+    """Add what experiments read of a finished training, where that is not there yet."""
+    try:
+        for experiment in _needing(experiments, trainings, done.training):
+            if experiment.reading and results.saved_reading(experiment, done.training, out) is None:
+                results.reading_of(experiment, done.training)
+                results.write(experiment, trainings[experiment.name], out)
+    except InputError as error:
+        return replace(done, row=None, trouble=str(error))
+    return done
 
 
 def _finish(training: Training, stop: Callable[[], object], begins: Callable[[Training], None] | None = None) -> Done:

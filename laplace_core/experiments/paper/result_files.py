@@ -14,6 +14,8 @@ from laplace_core.experiments.paper.experiment import Experiment
 from laplace_core.experiments.paper.runs import Training
 from laplace_core.files.strict_json import parse_json
 
+BEST = "best.safetensors"
+"""In the folder of a run: its best checkpoint, by the evaluations while training."""
 RESULT = "result.json"
 """In the folder of a run: its row, so that an experiment which needs the run as well evaluates nothing again."""
 _MOST_BYTES = 50_000_000
@@ -60,13 +62,14 @@ def contents(path: Path) -> dict[str, Any] | None:
 
 
 def recorded_rows(experiments: Sequence[Experiment], folder: Path) -> dict[str, dict[str, Any]]:
-    """The rows in the files of the experiments, by the name of their run.
+    """The rows in the files of the experiments, by the name of their run, without what one experiment alone reads.
 
     Raises:
         InputError: a file that is no result.
     """
     cells = (cell for each in experiments for cell in cells_in(result_file(folder, each.name)))
-    return {row["run"]: row for cell in cells for row in cell["trainings"]}
+    rows = (row for cell in cells for row in cell["trainings"])
+    return {row["run"]: {name: value for name, value in row.items() if name != "reading"} for row in rows}
 
 
 def measured_speeds(

@@ -13,12 +13,14 @@ import numpy as np
 
 from laplace_core.errors import InputError
 from laplace_core.experiments.paper.experiment import Experiment, train_command
-from laplace_core.experiments.paper.result_files import RESULT, cells_in, result_file
+from laplace_core.experiments.paper.result_files import BEST, RESULT, cells_in, result_file
 from laplace_core.experiments.paper.runs import Training
+from laplace_core.experiments.paper.smoothing import smoothed
 from laplace_core.experiments.search.objectives import EPISODES, START_SEEDS
 from laplace_core.experiments.training import evaluated, seconds_behind
 from laplace_core.files.atomic import write_whole
 from laplace_core.files.plain_json import as_json
+from laplace_core.files.strict_json import parse_json
 from laplace_core.files.versions import versions
 from laplace_core.training.checkpoint import load_checkpoint
 
@@ -54,8 +56,48 @@ def saved_row(training: Training) -> dict[str, Any] | None:
     with contextlib.suppress(OSError, ValueError, KeyError, TypeError):  # not there, or not to be used
         row = json.loads((training.folder / RESULT).read_text())
         if row["run"] == training.name and {name: row["best"][name] for name in asked} == asked:
-            return row
-    return None if training.recorded is None else dict(training.recorded)
+            return _with_each_episode(row, training)
+    return None if training.recorded is None else _with_each_episode(dict(training.recorded), training)
+
+
+def _with_each_episode(row: dict[str, Any], training: Training) -> dict[str, Any]:
+    """The row with the return of each episode, which rows of earlier versions have not, if the run is there."""
+    best = training.folder / BEST
+    if "each_episode" not in row and best.is_file() and training.events:
+        row["each_episode"] = each_episode(training.events, load_checkpoint(best).agent.acting_head)
+    return row
+
+
+def reading_of(experiment: Experiment, training: Training) -> dict[str, Any]:
+    """What an experiment reads of a finished training; measured once, then saved in its folder.
+
+    Raises:
+        InputError: the run is not there any more, or holds no checkpoint that can be read.
+    """
+    assert experiment.reading is not None
+    if not (training.folder / BEST).is_file():
+        raise InputError(
+            f"{experiment.name} needs the run folder {training.folder}, which is gone: bring it back, or name another "
+            "--out folder to train it anew."
+        )
+    found = experiment.reading(training.folder)
+    write_whole(training.folder / _reading_file(experiment), as_json(found))
+    return found
+
+
+def saved_reading(experiment: Experiment, training: Training, folder: Path) -> dict[str, Any] | None:
+    """The reading that is in the run folder, else in the file of the experiment; None where there is none."""
+    with contextlib.suppress(OSError, InputError):
+        path = training.folder / _reading_file(experiment)
+        found = parse_json(path.read_bytes(), path.name)
+        if isinstance(found, dict):
+            return found
+    rows = (row for cell in cells_in(result_file(folder, experiment.name)) for row in cell["trainings"])
+    return next((row.get("reading") for row in rows if row["run"] == training.name), None)
+
+
+def _reading_file(experiment: Experiment) -> str:
+    return f"reading_{experiment.name}.json"
 
 
 def write(experiment: Experiment, trainings: Sequence[Training], folder: Path) -> Path:
@@ -66,6 +108,11 @@ def write(experiment: Experiment, trainings: Sequence[Training], folder: Path) -
     path = result_file(folder, experiment.name)
     rows = {row["run"]: row for cell in cells_in(path) for row in cell["trainings"]}
     rows |= {training.name: row for training in trainings if (row := saved_row(training)) is not None}
+    if experiment.reading is not None:
+        for training in trainings:
+            reading = saved_reading(experiment, training, folder)
+            if training.name in rows and reading is not None:
+                rows[training.name] = {**rows[training.name], "reading": reading}
     cells = []
     for cell in experiment.cells:
         planned = [training for training in trainings if training.cell is cell]
@@ -101,7 +148,7 @@ def write(experiment: Experiment, trainings: Sequence[Training], folder: Path) -
 def _measured(training: Training, episodes: int, start_seed: int) -> dict[str, Any]:
     """The row of one training, with the entries that docs/paper/README.md describes."""
     settings, events = training.settings, training.events
-    best = load_checkpoint(training.folder / "best.safetensors")
+    best = load_checkpoint(training.folder / BEST)
     scores, error = evaluated(best.agent, settings.environment, episodes, start_seed)
     evaluations = [event for event in events if event["event"] == "Evaluation"]
     ended = [event for event in events if event["event"] == "Episode"]
@@ -130,6 +177,18 @@ def _measured(training: Training, episodes: int, start_seed: int) -> dict[str, A
         "evaluations": {to: [round(event[of], 3) for event in evaluations] for to, of in columns.items()},
         "episodes": len(ended),
         **curves([event["episode_return"] for event in acting], [event["step"] for event in acting]),
+        "each_episode": each_episode(events, best.agent.acting_head),
+    }
+
+
+def each_episode(events: Sequence[dict[str, Any]], acting_head: int) -> dict[str, list[float]]:
+    """Of the episodes in which the acting discount behaved, without smoothing: which of all, last step and return."""
+    ended = [event for event in events if event["event"] == "Episode"]
+    acting = [(i, event) for i, event in enumerate(ended, start=1) if event["head"] == acting_head]
+    return {
+        "episodes": [i for i, _ in acting],
+        "steps": [event["step"] for _, event in acting],
+        "returns": [round(event["episode_return"], 2) for _, event in acting],
     }
 
 
@@ -151,9 +210,7 @@ def curves(returns: Sequence[float], steps: Sequence[int]) -> dict[str, Any]:
     if not count:
         nothing: dict[str, list[float]] = {"returns": []}
         return {"by_episode": {"episodes": [], **nothing}, "by_step": {"steps": [], **nothing}, "smoothing": 0}
-    summed = np.concatenate([[0.0], np.cumsum(np.asarray(returns, dtype=float))])
-    low, high = np.maximum(np.arange(count) - reach, 0), np.minimum(np.arange(count) + reach + 1, count)
-    smooth = (summed[high] - summed[low]) / (high - low)
+    smooth = smoothed(returns, reach)
     points = min(count, POINTS)
     picked = np.round(np.linspace(0, count - 1, points)).astype(int)
     places = np.linspace(steps[0], steps[-1], points)

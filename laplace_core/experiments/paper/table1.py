@@ -86,9 +86,10 @@ def by_decoding(agent: HasGammaSpace, acting: float, length: int, faults: Sequen
         if "rescaled" not in faults:  # linear: the weights go to the discounts, and no row is ever made
             return greedy_action((weights @ matrices[rows]) @ masses @ rewards)
         chosen = []
+        needed = int(np.flatnonzero(weights)[-1]) + 1  # rows behind a hard deadline weigh nothing
         for each in masses:
-            decoded = matrices[rows] @ each
-            chosen.append(normalise_rows(decoded, decoded.sum(axis=-1), "paper") @ rewards @ weights)
+            decoded = matrices[rows][:needed] @ each
+            chosen.append(normalise_rows(decoded, decoded.sum(axis=-1), "paper") @ rewards @ weights[:needed])
         return greedy_action(np.array(chosen))
 
     return choose

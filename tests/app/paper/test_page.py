@@ -37,10 +37,12 @@ def test_every_entry_has_a_section_with_all_that_belongs_to_it(monkeypatch):
         assert f'id="paper-{entry.name}"' in text
         assert f'href="#paper-{entry.name}"' in text
         assert all(found.sentence(index)[:40] in text for index in range(len(entry.claims)))
-    assert set(saved) == {found.results.path.name for found in results.found() if found.results.finished}
+    assert set(saved) == {f"{found.results.path.stem}.json" for found in results.found() if found.results.there}
     assert len(saved) > 5
-    for name in saved.keys() - {"manifest.json"}:
+    for name in saved.keys() - {"manifest.json", "searches.json"}:
         assert saved[name] == (COMMITTED / name).read_bytes()
+    searches = sorted((COMMITTED.parent / "searches").glob("*.json"))
+    assert json.loads(saved["searches.json"]) == [json.loads(path.read_text()) for path in searches]
     links = page.get("page_link")
     assert len(links) == sum(entry.view is not None for entry in ENTRIES)
     assert {name for link in links for name, _ in parse_qsl(link.proto.query_string)} >= {"world", "d.T", "environment"}
@@ -48,7 +50,7 @@ def test_every_entry_has_a_section_with_all_that_belongs_to_it(monkeypatch):
 
 def test_there_is_a_picture_of_all_that_is_measured_and_plotly_takes_it():
     drawn = charts(opened(screen="paper"))
-    measured = {f"paper {each.entry.name}" for each in results.found() if each.results.finished}
+    measured = {f"paper {each.entry.name}" for each in results.found() if each.results.there} - {"paper search"}
     assert set(drawn) == measured
     assert {"paper fig1_5", "paper fig3", "paper fig4", "paper fig6", "paper fig7", "paper table1"} <= measured
     for figure in drawn.values():
@@ -73,7 +75,7 @@ def test_a_damaged_and_a_missing_file_leave_the_other_sections_as_they_are(monke
     page = opened(screen="paper")
     assert set(charts(page)) == {
         f"paper {entry.name}" for entry in ENTRIES
-        if entry.name not in ("fig4", "fig6") and look(entry, COMMITTED, AGENTS).results.finished
+        if entry.name not in ("fig4", "fig6", "search") and look(entry, COMMITTED, AGENTS).results.there
     }  # fmt: skip
     assert "fig4.json is not JSON" in words(page)
     assert "Not measured yet: python -m laplace_core reproduce fig6" in words(page)

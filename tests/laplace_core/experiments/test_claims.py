@@ -7,13 +7,15 @@ import shlex
 import shutil
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from laplace_core.cli import main, verbs
-from laplace_core.experiments.paper import EXPERIMENTS, MEASUREMENTS, measurement
-from laplace_core.experiments.paper.claims import ENTRIES, STATES, Found, look
+from laplace_core.experiments.paper import EXPERIMENTS, MEASUREMENTS, measurement, pictures
+from laplace_core.experiments.paper.claims import ENTRIES, STATES, Found, curves, look
 from laplace_core.experiments.paper.claims.deadlines import PAPER
 from laplace_core.experiments.paper.claims.entry import AGREES, DAMAGED, DIFFERS, IN_PART, MISSING, NEW, Results
+from laplace_core.experiments.paper.smoothing import smoothed
 from tests.support.hostile import assert_refused
 
 ROOT = Path(__file__).resolve().parents[3]
@@ -147,6 +149,14 @@ def test_a_chain_that_a_network_holds_agrees():
 
     assert changed("fig6", near).state == AGREES
     assert "3.0%" in changed("fig6", near).sentence(1)
+    assert "a network 3.0% (2.0 to 4.0%, 3 seeds)" in changed("fig6", near).sentence(2)
+
+
+def test_a_network_that_is_as_clean_as_a_table_differs():
+    def clean(about):
+        about["summary"]["network"].update(mean=0.001, low=0.0, high=0.002)
+
+    assert changed("fig6", clean).findings[2].state == DIFFERS
 
 
 def test_codes_that_other_codes_tell_apart_as_well_agree_in_part():
@@ -168,11 +178,22 @@ def test_a_deadline_that_a_peer_acts_better_for_agrees_with_the_paper():
     assert "best peer DQN, 900.0" in found.sentence(0)
 
 
+def test_rows_left_alone_that_gain_nothing_on_the_lander_differ():
+    def nothing(about):
+        for column in about["summary"].values():
+            if "rescaled mended, alone" in column:
+                column["rescaled mended, alone"]["interval"] = [-1.0, 1.0]
+
+    assert shown("table1").findings[2].state == AGREES
+    assert changed("table1", nothing).findings[2].state == DIFFERS
+
+
 @pytest.mark.parametrize(
     ("name", "scores", "states"),
     [
-        ("fig7", {"free": [20.0, 30.0], "accumulated": [500.0, 500.0]}, [AGREES, AGREES, None]),
-        ("fig7", {"free": [500.0, 490.0], "softmax": [500.0], "accumulated": [500.0, 20.0]}, [DIFFERS, IN_PART, NEW]),
+        ("fig7", {"free": [20.0, 30.0], "accumulated": [500.0, 500.0]}, [AGREES, AGREES, None, None]),
+        ("fig7", {"free": [500.0, 490.0], "softmax": [500.0], "accumulated": [500.0, 20.0], "clipped": [20.0]},
+         [DIFFERS, IN_PART, DIFFERS, NEW]),
         ("table2", {"uniform": [190.0, 200.0], "Gaussian,_std_20": [-90.0], "Gaussian,_std_50": [-200.0]},
          [AGREES, AGREES]),
         ("table2", {"uniform": [190.0, 200.0], "Gaussian,_std_20": [240.0], "Gaussian,_std_50": [230.0]},
@@ -181,7 +202,7 @@ def test_a_deadline_that_a_peer_acts_better_for_agrees_with_the_paper():
         ("multiplexer", {"network": [10.0, 100.0], "multiplexer": [150.0, 90.0], "trunk": [250.0]}, [IN_PART, NEW]),
         ("multiplexer", {"network": [200.0], "multiplexer": [150.0]}, [DIFFERS, None]),
         ("auxiliary", {"CartPole,_alone": [300.0], "CartPole,_beside_fourteen": [400.0]}, [AGREES, None]),
-        ("termination", {"plain": [240.0], "auxiliary": [230.0], "absorbing": [200.0]}, [DIFFERS, NEW]),
+        ("termination", {"plain": [240.0], "auxiliary": [230.0], "absorbing": [200.0]}, [None, None, None, NEW]),
         ("paper_agent", {"CartPole": [500.0, 300.0], "LunarLander": [20.0]}, [IN_PART, DIFFERS]),
         ("new_agents", {"averaging_.005": [239.0, 270.0]}, [NEW]),
     ],
@@ -199,15 +220,17 @@ def test_seeds_below_the_floor_are_counted():
     assert "1 of them below" in judge(trained(x=[250.0, 9.0])).sentence
 
 
-@pytest.mark.parametrize(("low", "states"), [(2.0, [AGREES, DIFFERS]), (-2.0, [DIFFERS, DIFFERS])])
+@pytest.mark.parametrize(("low", "states"), [(2.0, [AGREES, DIFFERS, AGREES]), (-2.0, [DIFFERS, DIFFERS, AGREES])])
 def test_acting_through_tau_space_is_judged_by_paired_intervals(low, states):
     row = {
         "mean": 30.0, "agents": 5, "episodes": 100, "against greedy": {"mean": 5.0, "interval": [low, 9.0]},
         "against fading": {"mean": -1.0, "interval": [-3.0, 1.0]},
     }  # fmt: skip
-    results = Results(Path("x.json"), 1, 2, summary={"T 50": {"neural": row, "fading": row}})
+    worse = row | {"against greedy": {"mean": 4.0, "interval": [-9.0, 9.0]}}
+    results = Results(Path("x.json"), 1, 2, summary={"T 50": {"neural": row, "fading": row, "tikhonov": worse}})
     assert judged("acting", results) == states
-    assert [line.what for line in BY_NAME["acting"].lines(results)] == ["T 50: tau-space by neural", "T 50: fading"]
+    lines = [line.what for line in BY_NAME["acting"].lines(results)]
+    assert lines == ["T 50: tau-space by neural", "T 50: fading", "T 50: tau-space by tikhonov"]
 
 
 # ---- what is missing, in part or damaged
@@ -268,4 +291,152 @@ def test_one_damaged_file_leaves_the_others_as_they_are(tmp_path):
 
 def test_a_claim_without_a_finding_makes_an_entry_one_in_part():
     entry, results = BY_NAME["fig7"], trained(accumulated=[500.0])
-    assert Found(entry, results, [], [None, entry.claims[1].judge(results), None]).state == IN_PART
+    assert Found(entry, results, [], [None, entry.claims[1].judge(results), None, None]).state == IN_PART
+
+
+@pytest.mark.parametrize(
+    ("sure", "coins", "state"), [((3, 29), (90, 50), IN_PART), ((3, 29), (40, 50), AGREES), ((9, 9), (90, 50), DIFFERS)]
+)
+def test_the_discount_that_is_accurate_first_is_named(sure, coins, state):
+    def row(after, played):
+        return {"smallest": 0.368, "after": after[0], "largest": 0.99, "its after": after[1], "played": played, "of": 1}
+
+    summary = {"sure": {"32": row(sure, 48)}, "coins": {"1": row((1, 1), 91), "32": row(coins, 91)}}
+    results = Results(Path("x.json"), 4, 4, summary=summary)
+    assert judged("timescales", results) == [state]
+    told = BY_NAME["timescales"].claims[0].judge(results).sentence
+    assert f"32 steps from the end, discount 0.368 is within a tenth after {sure[0]} episodes" in told
+    assert ("more than 86" in told) == (coins[0] == 90)
+
+
+# ---- figure 3, and what is read of trainings
+
+
+def learned(**returns: list[list[float]]) -> Results:
+    """Trainings of figure 3 on CartPole with these returns of their episodes, by algorithm and seed."""
+    cells = [
+        {"label": name, "algorithm": name, "environment": "CartPole-v1", "trainings": [
+            {"seed": seed, "each_episode": {
+                "episodes": list(range(1, len(each) + 1)), "steps": list(range(len(each))), "returns": each,
+            }} for seed, each in enumerate(seeds)
+        ]}
+        for name, seeds in returns.items()
+    ]  # fmt: skip
+    return Results(Path("x.json"), 2, 52, "trainings", cells=cells)
+
+
+def test_curves_over_episodes_improve_where_every_seed_does():
+    judge = BY_NAME["fig3"].claims[2].judge
+    rising, falling = [float(i) for i in range(20)], [float(-i) for i in range(20)]
+    assert judge(learned(laplace=[rising, rising])).state == AGREES
+    assert "from 0.50 to 18.5 on CartPole-v1 (2 seeds)" in judge(learned(laplace=[rising, rising])).sentence
+    assert judge(learned(laplace=[rising, falling])).state == DIFFERS
+    assert judge(learned(dqn=[rising])) is None
+
+
+@pytest.mark.parametrize(
+    ("laplace", "states"),
+    [([100.0, 400.0], [AGREES, AGREES, None]), ([100.0, 120.0], [DIFFERS, DIFFERS, None])],
+)
+def test_the_agents_that_ship_are_compared_with_both_peers(laplace, states):
+    scores = {"laplace": laplace, "c51": [300.0, 380.0], "qrdqn": [350.0, 420.0]}
+    summary = {"CartPole-v1": {name: {"scores": each, "curves": ()} for name, each in scores.items()}}
+    results = Results(Path("x.json"), 0, 52, "trainings", summary=summary)
+    assert judged("fig3", results) == states
+    found = Found(BY_NAME["fig3"], results, [], [claim.judge(results) for claim in BY_NAME["fig3"].claims])
+    assert not found.sentence(0).startswith("So far")  # all that it needs ships
+    assert "(0 of 52 trainings done)" in found.sentence(2)
+
+
+def test_smoothing_is_the_mean_of_neighbours():
+    values = np.random.default_rng(0).normal(size=30)
+    slow = [np.mean(values[max(0, i - 4) : i + 5]) for i in range(30)]
+    np.testing.assert_allclose(smoothed(values, 4), slow)
+    np.testing.assert_allclose(smoothed(values, 0), values)
+
+
+def test_seeds_are_read_at_episodes_that_all_of_them_reached():
+    rows = [
+        {"episodes": [1, 2, 3, 4], "returns": [0.0, 1.0, 2.0, 3.0]},
+        {"episodes": [1, 3], "returns": [0.0, 20.0]},  # the second was played by another discount
+    ]
+    places, returns = curves.at_episodes(rows, 0)
+    assert places.tolist() == [1, 2, 3]
+    assert returns.tolist() == [[0.0, 1.0, 2.0], [0.0, 10.0, 20.0]]
+
+
+def held_out(all_of_them: list[float], every_other: list[float]) -> Results:
+    """Readings of networks on CartPole, a number a seed, with three discounts of which the second is held out."""
+    cells = []
+    for which, errors, kept in (("all fifteen", all_of_them, True), ("every other", every_other, False)):
+        rows = [
+            {"seed": seed, "reading": {
+                "trained": [True, kept, True], "network": [0.0, error, 0.0],
+                "line": [None, None if kept else 2.0 * error, None],
+            }}
+            for seed, error in enumerate(errors)
+        ]  # fmt: skip
+        cells.append({"label": f"CartPole, network, {which}", "trainings": rows})
+    return Results(Path("x.json"), len(all_of_them), 24, "trainings", cells=cells)
+
+
+@pytest.mark.parametrize(
+    ("all_of_them", "every_other", "state"),
+    [([0.01, 0.03], [0.02, 0.02], AGREES), ([0.01, 0.03], [0.02, 0.06], IN_PART), ([0.01, 0.03], [0.05], DIFFERS)],
+)
+def test_values_at_held_out_discounts_are_compared_with_trained_ones(all_of_them, every_other, state):
+    results = held_out(all_of_them, every_other)
+    assert judged("interpolation", results) == [state, None, NEW]
+    assert BY_NAME["interpolation"].lines(results)[1].ours.startswith(f"{np.mean(every_other):g} (")
+    assert pictures.picture(Found(BY_NAME["interpolation"], results, [], [])).figure["data"]
+
+
+def endings(**returns: tuple[float, float]) -> Results:
+    """Readings of three seeds each: mean return with rescaled rows and with rows left alone, the same at every T."""
+    noise = np.random.default_rng(0).normal(size=(3, 10))
+    cells = [
+        {"label": ending, "trainings": [
+            {"seed": seed, "best": {"score": 200.0}, "reading": {
+                f"T {horizon}": {
+                    "greedy": {"returns": [0.0] * 10},
+                    "rescaled": {"returns": list(rescaled + noise[seed] * scale)},
+                    "left alone": {"returns": list(alone + noise[seed] * scale)},
+                }
+                for horizon in (50, 100, 200)
+            }}
+            for seed in range(3)
+        ]}
+        for (ending, (rescaled, alone)), scale in zip(returns.items(), (1.0, 1.1, 0.9), strict=False)
+    ]  # fmt: skip
+    return Results(Path("x.json"), 3 * len(returns), 9, "trainings", cells=cells)
+
+
+@pytest.mark.parametrize(
+    ("auxiliary", "states"),
+    [
+        ((60.0, 50.0), [AGREES, AGREES]),  # repairs rescaled rows, and changes nothing else
+        ((20.0, 50.0), [DIFFERS, AGREES]),
+        ((60.0, 80.0), [AGREES, DIFFERS]),
+    ],
+)
+def test_auxiliary_states_are_judged_by_both_readings(auxiliary, states):
+    results = endings(plain=(20.0, 50.0), auxiliary=auxiliary, absorbing=(20.0, 50.0))
+    assert judged("termination", results) == [*states, NEW, NEW]
+    lines = {line.what: line.ours for line in BY_NAME["termination"].lines(results)}
+    assert lines["T 50, rows left alone: plain"].endswith("3 agents x 10")
+    assert pictures.picture(Found(BY_NAME["termination"], results, [], [])).figure["data"]
+
+
+def test_the_searches_that_are_kept_are_counted():
+    found = shown("search")
+    assert [finding.state for finding in found.findings] == [NEW, AGREES, NEW]
+    files = list((ROOT / "docs" / "searches").glob("*.json"))
+    assert found.sentence(0).startswith(f"{len(files)} searches are kept, with ")
+    assert {line.what for line in found.lines} >= {"C51, atoms", "QR-DQN, exploration", "Laplace DQN, thetas"}
+
+
+def test_a_search_that_takes_as_long_on_the_lander_differs():
+    trial = {"trial": {}, "scores": [1.0], "median": 1.0, "seconds": 60.0}
+    rows = [{"file": "c51_x.json", "settings": {"environment": name}, "seeds": 1, "one_at_a_time": True,
+             "trials": [trial]} for name in ("LunarLander-v3", "CartPole-v1")]  # fmt: skip
+    assert judged("search", Results(Path("x"), 2, 2, "searches", rows=rows)) == [NEW, DIFFERS, None]

@@ -15,7 +15,7 @@ from laplace_core.agents import LaplaceSettings
 from laplace_core.cli import main
 from laplace_core.code.gamma_space import GammaSpace
 from laplace_core.code.interpolation import mixing
-from laplace_core.experiments.paper import MEASUREMENTS, aliasing, fig1_5, fig4, fig6, measurement, table1
+from laplace_core.experiments.paper import MEASUREMENTS, aliasing, fig1_5, fig4, fig6, measurement, table1, timescales
 from laplace_core.experiments.paper.measurement import finished, measure, rows_in
 from laplace_core.planning import reward_timeline
 from laplace_core.study.pipeline import decode_and_read
@@ -134,6 +134,24 @@ def test_the_aliased_states_share_their_return_and_differ_in_when_it_comes():
     assert soon.masses == pytest.approx(late.masses)
     times = [reward_timeline(world, state, policy, 8)[0][:, -2:].sum(axis=1) for state in (0, 1)]
     assert [np.flatnonzero(each).tolist() for each in times] == [[1], [6]]
+
+
+# After n episodes of sure rewards a value d steps from the end holds n of them, so that its error is
+# (gamma^n - gamma^d) / (1 - gamma^d): 32 steps from the end below a tenth after 3 episodes at .368, 29 at .99.
+def test_sure_rewards_reach_a_value_one_step_an_episode():
+    read = timescales.EXPERIMENT.measure({"rewards": "sure", "seed": 0})
+    for g, gamma in enumerate(read["gammas"]):
+        for left, when in read["episodes"].items():
+            episodes, steps = np.arange(1, 33), int(left)
+            off = (gamma ** np.minimum(episodes, steps) - gamma**steps) / (1.0 - gamma**steps)
+            assert when[g] == episodes[off < timescales.NEAR][0]
+    assert [read["episodes"]["32"][g] for g in (0, -1)] == [3, 29]
+
+
+def test_a_value_is_accurate_once_it_stays_so():
+    errors = np.array([[0.5, 0.0, 0.5], [0.05, 0.5, 0.5], [0.05, 0.05, 0.2]])
+    assert timescales.first_accurate(errors, [10.0, 20.0, 30.0]).tolist() == [20.0, 30.0, np.inf]
+    assert timescales.first_accurate(errors[1:, :1], [10.0, 20.0]).tolist() == [10.0]
 
 
 @pytest.fixture(scope="module")

@@ -17,7 +17,7 @@ def test_acting_through_tau_space_is_drawn():
     found = look(BY_NAME["fig4"], COMMITTED, AGENTS)
     summary = {"T 50": {"greedy": row, "neural": row}, "T 100": {"neural": row}}
     acting = type(found)(BY_NAME["acting"], type(found.results)(COMMITTED, 3, 9, summary=summary), [], [None, None])
-    figure = pictures.picture(acting, AGENTS).figure
+    figure = pictures.picture(acting).figure
     go.Figure(figure)
     assert [trace["name"] for trace in figure["data"]] == ["T 50", "T 100"]
 
@@ -29,4 +29,4 @@ def test_what_is_damaged_is_drawn_or_refused(tmp_path):
             (tmp_path / path.name).write_text(text)
             found = look(BY_NAME[path.stem], tmp_path, AGENTS)
             with contextlib.suppress(pictures.CANNOT_DRAW):
-                pictures.picture(found, AGENTS)
+                pictures.picture(found)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
-from laplace_core.experiments.paper.claims import ENTRIES, STATES, Found, look
+from laplace_core.experiments.paper.claims import ENTRIES, MISSING, STATES, Found, look
 from laplace_core.experiments.paper.claims.entry import DIFFERS, RUN
 
 COMMAND = f"{RUN} reproduce --document > docs/reproduction.md"
@@ -63,7 +63,8 @@ def _section(found: Found) -> list[str]:
     lines = [f"## {entry.place}: {entry.title}", ""]
     for claim, finding, index in zip(entry.claims, found.findings, range(len(entry.claims)), strict=True):
         state = "" if finding is None else f" **{finding.state.capitalize()}.**"
-        lines += [f"- {claim.says}{state} {found.sentence(index)}"]
+        lines += [f"- {claim.says}" if found.state == MISSING else f"- {claim.says}{state} {found.sentence(index)}"]
+    lines += ["", found.sentence(0)] if found.state == MISSING else []
     lines += ["", f"`{entry.makes}`", ""]
     if found.lines:
         lines += ["| | the paper | ours |", "|---|---|---|"]

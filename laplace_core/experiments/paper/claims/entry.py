@@ -57,6 +57,11 @@ class Results:
         return self.planned is not None and self.finished >= self.planned
 
     @property
+    def there(self) -> bool:
+        """Whether there is anything to show."""
+        return bool(self.finished or self.summary)
+
+    @property
     def progress(self) -> str:
         """How much is there, such as ``62 of 336 parts``."""
         return "none" if self.planned is None else f"{self.finished} of {self.planned} {self.unit}"
@@ -64,10 +69,15 @@ class Results:
 
 @dataclass(frozen=True)
 class Finding:
-    """Whether a claim agrees, and the sentence that says so with the numbers."""
+    """Whether a claim agrees, and the sentence that says so with the numbers.
+
+    Attributes:
+        whole: whether all that it needs is there, also while other results of the entry are missing.
+    """
 
     state: str
     sentence: str
+    whole: bool = False
 
 
 @dataclass(frozen=True)
@@ -110,7 +120,9 @@ class Entry:
         lines: the table, from results that may be empty.
         command: what makes its results, where ``reproduce`` does not.
         view: None where the workbench has none.
-        read: reads the results from the folder of the agents that ship, where ``reproduce`` writes none.
+        read: reads the results from the folders of results and of the agents that ship, where there is more of them
+            than the experiment's file.
+        sources: the files that it reads then, from the same folders.
     """
 
     name: str
@@ -120,7 +132,12 @@ class Entry:
     lines: Callable[[Results], list[Line]]
     command: str = ""
     view: View | None = None
-    read: Callable[[Path], Results] | None = None
+    read: Callable[[Path, Path], Results] | None = None
+    sources: Callable[[Path, Path], list[Path]] | None = None
+
+    def files(self, folder: Path, agents: Path) -> list[Path]:
+        """The files that its results are read from."""
+        return [result_file(folder, self.name)] if self.sources is None else self.sources(folder, agents)
 
     @property
     def makes(self) -> str:
@@ -158,12 +175,10 @@ class Found:
         """The finding of a claim, or why there is none."""
         finding = self.findings[index]
         if finding is not None:
-            so_far = "" if self.results.complete else f"So far ({self.results.progress}): "
+            so_far = "" if self.results.complete or finding.whole else f"So far ({self.results.progress}): "
             return f"{so_far}{finding.sentence}"
         if self.trouble is not None:
             return self.trouble
-        if self.entry.command:
-            return f"No result of it is kept: {self.entry.makes} prints one."
         return f"Not measured yet: {self.entry.makes} ({self.results.progress} done)."
 
 
@@ -174,19 +189,25 @@ def look(entry: Entry, folder: Path, agents: Path) -> Found:
         folder: of the results.
         agents: the folder of the agents that ship.
     """
-    path = agents / "manifest.json" if entry.read else result_file(folder, entry.name)
+    files = [path, *_] = entry.files(folder, agents)
     try:
-        results = entry.read(agents) if entry.read else _results(entry.name, path)
+        results = entry.read(folder, agents) if entry.read else results_of(entry.name, path)
         return Found(entry, results, entry.lines(results), [claim.judge(results) for claim in entry.claims])
     except InputError as error:
         trouble = str(error)
     except _WRONG_CONTENT:
-        trouble = f"{path.name} holds something else than results, and nothing of it is shown."
+        names = " or ".join(each.name for each in files[:2])
+        trouble = f"{names} holds something else than results, and nothing of it is shown."
     nothing = Results(path)
     return Found(entry, nothing, entry.lines(nothing), [None] * len(entry.claims), trouble)
 
 
-def _results(name: str, path: Path) -> Results:
+def results_of(name: str, path: Path) -> Results:
+    """What the file of an experiment holds; nothing where there is none.
+
+    Raises:
+        InputError: a file that is no result.
+    """
     about, trained = contents(path), EXPERIMENTS.get(name)
     unit = "parts" if trained is None else "trainings"
     if about is None:

@@ -199,6 +199,18 @@ def _recovers(*origins: str) -> Any:
     return judge
 
 
+def _table_is_cleaner(results: Results) -> Finding | None:
+    table, network = results.summary.get("tabular"), results.summary.get("network")
+    if table is None or network is None:
+        return None
+    words = [
+        f"{100 * each['mean']:.1f}% ({100 * each['low']:.1f} to {100 * each['high']:.1f}%, {each['of']} seeds)"
+        for each in (table, network)
+    ]
+    state = AGREES if table["high"] < network["low"] else IN_PART if table["mean"] < network["mean"] else DIFFERS
+    return Finding(state, f"A table misplaces {words[0]} of the probability and a network {words[1]}.")
+
+
 FIG6 = Entry(
     name="fig6",
     place="Figure 6",
@@ -206,10 +218,69 @@ FIG6 = Entry(
     claims=[
         Claim("The code recovers all rewards at all future times.", _recovers("exact", "tabular")),
         Claim("Laplace DQN's gamma-space of a chain (appendix B.1) gives a timeline as well.", _recovers("network")),
+        Claim("Learned in a table, gamma-space has less noise: tau-space is cleaner (section 4).", _table_is_cleaner),
     ],
     lines=_chain_lines,
     view=View("worlds", {"world": "fig6_chain"}),
 )  # fmt: skip
+
+
+# ---- section 2.3
+
+
+_CHAINS = {"sure": "sure rewards", "coins": "rewards of a coin"}
+
+
+def _after(each: Mapping[str, Any], when: str) -> str:
+    """Episodes, or that a value is not accurate in most of the learners before the last look."""
+    return f"{each[when]:,.0f}" if each[when] < 0.95 * each["played"] else f"more than {0.95 * each['played']:,.0f}"
+
+
+def _timescale_lines(results: Results) -> list[Line]:
+    lines = [
+        Line(
+            f"{_CHAINS.get(rewards, rewards)}, {left} to go",
+            "",
+            f"{_after(each, 'after')} episodes at {each['smallest']:.3f}, "
+            f"{_after(each, 'its after')} at {each['largest']:g}, {each['of']} learner{'s' if each['of'] > 1 else ''}",
+        )
+        for rewards, distances in results.summary.items()
+        for left, each in distances.items()
+    ]
+    return lines or [Line("episodes until a value is accurate")]
+
+
+def _first_accurate(results: Results) -> Finding | None:
+    """Whether the smallest discount is accurate first far from the end, for each kind of rewards."""
+    words, states = [], []
+    for rewards, distances in results.summary.items():
+        left, kind = max(distances, key=int), _CHAINS.get(rewards, rewards)
+        far = distances[left]
+        states.append(far["after"] < far["its after"])
+        words.append(
+            f"with {kind}, {left} steps from the end, discount {far['smallest']:.3f} is within "
+            f"a tenth after {_after(far, 'after')} episodes and {far['largest']:g} after {_after(far, 'its after')}"
+        )
+    if not words:
+        return None
+    state = AGREES if all(states) else IN_PART if any(states) else DIFFERS
+    told = "; ".join(words)
+    why = " A long discount waits for more steps to come back from the end, but averages more of the noise."
+    return Finding(state, f"{told[0].upper()}{told[1:]}.{why if state == IN_PART else ''}")
+
+
+TIMESCALES = Entry(
+    name="timescales",
+    place="Section 2.3, timescales",
+    title="Which discount is accurate first",
+    claims=[
+        Claim(
+            "At which discount a value is accurate first depends on how near the end is: far from it, at a short one.",
+            _first_accurate,
+        ),
+    ],
+    lines=_timescale_lines,
+)
 
 
 # ---- section 6
