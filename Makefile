@@ -2,6 +2,8 @@
 # make verify: what takes long.  make coverage: what no unit test comes by.
 # make lock: after a change of requirements*.txt.  make audit: known vulnerabilities.
 PYTHON ?= python3
+# Who can reach the workbench of `make app`: with localhost this machine, with 0.0.0.0 whoever reaches the machine.
+ADDRESS ?= localhost
 PORT ?= 8501
 BIN = .venv/bin
 # Node comes into .venv with pip; npm and what it starts look for it on the path.
@@ -13,7 +15,9 @@ INSTALL = $(BIN)/python -m pip install --quiet --require-hashes --no-deps
 .PHONY: app test unit browser lint lint-python lint-js coverage verify bench lock audit clean
 
 app: .venv/.app
-	$(BIN)/streamlit run app/main.py --server.port $(PORT)
+	@echo "The workbench: http://$(ADDRESS):$(PORT) (a browser opens as soon as it is ready; Ctrl-C ends it)"
+	@$(BIN)/streamlit run app/main.py --server.address $(ADDRESS) --server.port $(PORT) \
+	  --logger.hideWelcomeMessage true --logger.level warning
 
 # Side by side: a browser waits for long, and in that time unit tests have the machine.
 test: lint
