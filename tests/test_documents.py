@@ -64,7 +64,7 @@ def test_the_output_in_the_readme_is_what_the_command_prints(capsys):
 def test_every_command_of_the_readme_is_one():
     assert len(commands()) > 15
     for command in commands():
-        options = verbs._parser().parse_args(verbs._joined(shlex.split(command)))
+        options = verbs.parser().parse_args(verbs._joined(shlex.split(command)))
         assert options.verb == command.split()[0]
 
 
