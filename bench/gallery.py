@@ -6,7 +6,6 @@ Each picture is a view of the app in a headless Chromium, opened by its link. ``
 from __future__ import annotations
 
 import argparse
-import io
 import os
 import subprocess
 import sys
@@ -16,20 +15,17 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from PIL import Image
-
 from tests.browser.support import DRAWN, FLAGS, MAIN, PATIENCE, ROOT, WATCH, find_chromium, served, settled
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser
 
 FOLDER = ROOT / "docs" / "gallery"
-COLOURS = 128
-"""Colours of a picture: enough for its scales, and a third of the bytes."""
 LENS = DRAWN
 INVERSE = "() => document.querySelector('.laplace-inverse')?.inverse?.scene?.made"
 AGENT = "() => document.querySelector('.laplace-player canvas') && document.querySelector('canvas.tau-space')"
 RACE = "() => document.querySelector('.laplace-track canvas')"
+GUIDE = "() => document.querySelector('.katex') && document.querySelector('pre code')?.textContent"
 CHART = "() => document.querySelector('.main-svg')"
 
 
@@ -64,7 +60,7 @@ VIEWS = {
     "race": View("race?d.T=50", RACE),
     "train": View("train", CHART),
     "paper": View("paper", CHART),
-    "guide": View("guide?page=concepts", "() => document.querySelector('.katex')"),
+    "guide": View("guide?page=concepts", GUIDE),
     "phone": View("", LENS, size=(390, 844)),
 }
 _TRAINED = "runs/laplace_two_branch_0"
@@ -86,18 +82,9 @@ def photographed(browser: Browser, address: str, view: View) -> bytes:
             page.get_by_role("button", name=label, exact=True).first.click()
         page.wait_for_function(view.drawn)
         settled(page)
-        return small(page.screenshot(animations="disabled"))
+        return page.screenshot(animations="disabled")
     finally:
         context.close()
-
-
-def small(picture: bytes) -> bytes:
-    """The same PNG with few colours."""
-    written = io.BytesIO()
-    Image.open(io.BytesIO(picture)).convert("RGB").quantize(COLOURS, dither=Image.Dither.NONE).save(
-        written, "PNG", optimize=True
-    )
-    return written.getvalue()
 
 
 def make(names: Sequence[str], folder: Path) -> None:

@@ -24,11 +24,12 @@ def page() -> None:
     name = store.chosen().get("page", PAGE.default)
     key = store.show("page", name)
     st.sidebar.radio("Documents", list(TITLES), format_func=TITLES.get, key=key, on_change=store.keep, args=(key,))
-    for part in documents.parts(name, "guide?page="):
-        if isinstance(part, documents.Picture):
-            st.image(part.path, caption=part.words, width=READABLE)
-        else:
-            st.markdown(part, width=READABLE)
+    with st.container(key="guide"):
+        for part in documents.parts(name, "guide?page="):
+            if isinstance(part, documents.Picture):
+                st.image(part.path, caption=part.words, width=READABLE)
+            else:
+                st.markdown(part, width=READABLE)
 
 
 page()

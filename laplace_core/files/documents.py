@@ -50,7 +50,7 @@ def parts(name: str, address: str, folder: Path = FOLDER) -> Iterator[str | Pict
         address: what a link to another page begins with; the page's name follows.
     """
     path = folder / f"{name}.md"
-    text = _LINK.sub(lambda link: f"]({address}{_target(path, link[1], folder)})", _text(path))
+    text = _LINK.sub(lambda link: f"]({address}{_target(path, link[1], folder)}{link[2] or ''})", _text(path))
     words = _PICTURE.split(text)
     for i in range(0, len(words), 3):
         if words[i].strip():
