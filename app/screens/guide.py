@@ -21,7 +21,7 @@ def page() -> None:
     if not TITLES:
         st.info("The documents are not installed here: they are in the folder `docs` of the project.")
         return
-    name = store.chosen().get("page", PAGE.default)
+    name = str(store.chosen().get("page", PAGE.default))
     key = store.show("page", name)
     st.sidebar.radio("Documents", list(TITLES), format_func=TITLES.get, key=key, on_change=store.keep, args=(key,))
     with st.container(key="guide"):
