@@ -43,7 +43,9 @@ def commands() -> list[tuple[str, str]]:
     for document in WITH_EXAMPLES:
         text = (ROOT / document).read_text(encoding="utf-8")
         lines = [line for kind in ("", "console") for body in blocks(kind, text) for line in body.splitlines()]
-        matches = [re.fullmatch(r"(?:\$ )?python -m laplace_core (?!VERB)(.*?)( > \S+)?( +#.*)?", line) for line in lines]
+        matches = [
+            re.fullmatch(r"(?:\$ )?python -m laplace_core (?!VERB)(.*?)( > \S+)?( +#.*)?", line) for line in lines
+        ]
         found += [(document, match[1]) for match in matches if match]
     return found
 
