@@ -16,7 +16,8 @@ COPY .streamlit .streamlit
 COPY laplace_core laplace_core
 COPY app app
 COPY checkpoints checkpoints
-COPY docs/paper docs/paper
+COPY docs docs
+COPY README.md CONTRIBUTING.md CHANGELOG.md ./
 RUN python -m app.components.assets
 # Whoever the container runs as may write here, and nowhere else but /tmp.
 RUN install --directory --mode=1777 /srv/runs
@@ -24,6 +25,7 @@ VOLUME /srv/runs
 
 USER 10001:10001
 EXPOSE 8501
+# Behind a proxy with a path, STREAMLIT_SERVER_BASE_URL_PATH, the page of health has that path in front as well.
 HEALTHCHECK --interval=30s --timeout=5s --start-period=30s \
-  CMD ["python", "-c", "import urllib.request; urllib.request.urlopen('http://127.0.0.1:8501/_stcore/health', timeout=4)"]
+  CMD ["python", "-c", "import os, urllib.request as u; path = os.environ.get('STREAMLIT_SERVER_BASE_URL_PATH', '').strip('/'); u.urlopen('http://127.0.0.1:8501' + ('/' + path if path else '') + '/_stcore/health', timeout=4)"]
 CMD ["python", "-m", "streamlit", "run", "app/main.py", "--server.address=0.0.0.0", "--server.port=8501", "--server.headless=true", "--server.fileWatcherType=none"]

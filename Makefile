@@ -1,7 +1,10 @@
 # make app: set up and open the workbench.  make test: set up and pass the tests.  make bench: ratios in one run.
 # make verify: what takes long.  make coverage: what no unit test comes by.
+# make docs: the documents as HTML, docs/_build/html.
 # make lock: after a change of requirements*.txt.  make audit: known vulnerabilities.
 PYTHON ?= python3
+# Who can reach the workbench of `make app`: with localhost this machine, with 0.0.0.0 whoever reaches the machine.
+ADDRESS ?= localhost
 PORT ?= 8501
 BIN = .venv/bin
 # Node comes into .venv with pip; npm and what it starts look for it on the path.
@@ -10,10 +13,12 @@ NPM = PATH="$(CURDIR)/$(BIN):$$PATH" $(BIN)/npm
 # By the lock: these packages and no others, each file by its hash.
 INSTALL = $(BIN)/python -m pip install --quiet --require-hashes --no-deps
 
-.PHONY: app test unit browser lint lint-python lint-js coverage verify bench lock audit clean
+.PHONY: app test unit browser lint lint-python lint-js coverage verify bench docs lock audit clean
 
 app: .venv/.app
-	$(BIN)/streamlit run app/main.py --server.port $(PORT)
+	@echo "The workbench: http://$(ADDRESS):$(PORT) (a browser opens as soon as it is ready; Ctrl-C ends it)"
+	@$(BIN)/streamlit run app/main.py --server.address $(ADDRESS) --server.port $(PORT) \
+	  --logger.hideWelcomeMessage true --logger.level warning
 
 # Side by side: a browser waits for long, and in that time unit tests have the machine.
 test: lint
@@ -63,6 +68,12 @@ verify: .venv/.verify
 bench: .venv/.bench
 	OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 $(BIN)/python -m bench
 
+# A warning is an error. Then what the documents show is run, as in `make test`.
+docs: .venv/.docs
+	$(BIN)/python -m sphinx -q -W --keep-going -E -b html docs docs/_build/html
+	$(BIN)/python -m pytest tests/test_documents.py tests/test_architecture.py
+	@echo "The documents: docs/_build/html/index.html"
+
 lock: .venv/.lock
 	$(BIN)/python .ci/lock.py
 
@@ -70,7 +81,7 @@ audit: .venv/.lock
 	$(BIN)/python .ci/audit.py
 
 clean:
-	rm -rf .venv node_modules
+	rm -rf .venv node_modules docs/_api docs/_build
 
 # torch without CUDA is small and enough; where pip finds no such build, the one with CUDA is taken.
 .venv/.app: requirements.lock requirements-cpu.lock requirements-cuda.lock pyproject.toml
@@ -86,6 +97,10 @@ clean:
 
 .venv/.verify: .venv/.dev requirements-verify.txt
 	$(BIN)/python -m pip install --quiet -r requirements-verify.txt
+	touch $@
+
+.venv/.docs: .venv/.dev requirements-docs.txt
+	$(BIN)/python -m pip install --quiet -r requirements-docs.txt
 	touch $@
 
 .venv/.lock: .venv/.app requirements-lock.txt

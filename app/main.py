@@ -34,6 +34,7 @@ PAGES = [
     st.Page("screens/race.py", title="Deadline race", url_path="race"),
     st.Page("screens/train.py", title="Train", url_path="train"),
     st.Page("screens/paper.py", title="Paper", url_path="paper"),
+    st.Page("screens/guide.py", title="Guide", url_path="guide"),
 ]
 shown = st.navigation(PAGES, position="top")
 shown.run()

@@ -15,7 +15,6 @@ from collections.abc import AsyncIterator, Mapping
 from dataclasses import dataclass, field
 from html import unescape
 from typing import Any
-from urllib.parse import urlsplit
 
 import requests
 from streamlit.components.v2.bidi_component.constants import EVENT_DELIM
@@ -298,8 +297,8 @@ class Visitor:
 
 @contextlib.asynccontextmanager
 async def visit(address: str, *, patience: float = 60.0) -> AsyncIterator[Visitor]:
-    """A new session at a server's address."""
-    stream = f"ws://{urlsplit(address).netloc}/_stcore/stream"
+    """A new session at a server's address, which may end in a path."""
+    stream = f"ws://{address.partition('://')[2]}/_stcore/stream"
     async with connect(stream, subprotocols=["streamlit"], max_size=None, compression=None) as socket:
         visitor = Visitor(address, socket, patience)
         listening = asyncio.create_task(visitor.listen())

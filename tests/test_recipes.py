@@ -340,6 +340,105 @@ def test_an_artefact(workshop):
     assert score["unthrown"] == 0
 
 
+HALVED_SOLVER = '''"""Half of the least-squares timeline: every mass is pulled towards 0, whatever alpha is."""
+
+import numpy as np
+
+from laplace_core.inverse.problem import Problem, Solution
+
+
+def halved(problem: Problem, alpha: float) -> Solution:
+    masses = np.linalg.pinv(problem.transform) @ problem.masses / 2
+    freedom = np.full(problem.masses.shape[:-2], problem.steps / 2)
+    return Solution(masses, problem.masses - problem.transform @ masses, freedom)
+'''
+
+
+def test_a_solver(workshop):
+    solvers, words = "laplace_core/inverse/solvers.py", "app/inverse/words.py"
+    (workshop.root / "laplace_core/inverse/halved.py").write_text(HALVED_SOLVER)
+    workshop.insert(solvers, "from laplace_core.inverse.linear", "from laplace_core.inverse.halved import halved\n")
+    workshop.insert(
+        solvers, '    "neural": Solver(', '    "halved": Solver(partial(_of_one_alpha, halved), has_alpha=False),\n'
+    )
+    workshop.insert(words, '    "neural": "Neural network",', '    "halved": "Half of it",\n')
+    assert workshop.touched() == [words, "laplace_core/inverse/halved.py", solvers]
+    assert_in_the_recipe("A solver", workshop.touched())
+
+    # Two certain steps: the least-squares timeline of the exact values is the true one, and this is half of it.
+    view = {"world": "two_branch", "p.length": "2", "solver": "halved", "selector": "gcv"}
+    (said,), (inverse,) = workshop.follow(
+        ("decode", "two_branch", "--param", "length=2", "--solver", "halved", "--json"),
+        pages=[("inverse", view)],
+    )
+    expected = np.array(json.loads(said)["true_expected_reward"]) / 2
+    np.testing.assert_allclose(json.loads(said)["expected_reward"], expected, atol=0.02)
+    assert "Half of it" in inverse["options"]["solver"]
+
+
+LARGEST_SELECTOR = '''def largest(sweep: Sweep) -> np.ndarray:
+    """The largest alpha that is tried, ``(n, a)``."""
+    return -np.broadcast_to(sweep.alphas, sweep.residual.shape)
+
+
+'''
+
+
+def test_a_selector(workshop):
+    selectors, words = "laplace_core/inverse/selectors.py", "app/inverse/words.py"
+    workshop.insert(selectors, "SELECTORS: ", LARGEST_SELECTOR)
+    workshop.insert(selectors, '    "fitted": fitted,', '    "largest": largest,\n')
+    workshop.insert(
+        words, '    "fitted": Rule(', '    "largest": Rule("Largest", "The largest alpha that is tried.", "-alpha"),\n'
+    )
+    assert workshop.touched() == [words, selectors]
+    assert_in_the_recipe("A selector", workshop.touched())
+
+    decode = ("decode", "two_branch", "--json", "--alpha")
+    (chosen, other), (inverse,) = workshop.follow(
+        (*decode, "largest"), (*decode, "gcv"), pages=[("inverse", {"world": "two_branch", "selector": "largest"})]
+    )
+    record, others = (json.loads(said)["alpha_record"] for said in (chosen, other))
+    assert record["value"] == max(record["alphas"])
+    assert others["others"]["largest"] == max(others["alphas"])
+    assert "Largest" in inverse["options"]["selector"]
+
+
+COIN_WORLD = '''def coin(chance: float, reward: float) -> World:
+    """A coin that is tossed until it falls: the simplest world without a longest episode."""
+    rows = [Outcome(0, 0, chance, END, reward), Outcome(0, 0, 1.0 - chance, 0, 0.0)]
+    return World.from_outcomes("coin", ["toss"], ["wait"], rows)
+
+
+'''
+COIN_ENTRY = """    coin: (
+        "A coin",
+        (
+            Parameter("chance", 0.5, 0.01, 0.99, "Chance that it falls at a step."),
+            Parameter("reward", 2.0, -1000, 1000, "What is paid when it falls."),
+        ),
+    ),
+"""
+
+
+def test_a_world(workshop):
+    presets = "laplace_core/worlds/presets.py"
+    workshop.insert(presets, "_PARAMETERS: dict[", COIN_WORLD)
+    workshop.insert(presets, "    cliff_grid: (", COIN_ENTRY)
+    assert workshop.touched() == [presets]
+    assert_in_the_recipe("A world", workshop.touched())
+
+    (listed, said), (page,) = workshop.follow(
+        ("worlds",),
+        ("decode", "coin", "--param", "chance=0.25", "--steps", "3", "--json"),
+        pages=[("worlds", {"world": "coin", "p.chance": "0.25"})],
+    )
+    assert "A coin that is tossed until it falls" in listed
+    # 2 is paid with probability .25 at step 0, .75 * .25 at step 1, .75^2 * .25 at step 2.
+    np.testing.assert_allclose(json.loads(said)["true_expected_reward"], [[0.5, 0.375, 0.28125]])
+    assert "A coin" in page["options"]["world"]
+
+
 def test_every_algorithm_says_for_itself_what_it_is_called():
     """A class that only inherits them would go by the words of another."""
     assert set(AGENTS) == set(SETTINGS)

@@ -7,6 +7,8 @@ from pathlib import Path
 from streamlit.delta_generator import DeltaGenerator
 
 READING, TRAINING = "reading.md", "training.md"
+GUIDE = {READING: ("concepts", "Concepts on one page"), TRAINING: ("guides/agent", "How to train an agent")}
+"""The document that says more, and what the link to it is called."""
 
 
 def explain(place: DeltaGenerator, words: str = READING) -> None:
@@ -14,3 +16,5 @@ def explain(place: DeltaGenerator, words: str = READING) -> None:
     box = place.popover("How to read this", width="stretch", on_change="rerun", key="reading")
     if box.open:
         box.markdown(Path(__file__).with_name(words).read_text(encoding="utf-8"))
+        page, label = GUIDE[words]
+        box.page_link("screens/guide.py", label=label, icon=":material/help:", query_params={"page": page})

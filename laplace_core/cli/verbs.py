@@ -56,7 +56,7 @@ def main(argv: Sequence[str] | None = None) -> int:
         sys.stdout.reconfigure(errors="backslashreplace")
     try:
         with by_exception():
-            options = _parser().parse_args(_joined(sys.argv[1:] if argv is None else argv))
+            options = parser().parse_args(_joined(sys.argv[1:] if argv is None else argv))
             options.run(options)
     except InputError as error:
         print(f"laplace: {' '.join(str(error).split())}", file=sys.stderr)
@@ -84,7 +84,8 @@ def _joined(words: Sequence[str]) -> list[str]:
 
 
 @cache
-def _parser() -> argparse.ArgumentParser:
+def parser() -> argparse.ArgumentParser:
+    """The whole parser, with a parser for each verb."""
     parser: argparse.ArgumentParser = _Parser(
         prog="laplace", description="The Laplace code: gamma-space, tau-space and the actions they choose."
     )

@@ -114,6 +114,11 @@ def auto_alpha(sweep: Sweep) -> float:
     return float(np.clip(np.exp(log_alpha), sweep.alphas[0], sweep.alphas[-1]))
 
 
+def is_fitted(solver: str) -> bool:
+    """Whether ``auto`` has coefficients for a solver."""
+    return any(solver in known for known in _fitted())
+
+
 def summed(numbers: np.ndarray, tikhonov: Network) -> np.ndarray:
     """What the sum of a slow solver goes over, ``(..., 9)``, from features ``(..., 32)``."""
     return np.concatenate([numbers[..., : len(SUMMED)], tikhonov.log_alpha(numbers)[..., None]], axis=-1)

@@ -1,4 +1,4 @@
-"""The quadratic programme of feasible timelines, by a primal-dual interior-point method of many problems at once.
+"""The quadratic programme of feasible timelines, by a primal-dual interior-point method of many problems at once::
 
     minimise    1/2 sum_b |A_b x_b - z_b|^2 + 1/2 sum_b p^T x_b^2
     subject to  x >= 0,  d >= 0,  sum_b x_b over a stretch of time = survival,  survival_n = sum_{m >= n} d_m,

@@ -19,7 +19,7 @@ from typing import Any
 import numpy as np
 
 from laplace_core.errors import InputError
-from laplace_core.inverse.auto import auto_alpha
+from laplace_core.inverse.auto import auto_alpha, is_fitted
 from laplace_core.inverse.components import Sweep, sweep_of
 from laplace_core.inverse.problem import Problem
 
@@ -286,6 +286,7 @@ def curves_of(sweep: Sweep, *, without: str | None = None) -> dict[str, np.ndarr
     """The curve of every rule that can be computed, ``(n, a)`` each."""
     lacking = {"discrepancy"} if sweep.expected is None else set()
     lacking |= {"ncp"} if sweep.discounts < 4 else set()
+    lacking |= set() if is_fitted(sweep.target) else {AUTO}
     return {name: curve(sweep) for name, curve in SELECTORS.items() if name not in lacking and name != without}
 
 

@@ -14,7 +14,7 @@ import subprocess
 import sys
 import tempfile
 import threading
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 from typing import IO, Any
 
@@ -98,10 +98,14 @@ WATCH = """
 
 
 @contextlib.contextmanager
-def served(script: Path, log: IO[str] | None = None) -> Iterator[tuple[str, subprocess.Popen[str]]]:
+def served(
+    script: Path, log: IO[str] | None = None, *, variables: Mapping[str, str] | None = None
+) -> Iterator[tuple[str, subprocess.Popen[str]]]:
     """A Streamlit server on a free port of this machine; yields its address and its process.
 
-    What it says goes to ``log``, or nowhere.
+    Args:
+        log: what it says goes there, or nowhere.
+        variables: environment variables of its own.
 
     Raises:
         RuntimeError: the server does not start.
@@ -114,7 +118,7 @@ def served(script: Path, log: IO[str] | None = None) -> Iterator[tuple[str, subp
     runs = tempfile.TemporaryDirectory(prefix="laplace_runs_", ignore_cleanup_errors=True)  # never somebody's own
     process = subprocess.Popen(
         command, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace",
-        env=os.environ | {"LAPLACE_RUNS": runs.name, "PYTHONUNBUFFERED": "1"},
+        env={**os.environ, "LAPLACE_RUNS": runs.name, "PYTHONUNBUFFERED": "1", **(variables or {})},
     )  # fmt: skip
     begun, listening = threading.Event(), False
 

@@ -48,7 +48,8 @@ for screen, query in asked:
     page.run()
     while screen != "train" and page.get("progress"):  # an episode or a race under way in the background
         page.run()
-    assert not page.exception and not page.error and not page.warning, (page.exception, page.error, page.warning)
+    said = [each.value for each in (*page.exception, *page.error, *page.warning)]
+    assert not said, (screen, said)
     shown.append({
         "captions": [caption.value for caption in page.caption],
         "options": {box.key: box.options for box in page.selectbox},

@@ -16,6 +16,7 @@ export default function ({ data, setTriggerValue }) {
     setTriggerValue('word', kept); // of a tab that was opened at the same time
     return;
   }
+  const path = new URL('.', document.baseURI).pathname; // other programs of the same site need not see it
   const secure = location.protocol === 'https:' ? '; Secure' : '';
-  document.cookie = `${start}${data.word}; Path=/; Max-Age=31536000; SameSite=Strict${secure}`;
+  document.cookie = `${start}${data.word}; Path=${path}; Max-Age=31536000; SameSite=Strict${secure}`;
 }

@@ -59,7 +59,7 @@ def test_every_experiment_has_an_entry():
 def test_every_command_is_one():
     for entry in ENTRIES:
         words = shlex.split(entry.makes.removeprefix("python -m laplace_core "))
-        assert verbs._parser().parse_args(words).verb in ("reproduce", "report")
+        assert verbs.parser().parse_args(words).verb in ("reproduce", "report")
         if not entry.command:
             assert words[1] in {*EXPERIMENTS, *MEASUREMENTS}
 
