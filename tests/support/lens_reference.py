@@ -14,6 +14,8 @@ from laplace_core import GammaSpace, Study
 from laplace_core.code.encoding import reward_distance
 from laplace_core.code.gamma_space import encode, softened, with_noise
 from laplace_core.code.ties import greedy_action
+from laplace_core.inverse.bands import reward_gain
+from laplace_core.inverse.linear import decode_matrix
 from laplace_core.payloads.lens import LEVELS
 from laplace_core.study.horizon import regret
 from laplace_core.study.kernels import averaging_kernel_of, discount_kernel_of
@@ -64,6 +66,12 @@ def seen(data: bytes, state: Mapping[str, Any], tau: int = 0, rounding: float = 
     }
     if header.get("simulated", {}).get("action") == state["action"]:
         found["distance"] = _distance(arrays, found["tau_space"][state["action"]], space, settings.time_step)
+    if state["noise"] > 0 and state["normalise"] == "none" and not state["shift"]:
+        inverse = decode_matrix(
+            space.gammas, rows if state["fold"] else settings.steps, state["alpha"], settings.time_step
+        )
+        deviations = state["noise"] / (1.0 - space.gammas)
+        found["reward_noise"] = reward_gain(space) * np.sqrt(inverse**2 @ deviations**2)
     if "optimum" in arrays:
         found["regret"] = regret(arrays["optimum"][:, [left]], np.array([found["chosen"]]))[0]
     return found

@@ -47,6 +47,8 @@ class Released:
         remedy: index of a remedy of the verdict.
         picked: a state clicked in the graph of the world.
         pin: whether the view is to be kept as A, or no longer.
+        story: a step of the guided story; 0 ends it.
+        follow: whether the action that was taken is to be shown at every step, or the one of ``state``.
     """
 
     state: dict[str, Any]
@@ -54,6 +56,8 @@ class Released:
     remedy: int | None = None
     picked: int | None = None
     pin: bool | None = None
+    story: int | None = None
+    follow: bool | None = None
 
 
 @dataclass(frozen=True)
@@ -106,6 +110,8 @@ def lens(
     pin: Pin | None = None,
     lead: Mapping[str, Any] | None = None,
     followed: Mapping[str, Any] | None = None,
+    follows: bool = False,
+    story: Mapping[str, Any] | None = None,
 ) -> None:
     """Draw the lens; the state that is released has to pass through :func:`laplace_core.payloads.state.checked`.
 
@@ -121,6 +127,8 @@ def lens(
         pin: how a view is kept as A, where it can be.
         lead: ``id`` and ``step`` of the episode whose player (:mod:`app.components.player`) the lens follows.
         followed: what was observed, to be drawn on the timeline; see :func:`laplace_core.trained.rollouts.followed`.
+        follows: whether the action that is shown is the one that was taken, at every step.
+        story: the guided story, where the page has one: the step ``at`` that is shown, and all ``steps``.
     """
     widget, digest = f"lens {key}", messages.name_of(data)
     channel = session.channel(widget)
@@ -139,6 +147,8 @@ def lens(
         "pin": None if pin is None or pin.state is None else dict(pin.state),
         "lead": None if lead is None else dict(lead),
         "followed": None if followed is None else dict(followed),
+        "follows": follows,
+        "story": None if story is None else dict(story),
         "plotly": assets.plotly_js(),
     }
 
@@ -158,14 +168,16 @@ def lens(
 def _released(answer: object, presets: Sequence[Preset]) -> Released:
     """What the browser says, which is not to be trusted: ``checked`` looks at the state value by value."""
     report = answer if isinstance(answer, Mapping) else {}
-    state, preset, pin = report.get("state"), report.get("preset"), report.get("pin")
-    remedy, picked = (_index(report.get(name)) for name in ("remedy", "picked"))
+    state, preset, pin, follow = (report.get(name) for name in ("state", "preset", "pin", "follow"))
+    remedy, picked, story = (_index(report.get(name)) for name in ("remedy", "picked", "story"))
     return Released(
         dict(state) if isinstance(state, Mapping) else {},
         preset if preset in [each.name for each in presets] else None,
         remedy,
         picked,
         pin if isinstance(pin, bool) else None,
+        story,
+        follow if isinstance(follow, bool) else None,
     )
 
 
