@@ -63,7 +63,9 @@ def pictures(
     """
     look = str(store.chosen().get("look", "heatmap"))
     horizon, added = compute.horizon_of(view), view.subject.added
-    shown = state_of(view.settings, horizon, action=view.action, look=look, added=added)
+    # An action that follows the episode is none of the state: with every step the state would be another one.
+    action = 0 if follows else view.action
+    shown = state_of(view.settings, horizon, action=action, look=look, added=added)
     search = session.part(_Search)
     search.alone = crowd.alone()
     search.explained = explained = compute.is_explained(view, alone=search.alone)

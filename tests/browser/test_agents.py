@@ -223,7 +223,8 @@ def test_sensitivities_that_are_close_together_can_be_told_apart(page, address):
     page.goto(f"{address}/agents?checkpoint=laplace_LunarLander-v3")
     canvas = page.locator("canvas.tau-space")
     canvas.wait_for()
-    page.wait_for_function("() => document.querySelector('canvas.tau-space').scale")
+    page.get_by_role("button", name="all θ").click()
+    settled(page)
     edges, back = page.evaluate(
         """() => { const { seen } = document.querySelector('.laplace-lens').lens, thetas = Array.from(seen.thetas);
         const { X, toX } = document.querySelector('canvas.tau-space').scale, edges = thetas.map(X);
