@@ -2986,7 +2986,7 @@ function remembered(value) {
   }
 }
 var same = (a, b) => Object.keys(a).every((name) => name === "look" || name === "action" || a[name] === b?.[name]);
-function mount(root, model, told, hear) {
+function mount(root, model, told, tell) {
   const host = element("div", { class: "laplace-lens" });
   const scene = (
     /** @type {Scene} */
@@ -3078,7 +3078,7 @@ function mount(root, model, told, hear) {
   );
   followTaken();
   function report(heard) {
-    hear(told.follows ? { ...heard, state: { ...heard.state, action: told.state.action } } : heard);
+    tell(told.follows ? { ...heard, state: { ...heard.state, action: told.state.action } } : heard);
   }
   function followTaken() {
     if (told.follows && told.followed && told.followed.action !== state.action)

@@ -61,10 +61,10 @@ export const shapeOf = ({ header, grids, arrays, sloped }) =>
  * @param {HTMLElement} root
  * @param {Model} model
  * @param {Told} told
- * @param {(heard: Released) => void} hear - called with the state that is released
+ * @param {(released: Released) => void} tell - called with the state that is released
  * @returns {Lens}
  */
-export function mount(root, model, told, hear) {
+export function mount(root, model, told, tell) {
   const host = element('div', { class: 'laplace-lens' });
   const scene = /** @type {Scene} */ ({
     model,
@@ -183,9 +183,9 @@ export function mount(root, model, told, hear) {
   );
   followTaken();
 
-  // What the server hears: as long as the action follows the episode, it is no choice of the person's.
+  // As long as the action follows the episode, it is no choice of the person's, and is not reported as one.
   function report(heard) {
-    hear(told.follows ? { ...heard, state: { ...heard.state, action: told.state.action } } : heard);
+    tell(told.follows ? { ...heard, state: { ...heard.state, action: told.state.action } } : heard);
   }
 
   function followTaken() {
