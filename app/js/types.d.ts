@@ -309,6 +309,13 @@ export type Seen = DecodedWithTruth | DecodedAlone;
 /** The bins of a space. */
 export type Bins = Pick<Decoded, 'thetas' | 'H' | 'open'>;
 
+/** For each bin, the bins that are added up from, to (exclusive), and what a certain reward leaves in them; (H,). */
+export interface Windows {
+  from: Int32Array;
+  to: Int32Array;
+  whole: Float64Array;
+}
+
 /** An artefact that is switched on and off. */
 export interface Switch {
   label: string;
@@ -470,6 +477,9 @@ export interface Scene {
   /** Ranges of theta, of rows of gamma-space and of rows of tau-space that are shown. */
   zoom: { theta?: Range; gamma?: Range; tau?: Range };
   camera: Camera;
+  /** Whether all of theta is drawn before anybody zooms, or only where rewards are; and where they have been. */
+  wide: boolean;
+  reached?: Range;
   /** A rectangle that is being drawn, in pixels. */
   band?: { panel: Panel; from: number[]; to: number[] };
   world?: WorldPanel;
@@ -483,6 +493,9 @@ export type ModelAndState = Pick<Scene, 'model' | 'state'>;
 /** A picture of the lens. */
 export interface Panel {
   name: string;
+  title: string;
+  /** What it shows, in two lines, and the formula. */
+  why: [string, string];
   /** Of a space, what its rows are. */
   rows?: 'gamma' | 'tau';
   draw(pen: Pen, w: number, h: number, scene: Scene): Scale;
@@ -543,6 +556,10 @@ export interface Told {
   rule?: string | null;
   lead?: { id: string; step: number } | null;
   followed?: Followed | null;
+  /** Whether the action of the pictures is the one that was taken, as long as nobody chooses another. */
+  follows?: boolean;
+  /** The guided story, and which of its steps is shown; none where a page has none. */
+  story?: { at: number; steps: { name: string; words: string; href: string; panel: string }[] } | null;
   plotly?: string;
   /** Whether a server listens. */
   live?: boolean;
@@ -563,11 +580,16 @@ export interface Released {
   pin?: boolean;
   /** Another solver. */
   solver?: string;
+  /** A step of the story; 0 ends it. */
+  story?: number;
+  /** The action that was taken is to be shown again. */
+  follow?: boolean;
 }
 
 /** What a control asks for: a change of the state, or a word. */
 export type Wish = (
-  change: (Partial<State> & { preset?: Preset }) | 'play' | 'seed' | 'undo' | 'redo' | 'reset' | 'pin',
+  change:
+    (Partial<State> & { preset?: Preset }) | 'play' | 'seed' | 'undo' | 'redo' | 'reset' | 'pin' | 'follow' | 'wide',
   released?: boolean,
 ) => void;
 

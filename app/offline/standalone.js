@@ -1275,7 +1275,7 @@ var near1 = {
 var SLIDERS = [
   [
     "alpha",
-    "α",
+    "regularisation α",
     "",
     "Regularisation of the inverse. What of the singular values comes back: s²/(s²+α²).",
     logarithmic(1e-9, 10)
@@ -1324,9 +1324,16 @@ var SLIDERS = [
     withZero(logarithmic(1e-7, 0.1, 6))
   ]
 ];
-function sliders(model, base, wish) {
-  const box = element("div", { class: "sliders" }), shown = {};
+var LEADING = ["alpha", "horizon"];
+var MOST_TURNS = 3;
+var ALPHAS = (
+  /** @type {Places} */
+  SLIDERS[0][4]
+);
+function sliders(model, base, wish, leading) {
+  const box = element("div", { class: leading ? "sliders leading" : "sliders" }), shown = {};
   for (const [name, label, unit, help, made] of SLIDERS) {
+    if (LEADING.includes(name) !== leading) continue;
     const scale = typeof made === "function" ? made(model, base) : made;
     if (!scale) continue;
     const output = element("output", {}), input = element("input", {
@@ -1379,6 +1386,38 @@ function sliders(model, base, wish) {
     };
   }
   return { box, sync: (state, rule) => Object.values(shown).forEach((show) => show(state, rule)) };
+}
+function turnsStrip({ header: { actions } }, wish) {
+  const strip = element("div", { class: "strip", "aria-hidden": "true" }), words = element("span", { class: "group" }), box = element("div", { class: "turns" }, strip, words);
+  return {
+    box,
+    show(turns) {
+      if (!turns) {
+        box.classList.add("old");
+        return;
+      }
+      box.classList.remove("old");
+      strip.replaceChildren(
+        ...turns.map(({ from, action }, i) => {
+          const to = turns[i + 1]?.from ?? ALPHAS.count;
+          return element("i", { style: `flex: ${to - from || 1}; background: ${actionColour(action)}` });
+        })
+      );
+      const found = turns.slice(1), button = ({ from, action }) => element(
+        "button",
+        {
+          type: "button",
+          class: "tool",
+          title: `from there on ${actions[action]} is chosen`,
+          onclick: () => wish({ alpha: ALPHAS.at(from) }, true)
+        },
+        short(ALPHAS.at(from))
+      );
+      words.replaceChildren(
+        ...found.length ? ["choice turns at α =", ...found.slice(-MOST_TURNS).map(button)] : [`${actions[turns[0].action]} is chosen at every α`]
+      );
+    }
+  };
 }
 function switchboard(model, wish) {
   const box = element("div", { class: "switches", role: "group", "aria-label": "artefacts" }), shown = {};
@@ -1478,12 +1517,17 @@ function toolbar(model, wish, told) {
     },
     { title: "the address bar is a link to exactly this view" }
   );
+  const wide = button("chip", "all θ", () => wish("wide", true), {
+    title: "draw all sensitivities, not only those where rewards are"
+  }), taken = button("chip", "action taken", () => wish("follow", true), {
+    title: "look at the action that was taken at each step of the episode"
+  });
   const group = (name, ...parts) => element("span", { class: "group", role: "group", "aria-label": name }, ...parts);
   const box = element(
     "div",
     { class: "toolbar" },
-    group("action", ...chips),
-    group("drawing", ...looks),
+    group("action", ...chips, taken),
+    group("drawing", ...looks, wide),
     rows,
     ...model.arrays.places && told.live ? [added] : [],
     group("history", undo, redo, reset),
@@ -1491,7 +1535,10 @@ function toolbar(model, wish, told) {
   );
   return {
     box,
-    sync(state, history, { pinned }) {
+    sync(state, history, { pinned, followed, follows }, isWide) {
+      wide.setAttribute("aria-pressed", String(isWide));
+      taken.hidden = !followed;
+      taken.setAttribute("aria-pressed", String(Boolean(follows)));
       chips.forEach((chip, a) => chip.setAttribute("aria-pressed", String(a === state.action)));
       looks.forEach((chip) => chip.setAttribute("aria-pressed", String(chip.textContent === state.look)));
       rows.value = state.normalise;
@@ -1716,6 +1763,23 @@ async function svgOf(lens2) {
   return `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${WIDE} ${high}" width="${WIDE}" height="${high}"><rect width="100%" height="100%" fill="${colours.paper}"/>${pen.parts.join("\n")}</svg>`;
 }
 var saveSvg = async (lens2) => save(await svgOf(lens2), `${nameOf(lens2)}.svg`, "image/svg+xml");
+function savePanel(lens2, each, format) {
+  const { colours } = lens2.scene, canvas = document.createElement("canvas"), name = `${nameOf(lens2)}_${each.panel.name}`, { w, h } = SIZE;
+  if (format === "svg") {
+    const pen = svgPen(colours.font, canvasPen(contextOf(canvas), colours.font).width);
+    lens2.drawOne(pen, each, w, h);
+    const content = `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${w} ${h}" width="${w}" height="${h}"><rect width="100%" height="100%" fill="${colours.paper}"/>${pen.parts.join("\n")}</svg>`;
+    save(content, `${name}.svg`, "image/svg+xml");
+    return;
+  }
+  Object.assign(canvas, { width: 2 * w, height: 2 * h });
+  const context = contextOf(canvas);
+  context.scale(2, 2);
+  context.fillStyle = colours.paper;
+  context.fillRect(0, 0, w, h);
+  lens2.drawOne(canvasPen(context, colours.font), each, w, h);
+  canvas.toBlob((blob) => blob && save(blob, `${name}.png`));
+}
 function csvOf({ scene }) {
   const { model, seen, state } = scene, simulated = simulatedFor(scene), far = simulated && distancesOf(scene);
   const came = (tau) => simulated && far ? [...["reward", "rewardError", "survival", "survivalError"].map((name) => simulated[name][tau]), far[tau]] : [];
@@ -1870,7 +1934,154 @@ function listen(canvas, panel, scene, draw) {
   canvas.ondblclick = all;
 }
 
+// app/js/lens/help.js
+var WORLD = {
+  name: "world",
+  title: "World",
+  why: [
+    "The states and actions of the world; numbers are rewards. The state and the action that are looked at are lit up. Click a state to look from there.",
+    "P(s′, r | s, a)"
+  ]
+};
+function framed({ name, title, why: [words, formula] }, picture, files) {
+  const help = element(
+    "details",
+    { class: "help" },
+    element("summary", { "aria-label": `what ${title} shows`, title: `what ${title} shows` }, "?"),
+    element(
+      "div",
+      { tabindex: -1 },
+      // a click on its words leaves it open
+      element("p", {}, words),
+      element("code", {}, formula),
+      element(
+        "span",
+        { class: "group" },
+        "Save this picture",
+        ...files.map(
+          ([format, save2]) => element(
+            "button",
+            { type: "button", class: "tool", "aria-label": `save ${title} as ${format}`, onclick: save2 },
+            format
+          )
+        )
+      )
+    )
+  );
+  help.onkeydown = (event) => {
+    if (event.key !== "Escape" || !help.open) return;
+    help.open = false;
+    help.querySelector("summary")?.focus();
+  };
+  help.addEventListener("focusout", ({ relatedTarget }) => {
+    if (!(relatedTarget instanceof Node && help.contains(relatedTarget))) help.open = false;
+  });
+  return element("div", { class: `picture of-${name}` }, element("h3", { class: "unseen" }, title), picture, help);
+}
+
+// app/js/core/reading.js
+var REACH = 2;
+var SHOWN = 0.02;
+function windowsOf({ arrays, cache, truth }, state, { thetas, H, open: open2 }) {
+  const { places } = arrays;
+  if (!truth && !places) return null;
+  return remember(cache, "windows", [state.slope, state.slope_share, thetas[0], H], () => {
+    let x = thetas.map((theta) => theta * state.slope);
+    if (places) {
+      const last = places.length - 1, padded = open2 ? [2 * places[0] - places[1], ...places, 2 * places[last] - places[last - 1]] : [...places];
+      x = Float64Array.from(padded, (place2) => place2 * state.slope_share);
+    }
+    const middle = Float64Array.from({ length: H }, (_, h) => (x[h] + x[h + 1]) / 2), from = new Int32Array(H), to = new Int32Array(H), whole = new Float64Array(H);
+    for (let h = 0, low = 0, high = 0; h < H; h++) {
+      while (middle[h] - middle[low] > REACH) low++;
+      while (high < H && middle[high] - middle[h] <= REACH) high++;
+      [from[h], to[h]] = [low, high];
+      whole[h] = 2 * sigmoid(Math.max(middle[h] - x[low], x[high] - middle[h])) - 1;
+    }
+    return { from, to, whole };
+  });
+}
+function onScale(rows, H, windows) {
+  if (!windows) return rows;
+  const { from, to, whole } = windows, out = new Float64Array(rows.length), sums = new Float64Array(H + 1);
+  for (let start = 0; start < rows.length; start += H) {
+    for (let h = 0; h < H; h++) sums[h + 1] = sums[h] + rows[start + h];
+    for (let h = 0; h < H; h++) out[start + h] = (sums[to[h]] - sums[from[h]]) / whole[h];
+  }
+  return out;
+}
+function rewardRange({ A, cache }, { thetas, H, masses: masses2, grid, map }) {
+  const kinds = Object.values(grid.columns).filter(Boolean);
+  return remember(cache, "reward range", [thetas[0], H, thetas[H], masses2?.[0], map?.[0], grid.name], () => {
+    const held = new Float64Array(H);
+    for (const { values, width } of kinds) {
+      const all = Float64Array.from({ length: width }, (_, v) => {
+        let most = 0;
+        for (let a = 0; a < A; a++)
+          for (let i = v; i < values[a].length; i += width) most = Math.max(most, Math.abs(values[a][i]));
+        return most;
+      });
+      const least2 = 1e-9 * Math.max(...all);
+      all.forEach((most, v) => {
+        if (!masses2) held[v] = Math.max(held[v], most);
+        else if (most > least2) for (let h = 0; h < H; h++) held[h] = Math.max(held[h], masses2[v * H + h]);
+      });
+    }
+    const least = SHOWN * Math.max(...held), first = held.findIndex((value) => value > least), last = held.findLastIndex((value) => value > least);
+    if (first < 0) return [thetas[0], thetas[H]];
+    const margin = Math.max(2, Math.ceil(0.08 * (last - first + 1)));
+    return [thetas[Math.max(0, first - margin)], thetas[Math.min(H, last + 1 + margin)]];
+  });
+}
+function bandsOf(model, state, seen) {
+  if (!(state.noise > 0) || state.normalise !== "none" || state.shift) return null;
+  if (seen.grid.reduced || model.arrays.decoded) return null;
+  const { grid, midpoints, H, open: open2, inverse, n, columns, map, truth } = seen, { G, Ut, r, gammas } = grid;
+  let gain = midpoints[0] ** 2;
+  for (let h = 1; h < H; h++) gain += (midpoints[h] - midpoints[h - 1]) ** 2;
+  if (!open2) gain += midpoints[H - 1] ** 2;
+  const D = inverse.decode(
+    Ut.map((value, i) => value * state.noise / (1 - gammas[i % G])),
+    G
+  );
+  const noise = Float64Array.from(
+    { length: n },
+    (_, k) => Math.sqrt(gain) * Math.hypot(...D.subarray(k * G, (k + 1) * G))
+  );
+  if (!truth) return { noise, bias: null };
+  const means = map ? product(map, midpoints, columns.width, H, 1) : midpoints, clean = inverse.decode(product(columns.projected[state.action], means, r, columns.width, 1), 1), true_ = truth.rewards[state.action];
+  return { noise, bias: clean.map((value, k) => value - true_[k]) };
+}
+var COARSE = 10;
+function* turnsOf(model, state, { count, at }) {
+  const known = /* @__PURE__ */ new Map();
+  function* chosen(place2) {
+    if (!known.has(place2)) {
+      known.set(place2, see(model, { ...state, alpha: at(place2) }, 0).chosen);
+      yield;
+    }
+    return known.get(place2);
+  }
+  const found = [{ from: 0, action: yield* chosen(0) }];
+  for (let low = 0; low < count; low += COARSE) {
+    const high = Math.min(count, low + COARSE), last = yield* chosen(high);
+    let before = low;
+    while ((yield* chosen(before)) !== last) {
+      let after = high;
+      while (after - before > 1) {
+        const middle = before + after >> 1;
+        if ((yield* chosen(middle)) === (yield* chosen(before))) before = middle;
+        else after = middle;
+      }
+      found.push({ from: after, action: yield* chosen(after) });
+      before = after;
+    }
+  }
+  return found;
+}
+
 // app/js/draw/frame.js
+var HELP = 22;
 var GHOST = { width: 1.2, dash: [7, 3] };
 var inside = (w, h, { left = 46, right = 10, top: top2 = 28, bottom = 34 } = {}) => ({
   x: left,
@@ -1879,12 +2090,16 @@ var inside = (w, h, { left = 46, right = 10, top: top2 = 28, bottom = 34 } = {})
   h: h - top2 - bottom
 });
 function titled(pen, w, words, note, { colours }, under = true) {
-  const full = pen.width(words, 14, 600), size = 14 * Math.min(1, (w - 4) / full);
+  const end = w - HELP, full = pen.width(words, 14, 600), size = 14 * Math.min(1, (end - 4) / full);
   pen.text(words, 2, 15, { size, weight: 600, colour: colours.text });
   if (!note) return;
-  const beside = full + pen.width(note, 11) + 14 < w;
+  const beside = full + pen.width(note, 11) + 14 < end;
   if (beside || under && pen.width(note, 10.5) < w - 50)
-    pen.text(note, w - 4, beside ? 15 : 26, { size: beside ? 11 : 10.5, align: "right", colour: colours.soft });
+    pen.text(note, beside ? end - 4 : w - 4, beside ? 15 : 26, {
+      size: beside ? 11 : 10.5,
+      align: "right",
+      colour: colours.soft
+    });
 }
 function marked(pen, { box, X, Y }, { x, y }, colours) {
   const across = x === void 0 ? NaN : X(x), up = y === void 0 ? NaN : Y(y), lines = [];
@@ -1911,6 +2126,14 @@ var disc = (x, y, r) => Array.from({ length: 13 }, (_, i) => [x + r * Math.cos(i
 var TRUTH = { stroke: "#ffffff", width: 1.5 };
 var HALO = { stroke: "#111111", width: 3.5 };
 var thetaRange = ({ thetas }) => [thetas[0], thetas[thetas.length - 1]];
+function drawnRange(scene) {
+  const { model, seen, wide, reached } = scene;
+  if (wide) return thetaRange(seen);
+  const found = rewardRange(model, seen);
+  if (model.truth) return found;
+  const [low, high] = reached ?? found;
+  return scene.reached = [Math.min(low, found[0]), Math.max(high, found[1])];
+}
 function trueRow({ model, seen }, a, k) {
   if (!seen.truth) return simulatedRow(model, a, k);
   const { masses: masses2, H } = seen, chances = seen.truth.chances[a], V = model.arrays.rewards.length;
@@ -1923,14 +2146,28 @@ function trueRow({ model, seen }, a, k) {
   }
   return row;
 }
+function drawnTau({ model, state, seen, images }) {
+  if (images.drawnFor !== seen) {
+    const windows = windowsOf(model, state, seen), values = onScale(seen.tau, seen.H, windows);
+    Object.assign(images, {
+      windows,
+      drawn: model.dt === 1 ? values : values.map((value) => value / model.dt),
+      drawnFor: seen
+    });
+  }
+  return images.drawn;
+}
 var limitOfTau = (scene) => {
-  const { model, seen, images } = scene;
-  if (!seen.truth) return top(seen.tau.map(Math.abs)) / model.dt || 1;
+  const { model, seen, images } = scene, values = drawnTau(scene);
+  if (!seen.truth) return top(values.map(Math.abs)) || 1;
   if (images.limitFor !== seen.masses) {
     let limit = 0;
     for (let a = 0; a < model.A; a++)
-      for (let k = 0; k < model.K; k++) limit = Math.max(limit, top(trueRow(scene, a, k) ?? []));
-    Object.assign(images, { limitFor: seen.masses, limit: limit || 1 });
+      for (let k = 0; k < model.K; k++) {
+        const row = trueRow(scene, a, k);
+        if (row) limit = Math.max(limit, top(onScale(row, seen.H, images.windows)));
+      }
+    Object.assign(images, { limitFor: seen.masses, limit: limit > 0.9 ? 1 : limit || 1 });
   }
   return images.limit;
 };
@@ -1941,7 +2178,7 @@ function drawSpace(pen, w, h, scene, { values, n, rows, limit, title, note, yTit
     images[`${image} of`] = version;
   }
   titled(pen, w, title, note, scene);
-  const x = zoom.theta ?? thetaRange(seen), y = zoom[image] ?? [-0.5, rows - 0.5];
+  const x = zoom.theta ?? drawnRange(scene), y = zoom[image] ?? [-0.5, rows - 0.5];
   const scale = axes(pen, box, {
     x,
     y,
@@ -1981,6 +2218,11 @@ function missed({ model, seen, state, images }) {
 }
 var gammaPanel = {
   name: "gamma-space",
+  title: "Gamma-space",
+  why: [
+    "What is learned: for each discount γ, how much future reward of each size θ there is, nearer steps counting more.",
+    "Z(γ, θ) = Σ_τ γ^τ P(r_τ ≈ θ)"
+  ],
   rows: "gamma",
   draw(pen, w, h, scene) {
     const { seen, state, hover, colours, images } = scene;
@@ -2007,7 +2249,7 @@ var gammaPanel = {
       rows: G,
       limit,
       labels: gammas,
-      title: "gamma-space",
+      title: "Gamma-space",
       yTitle: "discount γ",
       margin,
       image: "gamma",
@@ -2069,10 +2311,14 @@ function outline(scene) {
 }
 var tauPanel = {
   name: "tau-space",
+  title: "Tau-space",
+  why: [
+    "How likely each reward θ is at each future step τ, decoded from gamma-space. A certain reward reads as 1; red is below 0.",
+    "P = V diag(s / (s² + α²)) Uᵀ Z, with γ^τ = U diag(s) Vᵀ; summed over θ ± 2 / slope"
+  ],
   rows: "tau",
   draw(pen, w, h, scene) {
-    const { model, seen, hover, colours, images, resolution: resolution2 } = scene, limit = limitOfTau(scene);
-    const values = model.dt === 1 ? seen.tau : seen.tau.map((value) => value / model.dt), { K, dt } = model;
+    const { model, seen, hover, colours, images, resolution: resolution2 } = scene, limit = limitOfTau(scene), values = drawnTau(scene), { K, dt } = model;
     const labels = Float64Array.from({ length: K }, (_, k) => k * dt), { theta, tau } = hover, cell = theta !== void 0 && tau !== void 0 && tau < seen.n;
     const simulated = simulatedFor(scene), far = simulated && cell ? distancesOf(scene)[tau * dt] : NaN, aside = simulated ? 42 : 0;
     const scale = drawSpace(pen, w, h, scene, {
@@ -2081,12 +2327,12 @@ var tauPanel = {
       rows: K,
       limit,
       labels,
-      title: "tau-space",
+      title: "Tau-space",
       yTitle: "future step τ",
       margin: { right: 84 + aside },
       image: "tau",
       version: seen.tau,
-      note: cell ? `θ ${rewardWords(seen, theta)} · τ ${short(tau * dt)} · p ` + short(seen.tau[tau * seen.H + columnAt(seen, theta)] / dt) + (Number.isFinite(far) ? ` · W1 ${short(far)}` : "") : simulated ? `outlined: ${simulated.count} continuations` : scene.followed ? "white: observed" : "probability"
+      note: cell ? `θ ${rewardWords(seen, theta)} · τ ${short(tau * dt)} · P ` + short(values[tau * seen.H + columnAt(seen, theta)]) + (Number.isFinite(far) ? ` · W1 ${short(far)}` : "") : simulated ? `outlined: ${simulated.count} continuations` : scene.followed ? "white: observed" : seen.truth ? "probability; white boxes: the truth" : "probability"
     });
     const { box, X, Y } = scale;
     if (seen.truth ? seen.masses : simulated) {
@@ -2199,6 +2445,11 @@ function legendOf(pen, { model, seen, state }, w) {
 }
 var valuesPanel = {
   name: "values",
+  title: "Values over T",
+  why: [
+    "The value of each action if the episode ended at T: expected rewards before T, added up. The strip compares the action that is chosen with the best one.",
+    "V_T(a) = Σ_{τ<T} γ^τ Σ_θ θ P_a(τ, θ)"
+  ],
   draw(pen, w, h, scene) {
     const { model, state, seen, hover, colours } = scene, { horizons, K, dt } = model, names = model.header.actions;
     const legend = legendOf(pen, scene, w), rows = Math.max(...legend.map(({ row }) => row));
@@ -2214,7 +2465,7 @@ var valuesPanel = {
     titled(
       pen,
       w,
-      "value of each action over T",
+      "Values over T",
       hover.tau !== void 0 ? leader2(model, seen, hover.tau) : [seen.truth && "dotted: true", scene.pinned && "dashed: A"].filter(Boolean).join(", "),
       scene,
       false
@@ -2436,6 +2687,11 @@ var effects = (model, state) => Object.fromEntries(
 // app/js/lens/panels.js
 var spectrumPanel = {
   name: "spectrum",
+  title: "Filter factors",
+  why: [
+    "The singular values of the transform. The bars are the share of each component that alpha keeps; the rest is dropped as noise.",
+    "f_i = s_i² / (s_i² + α²)"
+  ],
   draw(pen, w, h, scene) {
     const { model, state, seen, hover, colours } = scene, { s, r, free, U, V, G } = seen.grid, count = s.length, box = inside(w, h);
     const learned = (G - 1) / (model.header.added + 1) + 1;
@@ -2443,7 +2699,7 @@ var spectrumPanel = {
     titled(
       pen,
       w,
-      "what alpha lets through",
+      "Filter factors",
       `${passing + free} of ${r} pass${learned < G ? `, ${learned} learned` : ""}`,
       scene
     );
@@ -2497,13 +2753,18 @@ var spectrumPanel = {
 };
 var kernelPanel = {
   name: "kernel",
+  title: "Effective discounting",
+  why: [
+    "Grey: the weight that each future step should have in the value. Line: the weight that the inverse at this alpha really gives it.",
+    "w(τ) = Σ_γ c_γ γ^τ against γ^τ [τ < T]"
+  ],
   draw(pen, w, h, scene) {
     const { model, seen, hover, colours, kernel: kernel2 } = scene, { K, dt } = model, box = inside(w, h);
     const low = Math.min(0, ...kernel2.actual), high = Math.max(1, ...kernel2.actual);
     titled(
       pen,
       w,
-      "what the value weighs",
+      "Effective discounting",
       `noise gain ${short(kernel2.gain)}${scene.state.normalise === "none" ? "" : ", before rescaling"}`,
       scene
     );
@@ -2551,6 +2812,11 @@ var CAME = "rgba(138,143,152,0.55)";
 var cameNote = ({ model, state }, followed) => followed.action === state.action ? "grey: observed" : `grey: observed after ${model.header.actions[followed.action]}`;
 var rewardsPanel = {
   name: "rewards",
+  title: "Expected reward and survival",
+  why: [
+    "Above: the reward expected at each future step. Below: the chance that the episode goes on until then. With noise, the dark band is two standard deviations and the pale one adds the error of smoothing.",
+    "E[r_τ] = Σ_θ θ P(τ, θ) ± (2 σ_τ + |bias_τ|)"
+  ],
   draw(pen, w, h, scene) {
     const { model, state, seen, hover, colours } = scene, { K, dt } = model, a = state.action, box = inside(w, h);
     const upper = { ...box, h: box.h * 0.62 }, lower = { ...box, y: box.y + box.h * 0.74, h: box.h * 0.26 };
@@ -2558,12 +2824,13 @@ var rewardsPanel = {
     const ghost = scene.pinned && Array.from(scene.pinned.rewards[a], (value) => value / dt);
     const followed = simulatedFor(scene) ? null : scene.followed, came = followed ? followed.rewards.slice(0, Math.ceil(K * dt)) : [];
     const simulated = simulatedFor(scene), edges = (side) => simulated?.reward.map((value, k) => value + side * simulated.rewardError[k]) ?? [];
-    const all = [0, ...rewards, ...true_ ?? [], ...ghost ?? [], ...came, ...edges(2), ...edges(-2)];
+    const bands = bandsOf(model, state, seen), spread = (k) => bands ? (2 * bands.noise[k] + Math.abs(bands.bias?.[k] ?? 0)) / dt : 0, least = Math.max(...[...rewards, ...true_ ?? []].map(Math.abs)), banded = bands ? rewards.flatMap((value, k) => [-1, 1].map((side) => value + side * Math.min(spread(k), least))) : [];
+    const all = [0, ...rewards, ...true_ ?? [], ...ghost ?? [], ...came, ...banded, ...edges(2), ...edges(-2)];
     const low = Math.min(...all), high = Math.max(...all), x = [-0.5 * dt, (K - 0.5) * dt];
     titled(
       pen,
       w,
-      "expected reward and survival",
+      "Expected reward and survival",
       hover.tau !== void 0 && hover.tau < seen.n ? `τ ${short(hover.tau * dt)}: ${short(rewards[hover.tau])}, alive ${short(seen.survival[a][hover.tau] / dt)}` : impossible([seen.survival[a]], dt) ? "alive above 1: impossible" : seen.truth ? "grey: true" : simulated ? "red: simulated, ± 2 errors" : followed ? cameNote(scene, followed) : "",
       scene
     );
@@ -2605,6 +2872,14 @@ var rewardsPanel = {
           { fill: CAME, close: true }
         )
       );
+      const band = (width, fill) => {
+        const edge = (side) => rewards.slice(0, bands?.noise.length).map((value, k) => [xs[k], Y(value + side * width(k))]);
+        pen.path([...edge(1), ...edge(-1).reverse()], { fill, close: true });
+      };
+      if (bands) {
+        band(spread, `${actionColour(a)}2e`);
+        band((k) => 2 * bands.noise[k] / dt, `${actionColour(a)}52`);
+      }
       if (ghost) line(pen, xs, ghost.map(Y), { ...GHOST, stroke: actionColour(a) });
       if (simulated) drawSimulated(pen, simulated.reward, simulated.rewardError, scale);
       line(pen, xs, rewards.map(Y), { stroke: actionColour(a), width: 2.2 });
@@ -2654,13 +2929,18 @@ var rewardsPanel = {
 };
 var fitPanel = {
   name: "fit",
+  title: "Fit to gamma-space",
+  why: [
+    "Circles: the value that was learned at each discount. Line: the value that the decoded timeline gives back. Where they differ, alpha smooths too much.",
+    "(1 − γ) Q(γ) against (1 − γ) Σ_τ γ^τ E[r_τ]"
+  ],
   draw(pen, w, h, scene) {
     const { model, state, seen, hover, colours } = scene, { gammas, G } = seen.grid, { given, back } = fitOf(scene), box = inside(w, h);
     const times = gammas.map((gamma) => Math.log10(-1 / Math.log(gamma))), all = [0, ...given, ...back];
     titled(
       pen,
       w,
-      "does the timeline explain it?",
+      "Fit to gamma-space",
       hover.gamma === void 0 ? "value a step at each discount" : `γ ${short(gammas[hover.gamma])}: ${short(given[hover.gamma])}, from tau-space ${short(back[hover.gamma])}`,
       scene
     );
@@ -2718,6 +2998,54 @@ var panelsOf = ({ world, still }) => [
   kernelPanel,
   spectrumPanel
 ];
+var EXPLAINING = [kernelPanel, spectrumPanel];
+
+// app/js/lens/story.js
+function aboutWords({ model, state, seen }) {
+  const { header, simulated } = model, action = header.actions[state.action], place2 = header.state ? ` in ${header.state}` : " in this observation", outlined = seen.truth ? " White boxes are the truth." : simulated?.action === state.action ? ` White boxes are ${simulated.count} simulated continuations.` : "";
+  return `Tau-space of ${action}${place2}: how likely each reward (across) is at each future step (up), decoded from values at ${seen.grid.G} discounts.${outlined}`;
+}
+function storyline(report) {
+  const words = element("p", {}), steps = element("nav", { class: "steps", "aria-label": "guided story" }), box = element("div", { class: "about" }, steps, words);
+  let shown;
+  const linkTo = ({ href, name }, number, current) => element(
+    "a",
+    {
+      href,
+      target: "_self",
+      "aria-current": current ? "step" : void 0,
+      onclick: (event) => {
+        if (event.ctrlKey || event.metaKey || event.shiftKey) return;
+        event.preventDefault();
+        report({ story: number });
+      }
+    },
+    name
+  );
+  return {
+    box,
+    show({ story }, about) {
+      const key = story ? `${story.at} ${story.steps.map(({ href }) => href).join()}` : "";
+      if (key !== shown) {
+        shown = key;
+        box.classList.toggle("told", Boolean(story?.at));
+        const [first] = story?.steps ?? [];
+        steps.replaceChildren(
+          ...!story ? [] : story.at ? [
+            ...story.steps.map((step, i) => linkTo(step, i + 1, i + 1 === story.at)),
+            element(
+              "button",
+              { type: "button", class: "tool", onclick: () => report({ story: 0 }) },
+              "end the story"
+            )
+          ] : [linkTo({ ...first, name: "Guided story" }, 1, false)]
+        );
+      }
+      const text = story?.at ? story.steps[story.at - 1].words : about;
+      if (words.textContent !== text) words.textContent = text;
+    }
+  };
+}
 
 // app/js/draw/surface.js
 var MOST = 46;
@@ -2893,8 +3221,18 @@ function worldPanel(report) {
 var REST = 140;
 var PER_FRAME = 1e6;
 var AT_REST = 2e7;
+var SLICE = 8;
+var WHY = "laplace why";
+function remembered(value) {
+  try {
+    if (value !== void 0) localStorage.setItem(WHY, value);
+    return localStorage.getItem(WHY);
+  } catch {
+    return null;
+  }
+}
 var same = (a, b) => Object.keys(a).every((name) => name === "look" || name === "action" || a[name] === b?.[name]);
-function mount(root, model, told, report) {
+function mount(root, model, told, tell) {
   const host = element("div", { class: "laplace-lens" });
   const scene = (
     /** @type {Scene} */
@@ -2905,11 +3243,12 @@ function mount(root, model, told, report) {
       images: {},
       zoom: {},
       camera: { turn: -0.6, tilt: 0.75 },
+      wide: false,
       ...told.kept?.scene
     }
   );
   const history = { states: [told.state], at: 0 };
-  let { state } = told, seen, waiting, resting, later, playing, dragging = false, lastState, lastMost, sizedState, sizedModel, uncoloured = true;
+  let { state } = told, seen, waiting, resting, later, playing, dragging = false, lastState, lastMost, turning = 0, turnedFor = "", turnedModel, sizedState, sizedModel, uncoloured = true;
   root.replaceChildren(host);
   const saved = {
     scene,
@@ -2930,7 +3269,7 @@ function mount(root, model, told, report) {
   if (told.template) files.push(["HTML", () => saveHtml(saved)]);
   const sentence = element("p", {}), remedies = element("span", { class: "remedies" });
   const verdict = element("div", { class: "verdict" }, sentence, remedies), said = element("div", { class: "said", role: "status" });
-  const tools = toolbar(model, wish, told), handles = sliders(model, told.base, wish), board = switchboard(model, wish);
+  const tools = toolbar(model, wish, told), handles = [sliders(model, told.base, wish, true), sliders(model, told.base, wish, false)], turns = model.A > 1 ? turnsStrip(model, wish) : void 0, board = switchboard(model, wish), story = storyline((wanted) => report({ state, ...wanted }));
   saved.world = scene.world = told.world ? worldPanel((picked) => report({ state, picked })) : void 0;
   const panels = panelsOf(told).map((panel) => {
     const canvas = element("canvas", {
@@ -2943,10 +3282,54 @@ function mount(root, model, told, report) {
     return { panel, canvas };
   });
   saved.panels.push(...panels);
-  const still = told.still ? [element("img", { class: "world", src: told.still, alt: "the world as a graph" })] : [];
-  const first = scene.world ? [scene.world.box] : still;
-  const pictures = element("div", { class: "panels" }, ...first, ...panels.map(({ canvas }) => canvas));
-  host.append(verdict, tools.box, pictures, handles.box, board.box, footer(told.presets ?? [], files, wish), said);
+  const still = told.still ? element("img", { class: "world", src: told.still, alt: "the world as a graph" }) : void 0, first = scene.world?.box ?? still;
+  const frameOf = (each) => framed(each.panel, each.canvas, [
+    ["SVG", () => savePanel(saved, each, "svg")],
+    ["PNG", () => savePanel(saved, each, "png")]
+  ]);
+  const explains = ({ panel }) => EXPLAINING.includes(panel), leads = ({ panel }) => panel.rows === "tau", hero = element("div", { class: "hero" }, ...panels.filter(leads).map(frameOf), handles[0].box);
+  if (turns) handles[0].box.firstElementChild?.append(turns.box);
+  const pictures = element(
+    "div",
+    { class: "panels" },
+    hero,
+    ...first ? [framed(WORLD, first, [])] : [],
+    ...panels.filter((each) => !explains(each) && !leads(each)).map(frameOf)
+  );
+  const why = element(
+    "details",
+    { class: "why", open: remembered() === "open" },
+    element(
+      "summary",
+      {},
+      element("b", {}, "Why?"),
+      " What alpha keeps, what the value weighs, and each artefact as a switch"
+    ),
+    element("div", { class: "panels explaining" }, ...panels.filter(explains).map(frameOf)),
+    board.box
+  );
+  why.ontoggle = () => {
+    remembered(why.open ? "open" : "closed");
+    draw();
+  };
+  host.append(
+    story.box,
+    verdict,
+    tools.box,
+    pictures,
+    handles[1].box,
+    why,
+    footer(told.presets ?? [], files, wish),
+    said
+  );
+  followTaken();
+  function report(heard) {
+    tell(told.follows ? { ...heard, state: { ...heard.state, action: told.state.action } } : heard);
+  }
+  function followTaken() {
+    if (told.follows && told.followed && told.followed.action !== state.action)
+      state = { ...state, action: told.followed.action };
+  }
   function wish(change, released) {
     if (change === "play") {
       playing ? stop() : play();
@@ -2967,6 +3350,18 @@ function mount(root, model, told, report) {
     } else if (change === "pin") {
       report({ state, pin: !told.pinned });
       return;
+    } else if (change === "wide") {
+      scene.wide = !scene.wide;
+      delete scene.zoom.theta;
+    } else if (change === "follow") {
+      told = { ...told, follows: true };
+      followTaken();
+      report({ state, follow: true });
+    } else if (change.action !== void 0 && told.followed) {
+      told = { ...told, follows: false };
+      state = { ...state, ...change };
+      remember2(state);
+      report({ state, follow: false });
     } else if (change === "seed") set({ ...state, noise_seed: (state.noise_seed + 1) % 2 ** 31 }, true);
     else if (change === "reset") set({ ...told.base, action: state.action, look: state.look }, true);
     else set({ ...state, ...change }, released);
@@ -2989,7 +3384,7 @@ function mount(root, model, told, report) {
     history.states.splice(history.at + 1, Infinity, next);
     if (history.states.length > 200) history.states.shift();
     history.at = history.states.length - 1;
-    tools.sync(state, history, told);
+    tools.sync(state, history, told, scene.wide);
   }
   function sweepButton(sign) {
     const button = host.querySelector(".play");
@@ -3041,13 +3436,16 @@ function mount(root, model, told, report) {
   }
   function drawSolid(pen, panel, w, h) {
     const gamma = panel.rows === "gamma", { gammas, G } = seen.grid, n = gamma ? G : seen.n;
-    const values = gamma ? gammaSpace(seen, state) : seen.tau, top2 = (x) => x.reduce((a, b) => Math.max(a, b), 0) || 1;
+    const values = gamma ? gammaSpace(seen, state) : drawnTau(scene), top2 = (x) => x.reduce((a, b) => Math.max(a, b), 0) || 1;
     const every = Math.ceil(model.K / 46), floated = !gamma && (seen.truth ? seen.masses : simulatedFor(scene));
-    const truth = Array.from({ length: floated ? Math.ceil(model.K / every) : 0 }, (_, i) => [
-      model.K > 1 ? i * every / (model.K - 1) : 0.5,
-      trueRow(scene, state.action, i * every)?.map((value) => value * model.dt)
-    ]).filter(([, row]) => row);
-    pen.text(panel.name, 2, 15, { size: 14, weight: 600, colour: scene.colours.text });
+    const truth = Array.from({ length: floated ? Math.ceil(model.K / every) : 0 }, (_, i) => {
+      const row = trueRow(scene, state.action, i * every);
+      return [
+        model.K > 1 ? i * every / (model.K - 1) : 0.5,
+        row && onScale(row, seen.H, scene.images.windows ?? null)
+      ];
+    }).filter(([, row]) => row);
+    pen.text(panel.title, 2, 15, { size: 14, weight: 600, colour: scene.colours.text });
     drawSurface(
       pen,
       { x: 8, y: 20, w: w - 16, h: h - 30 },
@@ -3055,7 +3453,7 @@ function mount(root, model, told, report) {
         values,
         n,
         width: seen.H,
-        limit: gamma ? top2(values) : limitOfTau(scene) * model.dt,
+        limit: gamma ? top2(values) : limitOfTau(scene),
         titles: ["θ", gamma ? "γ" : "τ"],
         x: thetaTicks(seen, thetaRange(seen), 0.5 * w).map((theta) => [acrossOf(seen, theta) / seen.H, short(theta)]),
         y: gamma ? [gammas[0], gammas[n - 1]] : [0, (n - 1) * model.dt],
@@ -3107,9 +3505,15 @@ function mount(root, model, told, report) {
       const { canvas } = each, found = sheet(canvas, scene.colours.font);
       if (found) canvas.scale = drawOne(found.pen, each, found.width, found.height) ?? canvas.scale;
     }
-    handles.sync(state, told.rule);
+    for (const each of handles) each.sync(state, told.rule);
     board.sync(state);
-    tools.sync(state, history, told);
+    story.show(told, aboutWords(scene));
+    for (const box of pictures.querySelectorAll(".picture"))
+      box.classList.toggle(
+        "lit",
+        box.classList.contains(`of-${told.story?.at && told.story.steps[told.story.at - 1].panel}`)
+      );
+    tools.sync(state, history, told, scene.wide);
     judge();
   }
   function judge() {
@@ -3140,9 +3544,30 @@ function mount(root, model, told, report) {
     if (!seen.whole && lastMost < AT_REST) paint();
     if (sizedState !== state || sizedModel !== model) board.sizes(effects(model, state));
     [sizedState, sizedModel] = [state, model];
+    seekTurns();
     judge();
     for (const { panel, canvas } of panels) canvas.setAttribute("aria-label", panel.words(scene));
     if (said.textContent !== sentence.textContent) said.textContent = sentence.textContent;
+  }
+  function seekTurns() {
+    if (!turns) return;
+    turns.box.hidden = !model.header.follows;
+    if (turns.box.hidden) return;
+    const key = JSON.stringify({ ...state, alpha: 0, action: 0, look: "" });
+    if (key === turnedFor && turnedModel === model) return;
+    [turnedFor, turnedModel] = [key, model];
+    turns.show();
+    clearTimeout(turning);
+    const search = turnsOf(model, { ...state, action: 0 }, ALPHAS);
+    const on = () => {
+      const until = performance.now() + SLICE;
+      let step = search.next();
+      while (!step.done && performance.now() < until) step = search.next();
+      if (!host.isConnected) return;
+      if (step.done) turns.show(step.value);
+      else turning = window.setTimeout(on, 0);
+    };
+    on();
   }
   const recolour = () => {
     uncoloured = true;
@@ -3168,6 +3593,7 @@ function mount(root, model, told, report) {
         scene.pinnedOf = lastState = void 0;
       }
       told = { ...told, ...news };
+      followTaken();
       if (moved && JSON.stringify(told.state) !== JSON.stringify(state)) remember2(state = told.state);
       if (told.world) scene.world?.show(told.world);
       draw();
@@ -3191,6 +3617,7 @@ function mount(root, model, told, report) {
     // reported.
     leave() {
       clearTimeout(later);
+      clearTimeout(turning);
       cancelAnimationFrame(playing);
       const reported = history.states[history.at], changed = Object.entries(state).filter(([name, value]) => value !== reported[name]);
       const focus = controls().find((control) => control === document.activeElement);
@@ -3206,7 +3633,7 @@ function mount(root, model, told, report) {
 // app/js/lens/standalone.js
 function standalone(held) {
   const bytes = Uint8Array.from(atob(held.payload), (sign) => sign.charCodeAt(0));
-  const box = document.body.appendChild(element("div", {}));
+  const box = document.body.appendChild(element("div", { class: "laplace-lens-box" }));
   return mount(box, { ...read(bytes), id: "file" }, { ...held, payload: void 0 }, () => {
   });
 }

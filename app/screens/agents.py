@@ -102,13 +102,16 @@ def _view(loaded: Loaded, scene: Environment, rolling: Rolling | None) -> None:
     if not isinstance(loaded.agent, HasGammaSpace):
         peer.view(loaded, scene, rolled)
         return
-    rollout, observation, simulated, at = None, observation_of(scene, store.chosen()), None, 0
+    rollout, values, simulated, at = None, dict(store.chosen()), None, 0
+    observation, follows = observation_of(scene, values), rolled is not None and "action" not in values
     if rolled is not None:
-        rollout, at = rolled.rollout, rollouts.step_of(store.chosen(), rolled.rollout)
+        rollout, at = rolled.rollout, rollouts.step_of(values, rolled.rollout)
         observation = rollouts.observation_at(rollout, at)
+        if follows:
+            values["action"] = scene.actions[rollout.actions[at]]
     above = st.container()
     try:
-        view = view_of(loaded, scene, store.chosen(), observation)
+        view = view_of(loaded, scene, values, observation)
         base = view_of(loaded, scene, store.without(*LIVE), observation)
         compute.study_for(view)
     except InputError as error:
@@ -120,7 +123,7 @@ def _view(loaded: Loaded, scene: Environment, rolling: Rolling | None) -> None:
         with above:
             rollout_form.show(rolled, scene, view)
             simulated = truth.ask(view, loaded, rollout, at)
-    panels.pictures(view, base, lead=lead, followed=followed, simulated=simulated)
+    panels.pictures(view, base, lead=lead, followed=followed, simulated=simulated, follows=follows)
     if rollout is not None:
         truth.section(view, loaded, rollout, at)
     name, alpha = view.subject.action_names[view.action], compute.study_for(view).settings.alpha

@@ -8,7 +8,7 @@ from app.components.waiting import turn
 from app.session import store
 from app.session.typed import in_markdown
 from app.view import compute, panels
-from app.worlds import bring, compare, export, learners, learning, sidebar, sources
+from app.worlds import bring, compare, export, learners, learning, sidebar, sources, story
 from app.worlds.presets import presets_for
 from app.worlds.schema import LINK
 from laplace_core import InputError
@@ -64,7 +64,8 @@ def _pictures(view: View, base: View, watched: learners.Watched | None) -> bool:
     store.worked()
     learning.strip(view, watched)
     presets = presets_for(view) if view.world is not None else ()
-    panels.pictures(view, base, presets=presets, pin=compare.pinning(view))
+    told = story.story(store.chosen())
+    panels.pictures(view, base, presets=presets, pin=compare.pinning(view), story=told, on_story=story.show)
     panels.artefacts(view)
     learning.pictures(view)
     export.footer(view)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from html import escape
 from typing import Any
@@ -50,7 +50,8 @@ class _Search:
 def pictures(
     view: View, base: View, *, presets: Sequence[Preset] = (), pin: Pin | None = None,
     lead: Mapping[str, Any] | None = None, followed: Mapping[str, Any] | None = None,
-    simulated: Simulated | None = None,
+    simulated: Simulated | None = None, follows: bool = False, story: Mapping[str, Any] | None = None,
+    on_story: Callable[[int], None] = lambda step: None,
 ) -> None:  # fmt: skip
     """Draw the lens; what is let go of in it is set by hand.
 
@@ -59,12 +60,16 @@ def pictures(
         presets, pin: views that are one click away, and the one that is pinned.
         lead, followed: the episode that the lens follows, and what was observed; see :func:`app.components.lens.lens`.
         simulated: what continuations from there came to.
+        follows: whether the action of the view is the one that was taken, and not one that was chosen.
+        story, on_story: the guided story, and what shows another step of it.
     """
     look = str(store.chosen().get("look", "heatmap"))
     horizon, added = compute.horizon_of(view), view.subject.added
     settings = compute.study_for(view).settings  # with the alpha of the rule
     solver.shows(settings)
-    shown = state_of(settings, horizon, action=view.action, look=look, added=added)
+    # An action that follows the episode is none of the state: with every step the state would be another one.
+    action = 0 if follows else view.action
+    shown = state_of(settings, horizon, action=action, look=look, added=added)
     search = session.part(_Search)
     search.alone = crowd.alone()
     search.explained = explained = compute.is_explained(view, alone=search.alone)
@@ -76,6 +81,9 @@ def pictures(
             store.replace_all({**next(each.values for each in presets if each.name == released.preset), **look})
             store.refresh_sidebar()
             return
+        if released.story is not None:
+            on_story(released.story)
+            return
         study = compute.study_for(view)  # looked up, for the session holds this function: no arrays may hang on it
         changes = values_of(checked(released.state, study), shown, study.action_names)
         if "selector" in changes:  # alpha was dragged
@@ -84,6 +92,9 @@ def pictures(
             store.refresh_sidebar()
         for name, value in changes.items():
             store.choose(name, value)
+        if released.follow is not None:
+            taken = int(checked(released.state, study)["action"])
+            store.choose("action", None if released.follow else study.action_names[taken])
         if "policy" in changes:  # which the sidebar shows, too
             store.refresh_sidebar()
         if released.remedy is not None and released.remedy < len(judged.remedies):
@@ -112,6 +123,8 @@ def pictures(
         pin=None if view.world is None else pin,
         lead=lead,
         followed=followed,
+        follows=follows,
+        story=story,
     )
 
 

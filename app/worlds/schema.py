@@ -9,6 +9,7 @@ from dataclasses import replace
 from app.catalogue import tabular
 from app.worlds import sources
 from app.worlds.sources import LEARN
+from app.worlds.story import STORY
 from laplace_core import InputError, Settings, World
 from laplace_core.exchange.links import Check, Entries, Schema, Values, by_name, check_of
 from laplace_core.files.packed_text import unpack
@@ -41,6 +42,7 @@ VIEW = (
     Parameter("run", None, help="The run of learning that is looked at.", kind=str),
     Parameter("learner", "mean", help="The learner shown, or the mean of all.", choices=("mean", *"01234567")),
     Parameter("edit", "no", help="Whether the world is open as a table.", choices=("no", "yes")),
+    STORY,
 )
 """How it is looked at, beside the settings of the study."""
 

@@ -48,7 +48,7 @@ def world_graph(world: World, state: int, action: int, policy: np.ndarray) -> Fi
     corners = [*places.values(), *_ends_of(edges)]
     (x_low, y_low), (x_high, y_high) = np.min(corners, axis=0), np.max(corners, axis=0)
     return build(
-        "world" if not hidden else f"world ({hidden:,} states further off not drawn)",
+        "World" if not hidden else f"World ({hidden:,} states further off not drawn)",
         [*edges, *_nodes(world, drawn, places, state, action=action, gridded=gridded)],
         margin={"l": 6, "r": 6, "t": 30, "b": 6},
         showlegend=False,

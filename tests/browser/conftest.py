@@ -59,6 +59,8 @@ def page(tab):
     tab.problems.clear()
     yield tab
     problems = list(tab.problems)
+    if tab.url.startswith("http"):
+        tab.evaluate("() => localStorage.clear()")  # what a page remembers of how it was left
     tab.goto("about:blank")  # what a page that is left no longer loads is no error of the next one
     tab.unroute_all()
     tab.set_viewport_size(SCREEN)

@@ -196,6 +196,14 @@ def open_at(page: Any, address: str, query: str = "") -> Any:
     return page.locator(".laplace-lens .verdict")
 
 
+def ask_why(page: Any) -> None:
+    """Open the part of the lens that explains the rest, if it is closed."""
+    summary = page.locator(".laplace-lens .why > summary")
+    if not summary.evaluate("(summary) => summary.parentElement.open"):
+        summary.click()
+    settled(page)
+
+
 def tau_space(page: Any) -> np.ndarray:
     """The decoded probabilities that the lens draws, ``(steps, sensitivities - 1)``."""
     handle = page.wait_for_function(  # a lens with another payload has yet to draw it

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import csv
 import io
+import re
 from pathlib import Path
 
 import numpy as np
 import pytest
+from playwright.sync_api import expect
 
 from laplace_core import GammaSpace, Settings
 from laplace_core.acting.flags import flag_steps
@@ -221,7 +223,8 @@ def test_sensitivities_that_are_close_together_can_be_told_apart(page, address):
     page.goto(f"{address}/agents?checkpoint=laplace_LunarLander-v3")
     canvas = page.locator("canvas.tau-space")
     canvas.wait_for()
-    page.wait_for_function("() => document.querySelector('canvas.tau-space').scale")
+    page.get_by_role("button", name="all θ").click()
+    settled(page)
     edges, back = page.evaluate(
         """() => { const { seen } = document.querySelector('.laplace-lens').lens, thetas = Array.from(seen.thetas);
         const { X, toX } = document.querySelector('canvas.tau-space').scale, edges = thetas.map(X);
@@ -259,3 +262,24 @@ def test_sensitivities_that_are_close_together_can_be_told_apart(page, address):
     page.mouse.up()
     page.wait_for_function(f"({shown})()[1] < {whole[1] - 1}")
     assert page.evaluate(shown)[0] == pytest.approx(whole[0])
+
+
+def test_the_lens_shows_the_action_taken_until_another_one_is_chosen(page, address):
+    rolled_out(page, address)
+    settled(page)
+    taken = page.get_by_role("button", name="action taken")
+    expect(taken).to_have_attribute("aria-pressed", "true")
+    page.get_by_role("button", name="show push left").or_(page.get_by_title("show push left")).click()
+    expect(page).to_have_url(re.compile("action=push(\\+|%20)left"))
+    expect(taken).to_have_attribute("aria-pressed", "false")
+    lens = "document.querySelector('.laplace-lens').lens"
+    actions = set()
+    for step in range(1, 12):
+        scrub(page, step)
+        settled(page)
+        assert page.evaluate(f"() => {lens}.state.action") == 0
+        actions.add(page.locator(".laplace-player .values tr.taken td").nth(1).inner_text())
+    assert len(actions) == 2  # the episode itself does both
+    taken.click()
+    expect(page).not_to_have_url(re.compile("action="))
+    expect(taken).to_have_attribute("aria-pressed", "true")

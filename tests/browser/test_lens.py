@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from playwright.sync_api import expect
 
-from tests.browser.support import grab, open_at, runs_asked, runs_of_demo, settled
+from tests.browser.support import ask_why, grab, open_at, runs_asked, runs_of_demo, settled
 from tests.support.lens_agreement import compared_in, fixture, network, payloads, random_cases
 
 pytestmark = pytest.mark.browser
@@ -43,6 +43,8 @@ def test_the_first_view_and_each_remedy_by_one_switch(page, demo):
     expect(verdict).to_have_class(re.compile("bad"))
     expect(verdict).to_contain_text("choose short (14.85 v 9.74)")
     switch = page.get_by_role("switch", name="row rescaling")
+    expect(switch).to_be_hidden()
+    ask_why(page)
     expect(switch).to_have_attribute("aria-checked", "true")
     expect(switch).to_contain_text("regret 0 → 4.8")
     switch.click()
@@ -126,6 +128,7 @@ def test_a_lens_put_back_shows_what_was_let_go_of(page, demo):
 
 def test_one_place_is_marked_in_every_picture(page, demo):
     open_lens(page, demo)
+    ask_why(page)
     before = {panel: picture(page, panel) for panel in ("gamma-space", "values", "kernel", "rewards", "spectrum")}
     page.locator("canvas.tau-space").hover(position={"x": 120, "y": 120})
     settled(page)
@@ -146,6 +149,8 @@ def test_by_keyboard_alone(page, demo):
     page.keyboard.press("ArrowUp")
     settled(page)
     assert "Step 1 is seen" in words(page, "tau-space")
+    page.locator(".why > summary").focus()
+    page.keyboard.press("Enter")
     page.get_by_role("switch", name="row rescaling").focus()
     page.keyboard.press("Space")
     expect(verdict).to_have_class(re.compile("ok"))
@@ -241,7 +246,7 @@ def test_files_to_take_along(page, demo, tmp_path):
     assert saved(page, "PNG", tmp_path / "lens.png").read_bytes().startswith(b"\x89PNG")
     drawing = ET.parse(saved(page, "SVG", tmp_path / "lens.svg")).getroot()
     texts = " ".join(node.text or "" for node in drawing.iter("{http://www.w3.org/2000/svg}text"))
-    assert "tau-space" in texts
+    assert "Tau-space" in texts
     assert "14.85" in texts
     head, names, *rows = saved(page, "CSV", tmp_path / "lens.csv").read_text().splitlines()
     assert '"normalise":"paper"' in head
@@ -259,6 +264,7 @@ def test_a_file_of_its_own_works_offline(page, demo, chromium, tmp_path):
     alone.goto(path.as_uri())
     verdict = alone.locator(".verdict")
     expect(verdict).to_contain_text("choose short (14.85 v 9.74)")
+    alone.get_by_text("Why?").click()
     alone.get_by_role("switch", name="row rescaling").click()
     expect(verdict).to_have_class(re.compile("ok"))
     alone.locator("input[name=alpha]").press("Home")
@@ -275,8 +281,10 @@ def test_nothing_is_wider_than_the_screen(page, demo, scheme, width, height):
     open_lens(page, demo, "world=discounting_chain&thetas=60")
     wide = "() => Math.max(...[...document.querySelectorAll('*')].map((x) => x.getBoundingClientRect().right))"
     assert page.evaluate(wide) <= width + 1
+    ask_why(page)
+    assert page.evaluate(wide) <= width + 1
     boxes = [page.locator("canvas").nth(i).bounding_box() for i in range(7)]
-    assert len({round(box["y"]) for box in boxes}) == (2 if width > 900 else 7)
+    assert len({round(box["y"]) for box in boxes}) == (3 if width > 900 else 7)
     assert all(box["x"] + box["width"] <= width + 1 for box in boxes)
     colour = page.locator(".laplace-lens").evaluate("(host) => getComputedStyle(host).color")
     assert (sum(map(int, re.findall(r"\d+", colour)[:3])) > 382) == (scheme == "dark")
@@ -284,9 +292,15 @@ def test_nothing_is_wider_than_the_screen(page, demo, scheme, width, height):
 
 def test_nothing_jumps(page, demo):
     open_lens(page, demo)
-    names = ["canvas.kernel", ".sliders", ".switches", ".footer"]
-    before = [page.locator(name).bounding_box()["y"] for name in names]
+    ask_why(page)
+    names = ["canvas.tau-space", "canvas.kernel", ".panels + .sliders", ".switches", ".footer"]
+
+    def places():  # within the lens: the page itself may be scrolled
+        top = page.locator(".laplace-lens").bounding_box()["y"]
+        return [page.locator(name).bounding_box()["y"] - top for name in names]
+
+    before = places()
     page.get_by_role("button", name="All repaired").click()
     page.locator("input[name=noise]").press("End")
     settled(page)
-    assert [page.locator(name).bounding_box()["y"] for name in names] == before
+    assert places() == before

@@ -10,7 +10,7 @@ import pytest
 from playwright.sync_api import expect
 
 from laplace_core.cli import main
-from tests.browser.support import comes_to_differ, module_of, open_at, runs_asked, settled, tau_space
+from tests.browser.support import ask_why, comes_to_differ, module_of, open_at, runs_asked, settled, tau_space
 
 pytestmark = pytest.mark.browser
 
@@ -83,7 +83,7 @@ def test_nothing_is_wider_than_the_screen_and_the_verdict_comes_first(page, addr
 
 def test_the_page_does_not_jump_between_verdicts(page, address):
     verdict = open_at(page, address)
-    places = [page.locator(f".laplace-lens {name}") for name in (".world", "canvas.kernel", ".sliders", ".footer")]
+    places = [page.locator(f".laplace-lens {name}") for name in (".world", "canvas.values", ".leading", ".footer")]
     before = [place.bounding_box()["y"] for place in places]
     page.get_by_role("button", name="Keep survival").first.click()
     expect(verdict).to_have_class(re.compile("ok"))
@@ -147,6 +147,7 @@ def test_a_browser_that_has_lost_the_payload_asks_for_it(page, address):
 def test_the_library_s_verdict_and_the_one_of_the_lens_begin_alike(page, address):
     verdict = open_at(page, address, "world=two_branch&normalise=paper")
     expect(verdict).to_contain_text("Cause: repeated reward")
+    ask_why(page)
     page.get_by_role("switch", name="index shifted").click()
     expect(page).to_have_url(re.compile("shift=true"))
     expect(verdict).to_contain_text("At T = 3 the decoded values choose")

@@ -1,6 +1,7 @@
 // The lens held against arrays of the library (tests/support/lens_agreement.py writes them). Knows neither page nor runner, so
 // that node and a browser compare in the same way.
 import { gammaSpace, kernel, resolution, see } from '../../app/js/core/maths.js';
+import { bandsOf } from '../../app/js/core/reading.js';
 import { read } from '../../app/js/core/model.js';
 import { distances, simulatedFor } from '../../app/js/lens/simulated.js';
 
@@ -21,6 +22,7 @@ export const doublesOf = (text) => new Float64Array(bytesOf(text).buffer);
 // Everything that the lens shows of a state, by the library's names; of arrays of arrays one after the other.
 function shownBy(model, state, tau) {
   const seen = see(model, state),
+    bands = bandsOf(model, state, seen),
     flat = (lines) => lines.flatMap((line) => Array.from(line));
   return {
     seen,
@@ -32,6 +34,7 @@ function shownBy(model, state, tau) {
       discount_kernel: kernel(model, state, seen).actual,
       averaging_kernel: resolution(model, state, seen, tau).kernel,
       differences: gammaSpace(seen, state),
+      ...(bands ? { reward_noise: bands.noise } : {}),
       ...(simulatedFor({ model, state }) ? { distance: distances(model, seen) } : {}),
     },
   };

@@ -31,7 +31,7 @@ ROUNDING = 1e-13
 _ROOT, _BARE = Path(__file__).resolve().parents[2], "http://lens.test/"
 COMPARED = (
     "tau_space", "survival", "expected_reward", "horizon_values", "discount_kernel", "averaging_kernel", "differences",
-    "distance",
+    "distance", "reward_noise",
 )  # fmt: skip
 
 

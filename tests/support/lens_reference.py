@@ -14,11 +14,12 @@ from laplace_core import GammaSpace, Study
 from laplace_core.code.encoding import reward_distance
 from laplace_core.code.gamma_space import encode, softened, with_noise
 from laplace_core.code.ties import greedy_action
-from laplace_core.inverse.solvers import selecting
+from laplace_core.inverse.bands import reward_gain
+from laplace_core.inverse.solvers import is_linear, selecting
 from laplace_core.payloads.lens import LEVELS
 from laplace_core.study.horizon import regret
 from laplace_core.study.kernels import averaging_kernel_of, discount_kernel_of
-from laplace_core.study.pipeline import read_study, rows_decoded
+from laplace_core.study.pipeline import decoder, read_study, rows_decoded
 from laplace_core.study.settings import Resolved
 
 
@@ -73,6 +74,11 @@ def seen(
     }
     if header.get("simulated", {}).get("action") == state["action"]:
         found["distance"] = _distance(arrays, found["tau_space"][state["action"]], space, settings.time_step)
+    linear_rows = state["normalise"] == "none" and not state["shift"] and is_linear(settings.solver)
+    if state["noise"] > 0 and linear_rows and "decoded" not in arrays:
+        matrix = decoder(space.gammas, settings, rows if state["fold"] else None)
+        deviations = state["noise"] / (1.0 - space.gammas)
+        found["reward_noise"] = reward_gain(space) * np.sqrt(matrix**2 @ deviations**2)
     if "optimum" in arrays:
         found["regret"] = regret(arrays["optimum"][:, [left]], np.array([found["chosen"]]))[0]
     return found

@@ -49,6 +49,8 @@ class Released:
         picked: a state clicked in the graph of the world.
         pin: whether the view is to be kept as A, or no longer.
         solver: another solver that was asked for.
+        story: a step of the guided story; 0 ends it.
+        follow: whether the action that was taken is to be shown at every step, or the one of ``state``.
     """
 
     state: dict[str, Any]
@@ -57,6 +59,8 @@ class Released:
     picked: int | None = None
     pin: bool | None = None
     solver: str | None = None
+    story: int | None = None
+    follow: bool | None = None
 
 
 @dataclass(frozen=True)
@@ -110,6 +114,8 @@ def lens(
     lead: Mapping[str, Any] | None = None,
     followed: Mapping[str, Any] | None = None,
     rule: str | None = None,
+    follows: bool = False,
+    story: Mapping[str, Any] | None = None,
 ) -> None:
     """Draw the lens; the state that is released has to pass through :func:`laplace_core.payloads.state.checked`.
 
@@ -126,6 +132,8 @@ def lens(
         lead: ``id`` and ``step`` of the episode whose player (:mod:`app.components.player`) the lens follows.
         followed: what was observed, to be drawn on the timeline; see :func:`laplace_core.trained.rollouts.followed`.
         rule: the title of the rule that chose alpha; None of an alpha that was set by hand.
+        follows: whether the action that is shown is the one that was taken, at every step.
+        story: the guided story, where the page has one: the step ``at`` that is shown, and all ``steps``.
     """
     widget, digest = f"lens {key}", messages.name_of(data)
     channel = session.channel(widget)
@@ -145,6 +153,8 @@ def lens(
         "lead": None if lead is None else dict(lead),
         "followed": None if followed is None else dict(followed),
         "rule": rule,
+        "follows": follows,
+        "story": None if story is None else dict(story),
         "plotly": assets.plotly_js(),
     }
 
@@ -164,8 +174,8 @@ def lens(
 def _released(answer: object, presets: Sequence[Preset]) -> Released:
     """What the browser says, which is not to be trusted: ``checked`` looks at the state value by value."""
     report = answer if isinstance(answer, Mapping) else {}
-    state, preset, pin, solver = (report.get(name) for name in ("state", "preset", "pin", "solver"))
-    remedy, picked = (_index(report.get(name)) for name in ("remedy", "picked"))
+    state, preset, pin, solver, follow = (report.get(name) for name in ("state", "preset", "pin", "solver", "follow"))
+    remedy, picked, story = (_index(report.get(name)) for name in ("remedy", "picked", "story"))
     return Released(
         dict(state) if isinstance(state, Mapping) else {},
         preset if preset in [each.name for each in presets] else None,
@@ -173,6 +183,8 @@ def _released(answer: object, presets: Sequence[Preset]) -> Released:
         picked,
         pin if isinstance(pin, bool) else None,
         solver if isinstance(solver, str) and solver in SOLVERS else None,
+        story,
+        follow if isinstance(follow, bool) else None,
     )
 
 

@@ -1,5 +1,6 @@
 // What the pictures of the lens have in common: their box, their title, the mark of what is pointed at.
 /** @import { Box, Colours, Model, Path, Pen, Scale, Scene } from '../types.js' */
+const HELP = 22; // pixels of the button beside a title
 export const GHOST = { width: 1.2, dash: [7, 3] }; // the view pinned as A
 
 /**
@@ -17,8 +18,8 @@ export const inside = (w, h, { left = 46, right = 10, top = 28, bottom = 34 } = 
 });
 
 /**
- * Writes a title and a note: beside it where there is room, else under it, where `under` says so. In a narrow picture
- * the title is smaller, and a note that would run into the labels of the axis is left out.
+ * Writes a title and a note: beside it where there is room, else under it, where `under` says so. The corner stays free
+ * for the button of the help. In a narrow picture the title is smaller, and a note that would run into the labels of the axis is left out.
  * @param {Pen} pen
  * @param {number} w - width of the picture
  * @param {string} words
@@ -28,13 +29,18 @@ export const inside = (w, h, { left = 46, right = 10, top = 28, bottom = 34 } = 
  * @returns {void}
  */
 export function titled(pen, w, words, note, { colours }, under = true) {
-  const full = pen.width(words, 14, 600),
-    size = 14 * Math.min(1, (w - 4) / full);
+  const end = w - HELP,
+    full = pen.width(words, 14, 600),
+    size = 14 * Math.min(1, (end - 4) / full);
   pen.text(words, 2, 15, { size, weight: 600, colour: colours.text });
   if (!note) return;
-  const beside = full + pen.width(note, 11) + 14 < w;
+  const beside = full + pen.width(note, 11) + 14 < end;
   if (beside || (under && pen.width(note, 10.5) < w - 50))
-    pen.text(note, w - 4, beside ? 15 : 26, { size: beside ? 11 : 10.5, align: 'right', colour: colours.soft });
+    pen.text(note, beside ? end - 4 : w - 4, beside ? 15 : 26, {
+      size: beside ? 11 : 10.5,
+      align: 'right',
+      colour: colours.soft,
+    });
 }
 
 /**

@@ -49,7 +49,7 @@ const near1 = {
 export const SLIDERS = [
   [
     'alpha',
-    'α',
+    'regularisation α',
     '',
     'Regularisation of the inverse. What of the singular values comes back: s²/(s²+α²).',
     logarithmic(1e-9, 10),
@@ -100,18 +100,26 @@ export const SLIDERS = [
   ],
 ];
 
+const LEADING = ['alpha', 'horizon']; // under tau-space; the others stand below all pictures
+const MOST_TURNS = 3; // that are named
+
+/** The places of the slider of alpha. */
+export const ALPHAS = /** @type {Places} */ (SLIDERS[0][4]);
+
 /**
  * The sliders of a model.
  * @param {Model} model
  * @param {State} base - the opening state
  * @param {Wish} wish
+ * @param {boolean} leading - whether those under tau-space are wanted, or the others
  * @returns {{ box: HTMLElement, sync: (state: State, rule?: string | null) => void }} `rule`: title of the rule that
  *   chose alpha
  */
-export function sliders(model, base, wish) {
-  const box = element('div', { class: 'sliders' }),
+export function sliders(model, base, wish, leading) {
+  const box = element('div', { class: leading ? 'sliders leading' : 'sliders' }),
     shown = {};
   for (const [name, label, unit, help, made] of SLIDERS) {
+    if (LEADING.includes(name) !== leading) continue;
     const scale = typeof made === 'function' ? made(model, base) : made;
     if (!scale) continue;
     const output = element('output', {}),
@@ -172,6 +180,52 @@ export function sliders(model, base, wish) {
     };
   }
   return { box, sync: (state, rule) => Object.values(shown).forEach((show) => show(state, rule)) };
+}
+
+/**
+ * Under the slider of alpha, the action that is chosen at each of its places, and the alphas where the choice turns.
+ * @param {Model} model
+ * @param {Wish} wish
+ * @returns {{ box: HTMLElement, show: (turns?: { from: number, action: number }[]) => void }} without turns it says that
+ *   they are being found
+ */
+export function turnsStrip({ header: { actions } }, wish) {
+  const strip = element('div', { class: 'strip', 'aria-hidden': 'true' }),
+    words = element('span', { class: 'group' }),
+    box = element('div', { class: 'turns' }, strip, words);
+  return {
+    box,
+    show(turns) {
+      if (!turns) {
+        box.classList.add('old');
+        return;
+      }
+      box.classList.remove('old');
+      strip.replaceChildren(
+        ...turns.map(({ from, action }, i) => {
+          const to = turns[i + 1]?.from ?? ALPHAS.count;
+          return element('i', { style: `flex: ${to - from || 1}; background: ${actionColour(action)}` });
+        }),
+      );
+      const found = turns.slice(1),
+        button = ({ from, action }) =>
+          element(
+            'button',
+            {
+              type: 'button',
+              class: 'tool',
+              title: `from there on ${actions[action]} is chosen`,
+              onclick: () => wish({ alpha: ALPHAS.at(from) }, true),
+            },
+            short(ALPHAS.at(from)),
+          );
+      words.replaceChildren(
+        ...(found.length
+          ? ['choice turns at α =', ...found.slice(-MOST_TURNS).map(button)]
+          : [`${actions[turns[0].action]} is chosen at every α`]),
+      );
+    },
+  };
 }
 
 /**
@@ -240,7 +294,8 @@ export function switchboard(model, wish) {
  * @param {Model} model
  * @param {Wish} wish
  * @param {Told} told
- * @returns {{ box: HTMLElement, sync: (state: State, history: { states: State[], at: number }, told: Told) => void }}
+ * @returns {{ box: HTMLElement, sync: (state: State, history: { states: State[], at: number }, told: Told,
+ *   isWide: boolean) => void }}
  */
 export function toolbar(model, wish, told) {
   const button = (kind, words, does, more) =>
@@ -304,12 +359,18 @@ export function toolbar(model, wish, told) {
     },
     { title: 'the address bar is a link to exactly this view' },
   );
+  const wide = button('chip', 'all θ', () => wish('wide', true), {
+      title: 'draw all sensitivities, not only those where rewards are',
+    }),
+    taken = button('chip', 'action taken', () => wish('follow', true), {
+      title: 'look at the action that was taken at each step of the episode',
+    });
   const group = (name, ...parts) => element('span', { class: 'group', role: 'group', 'aria-label': name }, ...parts);
   const box = element(
     'div',
     { class: 'toolbar' },
-    group('action', ...chips),
-    group('drawing', ...looks),
+    group('action', ...chips, taken),
+    group('drawing', ...looks, wide),
     rows,
     ...(model.arrays.places && told.live ? [added] : []),
     group('history', undo, redo, reset),
@@ -317,7 +378,10 @@ export function toolbar(model, wish, told) {
   );
   return {
     box,
-    sync(state, history, { pinned }) {
+    sync(state, history, { pinned, followed, follows }, isWide) {
+      wide.setAttribute('aria-pressed', String(isWide));
+      taken.hidden = !followed;
+      taken.setAttribute('aria-pressed', String(Boolean(follows)));
       chips.forEach((chip, a) => chip.setAttribute('aria-pressed', String(a === state.action)));
       looks.forEach((chip) => chip.setAttribute('aria-pressed', String(chip.textContent === state.look)));
       rows.value = state.normalise;

@@ -1,5 +1,5 @@
 // Taking the lens along, without a server: pictures of all panels, a table, and the lens itself as one file.
-/** @import { Saved, Scene } from '../types.js' */
+/** @import { Panel, Saved, Scene } from '../types.js' */
 import { canvasPen, contextOf, escaped, short, svgPen } from '../draw/drawing.js';
 import { distancesOf, simulatedFor } from './simulated.js';
 
@@ -136,6 +136,36 @@ async function svgOf(lens) {
  * @returns {Promise<void>}
  */
 export const saveSvg = async (lens) => save(await svgOf(lens), `${nameOf(lens)}.svg`, 'image/svg+xml');
+
+/**
+ * Saves one picture.
+ * @param {Saved} lens
+ * @param {{ panel: Panel }} each
+ * @param {'svg' | 'png'} format
+ * @returns {void}
+ */
+export function savePanel(lens, each, format) {
+  const { colours } = lens.scene,
+    canvas = document.createElement('canvas'),
+    name = `${nameOf(lens)}_${each.panel.name}`,
+    { w, h } = SIZE;
+  if (format === 'svg') {
+    const pen = svgPen(colours.font, canvasPen(contextOf(canvas), colours.font).width);
+    lens.drawOne(pen, each, w, h);
+    const content =
+      `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${w} ${h}" width="${w}" height="${h}">` +
+      `<rect width="100%" height="100%" fill="${colours.paper}"/>${pen.parts.join('\n')}</svg>`;
+    save(content, `${name}.svg`, 'image/svg+xml');
+    return;
+  }
+  Object.assign(canvas, { width: 2 * w, height: 2 * h });
+  const context = contextOf(canvas);
+  context.scale(2, 2);
+  context.fillStyle = colours.paper;
+  context.fillRect(0, 0, w, h);
+  lens.drawOne(canvasPen(context, colours.font), each, w, h);
+  canvas.toBlob((blob) => blob && save(blob, `${name}.png`));
+}
 
 /**
  * A table, one row a future step: decoded and true reward and survival, the value of the horizon that ends there,

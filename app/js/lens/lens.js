@@ -1,17 +1,20 @@
 // The lens: one state, the pictures that it makes, and what is done to both. Python hears releases only.
-/** @import { Lens, Model, Released, Saved, Scene, Told } from '../types.js' */
+/** @import { Lens, Model, Panel, Released, Saved, Scene, Told } from '../types.js' */
 import { acrossOf, thetaTicks } from '../draw/columns.js';
 import { coloursOf } from '../draw/colours.js';
 import { element } from '../draw/elements.js';
-import { footer, sliders, switchboard, toolbar } from './controls.js';
+import { ALPHAS, footer, sliders, switchboard, toolbar, turnsStrip } from './controls.js';
 import { sheet, short } from '../draw/drawing.js';
 import { hub } from '../hub.js';
-import { saveCsv, saveHtml, savePng, saveSvg } from './export.js';
+import { saveCsv, saveHtml, savePanel, savePng, saveSvg } from './export.js';
 import { isSpace, listen } from './hand.js';
+import { WORLD, framed } from './help.js';
 import { gammaSpace, kernel, resolution, see } from '../core/maths.js';
-import { panelsOf } from './panels.js';
+import { onScale, turnsOf } from '../core/reading.js';
+import { EXPLAINING, panelsOf } from './panels.js';
 import { simulatedFor } from './simulated.js';
-import { limitOfTau, thetaRange, trueRow } from './spaces.js';
+import { drawnTau, limitOfTau, thetaRange, trueRow } from './spaces.js';
+import { aboutWords, storyline } from './story.js';
 import { drawSurface } from '../draw/surface.js';
 import { WORDS, effects, judged, offers } from './verdict.js';
 import { worldPanel } from './world.js';
@@ -19,6 +22,18 @@ import { worldPanel } from './world.js';
 const REST = 140; // ms without a change before what is slow is done
 const PER_FRAME = 1e6,
   AT_REST = 2e7; // products to be spent on horizons with an inverse each
+
+const SLICE = 8; // ms in a row that the search for turns takes from the page
+const WHY = 'laplace why'; // whether the explaining pictures are open, kept by the browser
+
+function remembered(value) {
+  try {
+    if (value !== undefined) localStorage.setItem(WHY, value);
+    return localStorage.getItem(WHY);
+  } catch {
+    return null; // a file of its own, or a browser that keeps nothing
+  }
+}
 
 // States are equal where everything is that decides what is seen.
 const same = (a, b) => Object.keys(a).every((name) => name === 'look' || name === 'action' || a[name] === b?.[name]);
@@ -46,10 +61,10 @@ export const shapeOf = ({ header, grids, arrays, sloped }) =>
  * @param {HTMLElement} root
  * @param {Model} model
  * @param {Told} told
- * @param {(heard: Released) => void} report - called with the state that is released
+ * @param {(released: Released) => void} tell - called with the state that is released
  * @returns {Lens}
  */
-export function mount(root, model, told, report) {
+export function mount(root, model, told, tell) {
   const host = element('div', { class: 'laplace-lens' });
   const scene = /** @type {Scene} */ ({
     model,
@@ -58,6 +73,7 @@ export function mount(root, model, told, report) {
     images: {},
     zoom: {},
     camera: { turn: -0.6, tilt: 0.75 },
+    wide: false,
     ...told.kept?.scene,
   });
   const history = { states: [told.state], at: 0 };
@@ -70,6 +86,9 @@ export function mount(root, model, told, report) {
     dragging = false,
     lastState,
     lastMost,
+    turning = 0, // the search for alphas where the choice turns,
+    turnedFor = '', // and what was found last
+    turnedModel,
     sizedState, // what the sizes of the artefacts are of
     sizedModel,
     uncoloured = true; // the page may have other colours now
@@ -99,8 +118,10 @@ export function mount(root, model, told, report) {
   const verdict = element('div', { class: 'verdict' }, sentence, remedies),
     said = element('div', { class: 'said', role: 'status' });
   const tools = toolbar(model, wish, told),
-    handles = sliders(model, told.base, wish),
-    board = switchboard(model, wish);
+    handles = [sliders(model, told.base, wish, true), sliders(model, told.base, wish, false)],
+    turns = model.A > 1 ? turnsStrip(model, wish) : undefined,
+    board = switchboard(model, wish),
+    story = storyline((wanted) => report({ state, ...wanted }));
   saved.world = scene.world = told.world ? worldPanel((picked) => report({ state, picked })) : undefined;
   const panels = panelsOf(told).map((panel) => {
     const canvas = element('canvas', {
@@ -113,10 +134,64 @@ export function mount(root, model, told, report) {
     return { panel, canvas };
   });
   saved.panels.push(...panels);
-  const still = told.still ? [element('img', { class: 'world', src: told.still, alt: 'the world as a graph' })] : [];
-  const first = scene.world ? [scene.world.box] : still;
-  const pictures = element('div', { class: 'panels' }, ...first, ...panels.map(({ canvas }) => canvas));
-  host.append(verdict, tools.box, pictures, handles.box, board.box, footer(told.presets ?? [], files, wish), said);
+  const still = told.still
+      ? element('img', { class: 'world', src: told.still, alt: 'the world as a graph' })
+      : undefined,
+    first = scene.world?.box ?? still;
+  /** @type {(each: { panel: Panel, canvas: HTMLCanvasElement }) => HTMLElement} */
+  const frameOf = (each) =>
+    framed(each.panel, each.canvas, [
+      ['SVG', () => savePanel(saved, each, 'svg')],
+      ['PNG', () => savePanel(saved, each, 'png')],
+    ]);
+  const explains = ({ panel }) => EXPLAINING.includes(panel),
+    leads = ({ panel }) => panel.rows === 'tau',
+    hero = element('div', { class: 'hero' }, ...panels.filter(leads).map(frameOf), handles[0].box);
+  if (turns) handles[0].box.firstElementChild?.append(turns.box);
+  const pictures = element(
+    'div',
+    { class: 'panels' },
+    hero,
+    ...(first ? [framed(WORLD, first, [])] : []),
+    ...panels.filter((each) => !explains(each) && !leads(each)).map(frameOf),
+  );
+  const why = element(
+    'details',
+    { class: 'why', open: remembered() === 'open' },
+    element(
+      'summary',
+      {},
+      element('b', {}, 'Why?'),
+      ' What alpha keeps, what the value weighs, and each artefact as a switch',
+    ),
+    element('div', { class: 'panels explaining' }, ...panels.filter(explains).map(frameOf)),
+    board.box,
+  );
+  why.ontoggle = () => {
+    remembered(why.open ? 'open' : 'closed');
+    draw();
+  };
+  host.append(
+    story.box,
+    verdict,
+    tools.box,
+    pictures,
+    handles[1].box,
+    why,
+    footer(told.presets ?? [], files, wish),
+    said,
+  );
+  followTaken();
+
+  // As long as the action follows the episode, it is no choice of the person's, and is not reported as one.
+  function report(heard) {
+    tell(told.follows ? { ...heard, state: { ...heard.state, action: told.state.action } } : heard);
+  }
+
+  function followTaken() {
+    if (told.follows && told.followed && told.followed.action !== state.action)
+      state = { ...state, action: told.followed.action };
+  }
 
   // ---- from a wish to a state, and from states to releases
 
@@ -140,6 +215,18 @@ export function mount(root, model, told, report) {
     } else if (change === 'pin') {
       report({ state, pin: !told.pinned });
       return;
+    } else if (change === 'wide') {
+      scene.wide = !scene.wide;
+      delete scene.zoom.theta;
+    } else if (change === 'follow') {
+      told = { ...told, follows: true };
+      followTaken();
+      report({ state, follow: true });
+    } else if (change.action !== undefined && told.followed) {
+      told = { ...told, follows: false };
+      state = { ...state, ...change };
+      remember(state);
+      report({ state, follow: false });
     } else if (change === 'seed') set({ ...state, noise_seed: (state.noise_seed + 1) % 2 ** 31 }, true);
     else if (change === 'reset') set({ ...told.base, action: state.action, look: state.look }, true);
     else set({ ...state, ...change }, released);
@@ -164,7 +251,7 @@ export function mount(root, model, told, report) {
     history.states.splice(history.at + 1, Infinity, next);
     if (history.states.length > 200) history.states.shift();
     history.at = history.states.length - 1;
-    tools.sync(state, history, told);
+    tools.sync(state, history, told, scene.wide);
   }
 
   function sweepButton(sign) {
@@ -227,15 +314,18 @@ export function mount(root, model, told, report) {
     const gamma = panel.rows === 'gamma',
       { gammas, G } = seen.grid,
       n = gamma ? G : seen.n;
-    const values = gamma ? gammaSpace(seen, state) : seen.tau,
+    const values = gamma ? gammaSpace(seen, state) : drawnTau(scene),
       top = (x) => x.reduce((a, b) => Math.max(a, b), 0) || 1;
     const every = Math.ceil(model.K / 46),
       floated = !gamma && (seen.truth ? seen.masses : simulatedFor(scene));
-    const truth = Array.from({ length: floated ? Math.ceil(model.K / every) : 0 }, (_, i) => [
-      model.K > 1 ? (i * every) / (model.K - 1) : 0.5,
-      trueRow(scene, state.action, i * every)?.map((value) => value * model.dt),
-    ]).filter(([, row]) => row);
-    pen.text(panel.name, 2, 15, { size: 14, weight: 600, colour: scene.colours.text });
+    const truth = Array.from({ length: floated ? Math.ceil(model.K / every) : 0 }, (_, i) => {
+      const row = trueRow(scene, state.action, i * every);
+      return [
+        model.K > 1 ? (i * every) / (model.K - 1) : 0.5,
+        row && onScale(row, seen.H, scene.images.windows ?? null),
+      ];
+    }).filter(([, row]) => row);
+    pen.text(panel.title, 2, 15, { size: 14, weight: 600, colour: scene.colours.text });
     drawSurface(
       pen,
       { x: 8, y: 20, w: w - 16, h: h - 30 },
@@ -243,7 +333,7 @@ export function mount(root, model, told, report) {
         values,
         n,
         width: seen.H,
-        limit: gamma ? top(values) : limitOfTau(scene) * model.dt,
+        limit: gamma ? top(values) : limitOfTau(scene),
         titles: ['θ', gamma ? 'γ' : 'τ'],
         x: thetaTicks(seen, thetaRange(seen), 0.5 * w).map((theta) => [acrossOf(seen, theta) / seen.H, short(theta)]),
         y: gamma ? [gammas[0], gammas[n - 1]] : [0, (n - 1) * model.dt],
@@ -298,9 +388,15 @@ export function mount(root, model, told, report) {
         found = sheet(canvas, scene.colours.font);
       if (found) canvas.scale = drawOne(found.pen, each, found.width, found.height) ?? canvas.scale;
     }
-    handles.sync(state, told.rule);
+    for (const each of handles) each.sync(state, told.rule);
     board.sync(state);
-    tools.sync(state, history, told);
+    story.show(told, aboutWords(scene));
+    for (const box of pictures.querySelectorAll('.picture'))
+      box.classList.toggle(
+        'lit',
+        box.classList.contains(`of-${told.story?.at && told.story.steps[told.story.at - 1].panel}`),
+      );
+    tools.sync(state, history, told, scene.wide);
     judge();
   }
 
@@ -333,9 +429,32 @@ export function mount(root, model, told, report) {
     if (!seen.whole && lastMost < AT_REST) paint();
     if (sizedState !== state || sizedModel !== model) board.sizes(effects(model, state));
     [sizedState, sizedModel] = [state, model];
+    seekTurns();
     judge();
     for (const { panel, canvas } of panels) canvas.setAttribute('aria-label', panel.words(scene));
     if (said.textContent !== sentence.textContent) said.textContent = sentence.textContent;
+  }
+
+  // The alphas where the choice turns, found in slices so that the page stays at hand.
+  function seekTurns() {
+    if (!turns) return;
+    turns.box.hidden = !model.header.follows; // the server alone solves at another alpha
+    if (turns.box.hidden) return;
+    const key = JSON.stringify({ ...state, alpha: 0, action: 0, look: '' });
+    if (key === turnedFor && turnedModel === model) return;
+    [turnedFor, turnedModel] = [key, model];
+    turns.show();
+    clearTimeout(turning);
+    const search = turnsOf(model, { ...state, action: 0 }, ALPHAS);
+    const on = () => {
+      const until = performance.now() + SLICE;
+      let step = search.next();
+      while (!step.done && performance.now() < until) step = search.next();
+      if (!host.isConnected) return;
+      if (step.done) turns.show(step.value);
+      else turning = window.setTimeout(on, 0);
+    };
+    on();
   }
 
   const recolour = () => {
@@ -367,6 +486,7 @@ export function mount(root, model, told, report) {
           scene.pinnedOf = lastState = undefined;
         }
         told = { ...told, ...news };
+        followTaken();
         if (moved && JSON.stringify(told.state) !== JSON.stringify(state)) remember((state = told.state));
         if (told.world) scene.world?.show(told.world);
         draw();
@@ -390,6 +510,7 @@ export function mount(root, model, told, report) {
       // reported.
       leave() {
         clearTimeout(later);
+        clearTimeout(turning);
         cancelAnimationFrame(playing);
         const reported = history.states[history.at],
           changed = Object.entries(state).filter(([name, value]) => value !== reported[name]);

@@ -5,6 +5,7 @@ import { NEUTRAL, actionColour, axes, line, rounded, short, ticks } from '../dra
 import { GHOST, disc, inside, marked, titled } from '../draw/frame.js';
 import { shares } from '../core/filters.js';
 import { gammaSpace } from '../core/maths.js';
+import { bandsOf } from '../core/reading.js';
 import { drawSimulated, simulatedFor } from './simulated.js';
 import { gammaPanel, isAdded, tauPanel } from './spaces.js';
 import { valuesPanel } from './values.js';
@@ -13,6 +14,12 @@ import { impossible } from './verdict.js';
 /** @type {Panel} */
 const spectrumPanel = {
   name: 'spectrum',
+  title: 'Filter factors',
+  why: [
+    'The singular values of the transform. The bars are the share of each component that alpha keeps; the rest is ' +
+      'dropped as noise.',
+    'f_i = s_i² / (s_i² + α²)',
+  ],
   draw(pen, w, h, scene) {
     const { model, state, seen, hover, colours } = scene,
       { s, r, free, U, V, G } = seen.grid,
@@ -26,7 +33,7 @@ const spectrumPanel = {
     titled(
       pen,
       w,
-      'what alpha lets through',
+      'Filter factors',
       `${passing + free} of ${r} pass${learned < G ? `, ${learned} learned` : ''}`,
       scene,
     );
@@ -98,6 +105,12 @@ const spectrumPanel = {
 /** @type {Panel} */
 const kernelPanel = {
   name: 'kernel',
+  title: 'Effective discounting',
+  why: [
+    'Grey: the weight that each future step should have in the value. Line: the weight that the inverse at this ' +
+      'alpha really gives it.',
+    'w(τ) = Σ_γ c_γ γ^τ against γ^τ [τ < T]',
+  ],
   draw(pen, w, h, scene) {
     const { model, seen, hover, colours, kernel } = scene,
       { K, dt } = model,
@@ -107,7 +120,7 @@ const kernelPanel = {
     titled(
       pen,
       w,
-      'what the value weighs',
+      'Effective discounting',
       `noise gain ${short(kernel.gain)}${scene.state.normalise === 'none' ? '' : ', before rescaling'}`,
       scene,
     );
@@ -165,6 +178,12 @@ const cameNote = ({ model, state }, followed) =>
 /** @type {Panel} */
 const rewardsPanel = {
   name: 'rewards',
+  title: 'Expected reward and survival',
+  why: [
+    'Above: the reward expected at each future step. Below: the chance that the episode goes on until then. With noise, ' +
+      'the dark band is two standard deviations and the pale one adds the error of smoothing.',
+    'E[r_τ] = Σ_θ θ P(τ, θ) ± (2 σ_τ + |bias_τ|)',
+  ],
   draw(pen, w, h, scene) {
     const { model, state, seen, hover, colours } = scene,
       { K, dt } = model,
@@ -179,14 +198,20 @@ const rewardsPanel = {
       came = followed ? followed.rewards.slice(0, Math.ceil(K * dt)) : [];
     const simulated = simulatedFor(scene),
       edges = (side) => simulated?.reward.map((value, k) => value + side * simulated.rewardError[k]) ?? [];
-    const all = [0, ...rewards, ...(true_ ?? []), ...(ghost ?? []), ...came, ...edges(2), ...edges(-2)];
+    const bands = bandsOf(model, state, seen),
+      spread = (k) => (bands ? (2 * bands.noise[k] + Math.abs(bands.bias?.[k] ?? 0)) / dt : 0),
+      least = Math.max(...[...rewards, ...(true_ ?? [])].map(Math.abs)), // a band may be far wider than what it is of
+      banded = bands
+        ? rewards.flatMap((value, k) => [-1, 1].map((side) => value + side * Math.min(spread(k), least)))
+        : [];
+    const all = [0, ...rewards, ...(true_ ?? []), ...(ghost ?? []), ...came, ...banded, ...edges(2), ...edges(-2)];
     const low = Math.min(...all),
       high = Math.max(...all),
       x = [-0.5 * dt, (K - 0.5) * dt];
     titled(
       pen,
       w,
-      'expected reward and survival',
+      'Expected reward and survival',
       hover.tau !== undefined && hover.tau < seen.n
         ? `τ ${short(hover.tau * dt)}: ${short(rewards[hover.tau])}, alive ${short(seen.survival[a][hover.tau] / dt)}`
         : impossible([seen.survival[a]], dt)
@@ -240,6 +265,15 @@ const rewardsPanel = {
           { fill: CAME, close: true },
         ),
       );
+      const band = (width, fill) => {
+        const edge = (side) =>
+          rewards.slice(0, bands?.noise.length).map((value, k) => [xs[k], Y(value + side * width(k))]);
+        pen.path([...edge(1), ...edge(-1).reverse()], { fill, close: true });
+      };
+      if (bands) {
+        band(spread, `${actionColour(a)}2e`);
+        band((k) => (2 * bands.noise[k]) / dt, `${actionColour(a)}52`);
+      }
       if (ghost) line(pen, xs, ghost.map(Y), { ...GHOST, stroke: actionColour(a) });
       if (simulated) drawSimulated(pen, simulated.reward, simulated.rewardError, scale);
       line(pen, xs, rewards.map(Y), { stroke: actionColour(a), width: 2.2 });
@@ -304,6 +338,12 @@ const rewardsPanel = {
  */
 const fitPanel = {
   name: 'fit',
+  title: 'Fit to gamma-space',
+  why: [
+    'Circles: the value that was learned at each discount. Line: the value that the decoded timeline gives back. ' +
+      'Where they differ, alpha smooths too much.',
+    '(1 − γ) Q(γ) against (1 − γ) Σ_τ γ^τ E[r_τ]',
+  ],
   draw(pen, w, h, scene) {
     const { model, state, seen, hover, colours } = scene,
       { gammas, G } = seen.grid,
@@ -314,7 +354,7 @@ const fitPanel = {
     titled(
       pen,
       w,
-      'does the timeline explain it?',
+      'Fit to gamma-space',
       hover.gamma === undefined
         ? 'value a step at each discount'
         : `γ ${short(gammas[hover.gamma])}: ${short(given[hover.gamma])}, from tau-space ${short(back[hover.gamma])}`,
@@ -391,3 +431,6 @@ export const panelsOf = ({ world, still }) => [
   kernelPanel,
   spectrumPanel,
 ];
+
+/** Panels that explain the others: they are shown on demand. */
+export const EXPLAINING = [kernelPanel, spectrumPanel];

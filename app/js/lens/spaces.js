@@ -4,6 +4,7 @@ import { acrossOf, columnAt, placeOf, rewardWords, thetaOf, thetaTicks } from '.
 import { NEUTRAL, axes, colourBar, heatmap, rowTicks, short } from '../draw/drawing.js';
 import { inside, marked, titled, top } from '../draw/frame.js';
 import { gammaSpace } from '../core/maths.js';
+import { onScale, rewardRange, windowsOf } from '../core/reading.js';
 import { leftOut } from '../core/network.js';
 import { distancesOf, drawDistances, simulatedFor, simulatedRow, simulatedWords } from './simulated.js';
 
@@ -16,6 +17,21 @@ const TRUTH = { stroke: '#ffffff', width: 1.5 },
  * @returns {Range} in reward
  */
 export const thetaRange = ({ thetas }) => [thetas[0], thetas[thetas.length - 1]];
+
+/**
+ * What is drawn of theta before anybody zooms: where the rewards are, or all of it. Without a truth the range of the
+ * rewards differs from step to step of an episode, and only ever grows.
+ * @param {Scene} scene
+ * @returns {Range} in reward
+ */
+export function drawnRange(scene) {
+  const { model, seen, wide, reached } = scene;
+  if (wide) return thetaRange(seen);
+  const found = rewardRange(model, seen);
+  if (model.truth) return found;
+  const [low, high] = reached ?? found;
+  return (scene.reached = [Math.min(low, found[0]), Math.max(high, found[1])]);
+}
 
 /**
  * The true row of an action, smeared by the activation; null where nothing is left. Few rewards share a row.
@@ -40,18 +56,40 @@ export function trueRow({ model, seen }, a, k) {
 }
 
 /**
+ * Tau-space as it is drawn: probabilities, on a scale on which a certain reward reads as 1 where the slope is known.
+ * @param {Scene} scene
+ * @returns {Float64Array} (n, H)
+ */
+export function drawnTau({ model, state, seen, images }) {
+  if (images.drawnFor !== seen) {
+    const windows = windowsOf(model, state, seen),
+      values = onScale(seen.tau, seen.H, windows);
+    Object.assign(images, {
+      windows,
+      drawn: model.dt === 1 ? values : values.map((value) => value / model.dt),
+      drawnFor: seen,
+    });
+  }
+  return images.drawn;
+}
+
+/**
  * The top of the colour scale: the truth's own peak, which knows the encoding, but not alpha or T.
  * @param {Scene} scene
  * @returns {number} a probability
  */
 export const limitOfTau = (scene) => {
-  const { model, seen, images } = scene;
-  if (!seen.truth) return top(seen.tau.map(Math.abs)) / model.dt || 1;
+  const { model, seen, images } = scene,
+    values = drawnTau(scene);
+  if (!seen.truth) return top(values.map(Math.abs)) || 1;
   if (images.limitFor !== seen.masses) {
     let limit = 0;
     for (let a = 0; a < model.A; a++)
-      for (let k = 0; k < model.K; k++) limit = Math.max(limit, top(trueRow(scene, a, k) ?? []));
-    Object.assign(images, { limitFor: seen.masses, limit: limit || 1 });
+      for (let k = 0; k < model.K; k++) {
+        const row = trueRow(scene, a, k);
+        if (row) limit = Math.max(limit, top(onScale(row, seen.H, images.windows)));
+      }
+    Object.assign(images, { limitFor: seen.masses, limit: limit > 0.9 ? 1 : limit || 1 }); // between two bins: .97, say
   }
   return images.limit;
 };
@@ -64,7 +102,7 @@ function drawSpace(pen, w, h, scene, { values, n, rows, limit, title, note, yTit
     images[`${image} of`] = version;
   }
   titled(pen, w, title, note, scene);
-  const x = zoom.theta ?? thetaRange(seen),
+  const x = zoom.theta ?? drawnRange(scene),
     y = zoom[image] ?? [-0.5, rows - 0.5];
   const scale = axes(pen, box, {
     x,
@@ -113,6 +151,11 @@ function missed({ model, seen, state, images }) {
 /** @type {Panel} */
 export const gammaPanel = {
   name: 'gamma-space',
+  title: 'Gamma-space',
+  why: [
+    'What is learned: for each discount γ, how much future reward of each size θ there is, nearer steps counting more.',
+    'Z(γ, θ) = Σ_τ γ^τ P(r_τ ≈ θ)',
+  ],
   rows: 'gamma',
   draw(pen, w, h, scene) {
     const { seen, state, hover, colours, images } = scene;
@@ -142,7 +185,7 @@ export const gammaPanel = {
       rows: G,
       limit,
       labels: gammas,
-      title: 'gamma-space',
+      title: 'Gamma-space',
       yTitle: 'discount γ',
       margin,
       image: 'gamma',
@@ -237,11 +280,17 @@ function outline(scene) {
 /** @type {Panel} */
 export const tauPanel = {
   name: 'tau-space',
+  title: 'Tau-space',
+  why: [
+    'How likely each reward θ is at each future step τ, decoded from gamma-space. A certain reward reads as 1; red is ' +
+      'below 0.',
+    'P = V diag(s / (s² + α²)) Uᵀ Z, with γ^τ = U diag(s) Vᵀ; summed over θ ± 2 / slope',
+  ],
   rows: 'tau',
   draw(pen, w, h, scene) {
     const { model, seen, hover, colours, images, resolution } = scene,
-      limit = limitOfTau(scene);
-    const values = model.dt === 1 ? seen.tau : seen.tau.map((value) => value / model.dt),
+      limit = limitOfTau(scene),
+      values = drawnTau(scene),
       { K, dt } = model;
     const labels = Float64Array.from({ length: K }, (_, k) => k * dt),
       { theta, tau } = hover,
@@ -255,20 +304,22 @@ export const tauPanel = {
       rows: K,
       limit,
       labels,
-      title: 'tau-space',
+      title: 'Tau-space',
       yTitle: 'future step τ',
       margin: { right: 84 + aside },
       image: 'tau',
       version: seen.tau,
       note: cell
-        ? `θ ${rewardWords(seen, theta)} · τ ${short(tau * dt)} · p ` +
-          short(seen.tau[tau * seen.H + columnAt(seen, theta)] / dt) +
+        ? `θ ${rewardWords(seen, theta)} · τ ${short(tau * dt)} · P ` +
+          short(values[tau * seen.H + columnAt(seen, theta)]) +
           (Number.isFinite(far) ? ` · W1 ${short(far)}` : '')
         : simulated
           ? `outlined: ${simulated.count} continuations`
           : scene.followed
             ? 'white: observed'
-            : 'probability',
+            : seen.truth
+              ? 'probability; white boxes: the truth'
+              : 'probability',
     });
     const { box, X, Y } = scale;
     if (seen.truth ? seen.masses : simulated) {

@@ -5,7 +5,7 @@ import { read } from '../core/model.js';
 
 function standalone(held) {
   const bytes = Uint8Array.from(atob(held.payload), (sign) => sign.charCodeAt(0));
-  const box = document.body.appendChild(element('div', {}));
+  const box = document.body.appendChild(element('div', { class: 'laplace-lens-box' }));
   return mount(box, { ...read(bytes), id: 'file' }, { ...held, payload: undefined }, () => {});
 }
 

@@ -37,6 +37,12 @@ function legendOf(pen, { model, seen, state }, w) {
 /** @type {Panel} */
 export const valuesPanel = {
   name: 'values',
+  title: 'Values over T',
+  why: [
+    'The value of each action if the episode ended at T: expected rewards before T, added up. The strip compares the ' +
+      'action that is chosen with the best one.',
+    'V_T(a) = Σ_{τ<T} γ^τ Σ_θ θ P_a(τ, θ)',
+  ],
   draw(pen, w, h, scene) {
     const { model, state, seen, hover, colours } = scene,
       { horizons, K, dt } = model,
@@ -57,7 +63,7 @@ export const valuesPanel = {
     titled(
       pen,
       w,
-      'value of each action over T',
+      'Values over T',
       hover.tau !== undefined
         ? leader(model, seen, hover.tau)
         : [seen.truth && 'dotted: true', scene.pinned && 'dashed: A'].filter(Boolean).join(', '),
