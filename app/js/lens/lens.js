@@ -77,6 +77,7 @@ export function mount(root, model, told, report) {
 
   /** @type {Saved} */
   const saved = {
+    host,
     scene,
     drawOne,
     panels: [],
@@ -94,6 +95,7 @@ export function mount(root, model, told, report) {
     ['CSV', () => saveCsv(saved)],
   ];
   if (told.template) files.push(['HTML', () => saveHtml(saved)]);
+  files.push(['for print', async () => (await import('../print/print.js')).openPrint(saved)]);
   const sentence = element('p', {}),
     remedies = element('span', { class: 'remedies' });
   const verdict = element('div', { class: 'verdict' }, sentence, remedies),
