@@ -161,7 +161,7 @@ function svgPen(font, measure) {
     },
     image(source, x, y, w, h) {
       parts.push(
-        `<image href="${source.toDataURL()}" x="${short2(x)}" y="${short2(y)}" width="${short2(w)}" height="${short2(h)}" preserveAspectRatio="none" style="image-rendering:pixelated"/>`
+        `<image href="${source.toDataURL()}" x="${short2(x)}" y="${short2(y)}" width="${short2(w)}" height="${short2(h)}" preserveAspectRatio="none"${source.width < w || source.height < h ? ' style="image-rendering:pixelated"' : ""}/>`
       );
     },
     clip(x, y, w, h, draw) {
@@ -1287,59 +1287,10 @@ var init_export = __esm({
   }
 });
 
-// app/js/print/caption.js
-function captionOf(scene, names) {
-  const { model, state, seen } = scene, { header, sloped, arrays } = model, { gammas, G } = seen.grid, { thetas, H, open: open2 } = seen;
-  const slope = arrays.places ? `${short(state.slope_share)} of the trained slope` : `slope ${short(state.slope)} / reward`;
-  const parts = [
-    `World ${header.world}`,
-    header.state && `state ${header.state}`,
-    `action ${header.actions[state.action]}`,
-    `α = ${short(state.alpha)}`,
-    "solver Tikhonov, filter factors s²/(s² + α²)",
-    `T = ${some(+short(state.horizon), "step")}`,
-    state.used && `${some(state.used, "step")} used`,
-    state.softness && `deadline softness ${short(state.softness)} T`,
-    state.value_gamma < 1 && `γ in the value ${short(state.value_gamma, 4)}`,
-    (sloped || arrays.places) && slope,
-    state.noise && `noise ${short(state.noise)}, seed ${state.noise_seed}`
-  ];
-  const grid = [
-    `${some(G, "discount")} γ from ${range(gammas, 0, G - 1)}${header.added ? `, ${header.added} added in each gap` : ""}`,
-    `${some(open2 ? H - 1 : H + 1, "sensitivit").replace(/t$/, "ty").replace(/ts$/, "ties")} θ from ${open2 ? range(thetas, 1, H - 1) : range(thetas, 0, H)} reward`,
-    `${some(model.K, "row")} τ of ${some(+short(model.dt), "step")}`
-  ];
-  const switched = Object.entries(SWITCHES).filter(([name, each]) => name !== "rescale" && available(model, name) && each.isOn(state)).map(([, each]) => each.label);
-  const drawn = [];
-  if (names.includes("tau-space") && seen.truth) drawn.push("White outline: true timeline.");
-  if (names.includes("tau-space") && !seen.truth && simulatedFor(scene))
-    drawn.push("White outline: simulated continuations.");
-  if (names.includes("values") && seen.truth) drawn.push("Dotted: true values.");
-  if (scene.pinned && names.some((name) => name === "values" || name === "rewards")) drawn.push("Dashed: view A.");
-  return [
-    `${parts.filter(Boolean).join(", ")}.`,
-    `Grid: ${grid.join("; ")}.`,
-    `Rows ${ROWS[state.normalise]}.`,
-    switched.length ? `Switched on: ${switched.join(", ")}.` : "",
-    ...drawn
-  ].filter(Boolean).join(" ");
-}
-var ROWS, range, some;
-var init_caption = __esm({
-  "app/js/print/caption.js"() {
-    init_maths();
-    init_drawing();
-    init_simulated();
-    ROWS = { none: "as decoded", survival: "given survival", paper: "rescaled to probability 1" };
-    range = (values, first, last) => `${short(values[first])} to ${short(values[last])}`;
-    some = (number, words) => `${number} ${words}${number === 1 ? "" : "s"}`;
-  }
-});
-
 // app/js/print/layout.js
 function layoutOf(count, mm, lines) {
   const width = mm * PER_MM, columns = mm > 100 && count > 1 ? 2 : 1, rows = Math.ceil(count / columns);
-  const inner = width - 2 * EDGE, w = (inner - (columns - 1) * GAP) / columns, h = w * (w > 400 ? 0.5 : 0.72);
+  const inner = width - 2 * EDGE, w = (inner - (columns - 1) * GAP) / columns, h = w * (w > 400 ? 0.5 : 0.66);
   const cells = Array.from({ length: count }, (_, i) => {
     const row = Math.floor(i / columns), filled2 = Math.min(columns, count - row * columns), first = EDGE + (inner - filled2 * w - (filled2 - 1) * GAP) / 2;
     return { x: first + i % columns * (w + GAP), y: EDGE + row * (h + GAP), w, h };
@@ -1370,7 +1321,7 @@ function wrapped(words, width, measure) {
   }
   return lines;
 }
-var PER_MM, WIDTHS, EDGE, GAP, CAPTION, captionLines, shifted;
+var PER_MM, WIDTHS, EDGE, GAP, CAPTION, captionLines, typeset, shifted;
 var init_layout = __esm({
   "app/js/print/layout.js"() {
     PER_MM = 96 / 25.4;
@@ -1379,16 +1330,69 @@ var init_layout = __esm({
     GAP = 14;
     CAPTION = { size: 10, line: 13.5, before: 10 };
     captionLines = (words, mm, measure) => wrapped(words, mm * PER_MM - 2 * EDGE, (line2) => measure(line2, CAPTION.size));
+    typeset = (words) => String(words).replace(/(^|[\s(])-(?=[\d.])/g, "$1−");
     shifted = (pen, { x: left, y: top2 }) => ({
       path: (points, style) => pen.path(
         points.map((point) => point && [point[0] + left, point[1] + top2]),
         style
       ),
-      text: (words, x, y, style) => pen.text(words, x + left, y + top2, style),
+      text: (words, x, y, style) => pen.text(typeset(words), x + left, y + top2, style),
       image: (source, x, y, w, h) => pen.image(source, x + left, y + top2, w, h),
       clip: (x, y, w, h, draw) => pen.clip(x + left, y + top2, w, h, draw),
-      width: pen.width
+      width: (words, ...style) => pen.width(typeset(words), ...style)
     });
+  }
+});
+
+// app/js/print/caption.js
+function captionOf(scene, names) {
+  const { model, state, seen } = scene, { header, sloped, arrays } = model, { gammas, G } = seen.grid, { thetas, H, open: open2 } = seen;
+  const slope = arrays.places ? `${short(state.slope_share)} of the trained slope` : `slope ${short(state.slope)} / reward`;
+  const parts = [
+    `World ${header.world}`,
+    header.state && `state ${header.state}`,
+    `action ${header.actions[state.action]}`,
+    `α = ${short(state.alpha)}`,
+    "solver Tikhonov, filter factors s²/(s² + α²)",
+    `T = ${some(+short(state.horizon), "step")}`,
+    state.used && `${some(state.used, "step")} used`,
+    state.softness && `deadline softness ${short(state.softness)} T`,
+    state.value_gamma < 1 && `γ in the value ${short(state.value_gamma, 4)}`,
+    (sloped || arrays.places) && slope,
+    state.noise && `noise ${short(state.noise)}, seed ${state.noise_seed}`
+  ];
+  const grid = [
+    `${some(G, "discount")} γ from ${range(gammas, 0, G - 1)}${header.added ? `, ${header.added} added in each gap` : ""}`,
+    `${some(open2 ? H - 1 : H + 1, "sensitivit").replace(/t$/, "ty").replace(/ts$/, "ties")} θ from ${open2 ? range(thetas, 1, H - 1) : range(thetas, 0, H)} reward`,
+    `${some(model.K, "row")} τ of ${some(+short(model.dt), "step")}`
+  ];
+  const switched = Object.entries(SWITCHES).filter(([name, each]) => name !== "rescale" && available(model, name) && each.isOn(state)).map(([, each]) => each.label);
+  const drawn = [];
+  if (names.includes("tau-space") && seen.truth) drawn.push("White outline: true timeline.");
+  if (names.includes("tau-space") && !seen.truth && simulatedFor(scene))
+    drawn.push("White outline: simulated continuations.");
+  if (names.includes("values") && seen.truth) drawn.push("Dotted: true values.");
+  if (scene.pinned && names.some((name) => name === "values" || name === "rewards")) drawn.push("Dashed: view A.");
+  return typeset(
+    [
+      `${parts.filter(Boolean).join(", ")}.`,
+      `Grid: ${grid.join("; ")}.`,
+      `Rows ${ROWS[state.normalise]}.`,
+      switched.length ? `Switched on: ${switched.join(", ")}.` : "",
+      ...drawn
+    ].filter(Boolean).join(" ")
+  );
+}
+var ROWS, range, some;
+var init_caption = __esm({
+  "app/js/print/caption.js"() {
+    init_maths();
+    init_drawing();
+    init_layout();
+    init_simulated();
+    ROWS = { none: "as decoded", survival: "given survival", paper: "rescaled to probability 1" };
+    range = (values, first, last) => `${short(values[first])} to ${short(values[last])}`;
+    some = (number, words) => `${number} ${words}${number === 1 ? "" : "s"}`;
   }
 });
 
@@ -1586,7 +1590,9 @@ function pdfOf({ jsPDF, regular: regular3, bold: bold2 }, { width, height }, dra
     // a pixel is 1/96 inch, not 1/72 of something else
     format: [width, height],
     orientation: width > height ? "landscape" : "portrait",
-    compress: true
+    compress: true,
+    putOnlyUsedFonts: true
+    // the others would be named without being embedded, which printers refuse
   });
   for (const [weight, font] of Object.entries({ normal: regular3, bold: bold2 })) {
     pdf.addFileToVFS(`${weight}.ttf`, font);
@@ -2612,7 +2618,13 @@ var valuesPanel = {
     });
     const left_ = names.length - legend.length;
     if (left_) pen.text(`+${left_}`, w - 4, 34, { size: 11, align: "right", colour: colours.soft });
-    const scale = axes(pen, box, { x, y: rounded(low, high, leastSpan(model)), xTicks: [], yTitle: "value", colours }), { X, Y } = scale;
+    const scale = axes(pen, box, {
+      x,
+      y: rounded(low, high, leastSpan(model)),
+      xTicks: [],
+      yTitle: "value (reward)",
+      colours
+    }), { X, Y } = scale;
     const xs = Array.from(horizons, X);
     pen.clip(box.x, box.y - 3, box.w, box.h + 6, () => {
       scene.pinned?.values.forEach((values, a) => line(pen, xs, values.map(Y), { ...GHOST, stroke: actionColour(a) }));
@@ -2840,7 +2852,7 @@ var rewardsPanel = {
       hover.tau !== void 0 && hover.tau < seen.n ? `τ ${short(hover.tau * dt)}: ${short(rewards[hover.tau])}, alive ${short(seen.survival[a][hover.tau] / dt)}` : Math.max(...seen.survival[a]) / dt > 1.05 ? "alive above 1: impossible" : seen.truth ? "grey: true" : simulated ? "red: simulated, ± 2 errors" : followed ? cameNote(scene, followed) : "",
       scene
     );
-    const span = 1e-3 * (seen.thetas[seen.H] - seen.thetas[0]), scale = axes(pen, upper, { x, y: rounded(low, high, span), xTicks: [], yTitle: "E[r]", colours });
+    const span = 1e-3 * (seen.thetas[seen.H] - seen.thetas[0]), scale = axes(pen, upper, { x, y: rounded(low, high, span), xTicks: [], yTitle: "E[r] (reward)", colours });
     const few = K <= 8 ? Array.from({ length: K }, (_, k) => k * dt) : void 0;
     const alive = axes(pen, lower, {
       x,
@@ -2942,7 +2954,7 @@ var fitPanel = {
       x,
       y: rounded(Math.min(...all), Math.max(...all), 1e-6),
       xTitle: "time constant of γ (steps)",
-      yTitle: "(1 − γ) value",
+      yTitle: "(1 − γ) value (reward)",
       colours,
       xTicks: ticks(x[0], x[1], 4).filter((tick) => Number.isInteger(tick)).map((tick) => [tick, short(10 ** tick)])
     });

@@ -165,7 +165,8 @@ export function svgPen(font, measure) {
     image(source, x, y, w, h) {
       parts.push(
         `<image href="${source.toDataURL()}" x="${short(x)}" y="${short(y)}" width="${short(w)}" ` +
-          `height="${short(h)}" preserveAspectRatio="none" style="image-rendering:pixelated"/>`,
+          `height="${short(h)}" preserveAspectRatio="none"` +
+          `${source.width < w || source.height < h ? ' style="image-rendering:pixelated"' : ''}/>`,
       );
     },
     clip(x, y, w, h, draw) {

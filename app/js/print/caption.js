@@ -2,6 +2,7 @@
 /** @import { Scene } from '../types.js' */
 import { SWITCHES, available } from '../core/maths.js';
 import { short } from '../draw/drawing.js';
+import { typeset } from './layout.js';
 import { simulatedFor } from '../lens/simulated.js';
 
 const ROWS = { none: 'as decoded', survival: 'given survival', paper: 'rescaled to probability 1' };
@@ -51,13 +52,15 @@ export function captionOf(scene, names) {
     drawn.push('White outline: simulated continuations.');
   if (names.includes('values') && seen.truth) drawn.push('Dotted: true values.');
   if (scene.pinned && names.some((name) => name === 'values' || name === 'rewards')) drawn.push('Dashed: view A.');
-  return [
-    `${parts.filter(Boolean).join(', ')}.`,
-    `Grid: ${grid.join('; ')}.`,
-    `Rows ${ROWS[state.normalise]}.`,
-    switched.length ? `Switched on: ${switched.join(', ')}.` : '',
-    ...drawn,
-  ]
-    .filter(Boolean)
-    .join(' ');
+  return typeset(
+    [
+      `${parts.filter(Boolean).join(', ')}.`,
+      `Grid: ${grid.join('; ')}.`,
+      `Rows ${ROWS[state.normalise]}.`,
+      switched.length ? `Switched on: ${switched.join(', ')}.` : '',
+      ...drawn,
+    ]
+      .filter(Boolean)
+      .join(' '),
+  );
 }

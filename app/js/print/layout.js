@@ -22,7 +22,7 @@ export function layoutOf(count, mm, lines) {
     rows = Math.ceil(count / columns);
   const inner = width - 2 * EDGE,
     w = (inner - (columns - 1) * GAP) / columns,
-    h = w * (w > 400 ? 0.5 : 0.72);
+    h = w * (w > 400 ? 0.5 : 0.66);
   const cells = Array.from({ length: count }, (_, i) => {
     const row = Math.floor(i / columns),
       filled = Math.min(columns, count - row * columns),
@@ -75,7 +75,14 @@ export const captionLines = (words, mm, measure) =>
   wrapped(words, mm * PER_MM - 2 * EDGE, (line) => measure(line, CAPTION.size));
 
 /**
- * A pen whose 0 lies elsewhere.
+ * Words with a true minus before a number.
+ * @param {string} words
+ * @returns {string}
+ */
+export const typeset = (words) => String(words).replace(/(^|[\s(])-(?=[\d.])/g, '$1−');
+
+/**
+ * A pen whose 0 lies elsewhere, and that typesets its words.
  * @param {Pen} pen
  * @param {Pick<Box, 'x' | 'y'>} origin
  * @returns {Pen}
@@ -86,8 +93,8 @@ export const shifted = (pen, { x: left, y: top }) => ({
       points.map((point) => point && [point[0] + left, point[1] + top]),
       style,
     ),
-  text: (words, x, y, style) => pen.text(words, x + left, y + top, style),
+  text: (words, x, y, style) => pen.text(typeset(words), x + left, y + top, style),
   image: (source, x, y, w, h) => pen.image(source, x + left, y + top, w, h),
   clip: (x, y, w, h, draw) => pen.clip(x + left, y + top, w, h, draw),
-  width: pen.width,
+  width: (words, ...style) => pen.width(typeset(words), ...style),
 });
