@@ -1367,10 +1367,10 @@ function captionOf(scene, names) {
     `${some(model.K, "row")} τ of ${some(+short(model.dt), "step")}`
   ];
   const switched = Object.entries(SWITCHES).filter(([name, each]) => name !== "rescale" && available(model, name) && each.isOn(state)).map(([, each]) => each.label);
-  const drawn = [];
-  if (names.includes("tau-space") && seen.truth) drawn.push("White outline: true timeline.");
+  const mark = state.look === "surface" ? "Orange line" : "White outline", drawn = [];
+  if (names.includes("tau-space") && seen.truth) drawn.push(`${mark}: true timeline.`);
   if (names.includes("tau-space") && !seen.truth && simulatedFor(scene))
-    drawn.push("White outline: simulated continuations.");
+    drawn.push(`${mark}: simulated continuations.`);
   if (names.includes("values") && seen.truth) drawn.push("Dotted: true values.");
   if (scene.pinned && names.some((name) => name === "values" || name === "rewards")) drawn.push("Dashed: view A.");
   return typeset(

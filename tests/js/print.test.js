@@ -231,6 +231,7 @@ test('a caption names every setting', () => {
   assert.ok(caption({ fold: true }).includes('Switched on: only T rows'));
   assert.ok(!caption({ fold: false }).includes('Switched on'));
   assert.ok(words.includes('White outline: true timeline'));
+  assert.ok(caption({ look: 'surface' }).includes('Orange line: true timeline'));
   assert.ok(!caption({}, ['kernel']).includes('White outline'));
 });
 
