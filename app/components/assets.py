@@ -75,7 +75,7 @@ def offline_page() -> str:
 def _tree() -> Path:
     """The served folder of all modules."""
     content = {path.relative_to(_TREE).as_posix(): path.read_bytes() for path in sorted(_TREE.rglob("*.js"))}
-    content["lens/offline.html"] = offline_page().encode()
+    content |= {"lens/offline.html": offline_page().encode(), "print/pdf.js": (_HERE / "offline/pdf.js").read_bytes()}
     return publish(_STATIC / "js", content)
 
 

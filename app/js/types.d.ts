@@ -607,12 +607,22 @@ export interface Lens {
 
 /** The lens, as it is saved. */
 export interface Saved {
+  host: HTMLElement;
   scene: Scene;
   told: Told;
   panels: { panel: Panel; canvas: HTMLCanvasElement }[];
   drawOne(pen: Pen, each: { panel: Panel }, w: number, h: number): Scale | null;
   world?: WorldPanel;
   readonly verdict: string;
+}
+
+/** A printed sheet, in pixels of CSS: its panels, the first line of its caption and where its lines begin. */
+export interface Sheet {
+  width: number;
+  height: number;
+  cells: Box[];
+  caption: number;
+  left: number;
 }
 
 /** The player whose cursor the lens follows. */

@@ -1,5 +1,6 @@
 // Tools to draw with: pens that draw on a canvas or write an SVG, axes, colours, heat. Knows no lens.
 /** @import { Axes, Box, Colours, LineStyle, Pen, Range, Scale, SvgPen } from '../types.js' */
+import { inkOf } from './colours.js';
 
 const ACTIONS = ['#0072B2', '#E69F00', '#009E73', '#D55E00', '#CC79A7', '#56B4E9', '#8C6D31', '#7A7A7A'];
 
@@ -116,6 +117,18 @@ export const escaped = (words) =>
   String(words).replace(/[&<>"]/g, (sign) => ({ '&': '&amp;', '<': '&lt;', '>': '&gt;', '"': '&quot;' })[sign]);
 
 /**
+ * An attribute of SVG 1.1, which knows no rgba().
+ * @param {'fill' | 'stroke'} name
+ * @param {string} colour
+ * @returns {string}
+ */
+export function painted(name, colour) {
+  if (!colour.startsWith('rgba(')) return `${name}="${colour}"`;
+  const { hex, alpha } = inkOf(colour);
+  return `${name}="${hex}" ${name}-opacity="${alpha}"`;
+}
+
+/**
  * A pen that writes an SVG.
  * @param {string} font - a family
  * @param {Pen['width']} measure
@@ -135,8 +148,8 @@ export function svgPen(font, measure) {
         down = Boolean(point);
       }
       parts.push(
-        `<path d="${d}${close ? 'Z' : ''}" fill="${fill}" stroke="${stroke}" stroke-width="${width}" ` +
-          `stroke-dasharray="${dash}" stroke-linejoin="round"/>`,
+        `<path d="${d}${close ? 'Z' : ''}" ${painted('fill', fill)} ${painted('stroke', stroke)} ` +
+          `stroke-width="${width}" stroke-dasharray="${dash}" stroke-linejoin="round"/>`,
       );
     },
     text(words, x, y, { size = 11, weight = 400, align = 'left', colour, turn } = {}) {
@@ -152,7 +165,8 @@ export function svgPen(font, measure) {
     image(source, x, y, w, h) {
       parts.push(
         `<image href="${source.toDataURL()}" x="${short(x)}" y="${short(y)}" width="${short(w)}" ` +
-          `height="${short(h)}" preserveAspectRatio="none" style="image-rendering:pixelated"/>`,
+          `height="${short(h)}" preserveAspectRatio="none"` +
+          `${source.width < w || source.height < h ? ' style="image-rendering:pixelated"' : ''}/>`,
       );
     },
     clip(x, y, w, h, draw) {

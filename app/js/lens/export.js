@@ -36,7 +36,13 @@ const commented = (value) =>
 // Words as a cell that no spreadsheet takes for a formula; `csv_cell` in Python is the same rule.
 const quoted = (words) => `"${`${/^[=+@\t\r\n-]/.test(words) ? "'" : ''}${words}`.replace(/"/g, '""')}"`;
 
-const nameOf = ({ scene: { model } }) => `lens_${model.header.world.replace(/[^A-Za-z0-9_-]+/g, '_').slice(0, 40)}`;
+/**
+ * The beginning of the names of files.
+ * @param {Pick<Saved, 'scene'>} lens
+ * @returns {string}
+ */
+export const nameOf = ({ scene: { model } }) =>
+  `lens_${model.header.world.replace(/[^A-Za-z0-9_-]+/g, '_').slice(0, 40)}`;
 
 // The verdict, on as many lines as it needs, and under it what is seen.
 function heading(pen, { verdict, scene: { model, state, colours } }) {

@@ -96,6 +96,7 @@ export function mount(root, model, told, tell) {
 
   /** @type {Saved} */
   const saved = {
+    host,
     scene,
     drawOne,
     panels: [],
@@ -113,6 +114,7 @@ export function mount(root, model, told, tell) {
     ['CSV', () => saveCsv(saved)],
   ];
   if (told.template) files.push(['HTML', () => saveHtml(saved)]);
+  files.push(['for print', async () => (await import('../print/print.js')).openPrint(saved)]);
   const sentence = element('p', {}),
     remedies = element('span', { class: 'remedies' });
   const verdict = element('div', { class: 'verdict' }, sentence, remedies),

@@ -226,7 +226,7 @@ const rewardsPanel = {
       scene,
     );
     const span = 1e-3 * (seen.thetas[seen.H] - seen.thetas[0]),
-      scale = axes(pen, upper, { x, y: rounded(low, high, span), xTicks: [], yTitle: 'E[r]', colours });
+      scale = axes(pen, upper, { x, y: rounded(low, high, span), xTicks: [], yTitle: 'E[r] (reward)', colours });
     const few = K <= 8 ? Array.from({ length: K }, (_, k) => k * dt) : undefined;
     const alive = axes(pen, lower, {
       x,
@@ -366,7 +366,7 @@ const fitPanel = {
       x,
       y: rounded(Math.min(...all), Math.max(...all), 1e-6),
       xTitle: 'time constant of γ (steps)',
-      yTitle: '(1 − γ) value',
+      yTitle: '(1 − γ) value (reward)',
       colours,
       xTicks: ticks(x[0], x[1], 4)
         .filter((tick) => Number.isInteger(tick))

@@ -83,7 +83,13 @@ export const valuesPanel = {
     });
     const left_ = names.length - legend.length;
     if (left_) pen.text(`+${left_}`, w - 4, 34, { size: 11, align: 'right', colour: colours.soft });
-    const scale = axes(pen, box, { x, y: rounded(low, high, leastSpan(model)), xTicks: [], yTitle: 'value', colours }),
+    const scale = axes(pen, box, {
+        x,
+        y: rounded(low, high, leastSpan(model)),
+        xTicks: [],
+        yTitle: 'value (reward)',
+        colours,
+      }),
       { X, Y } = scale;
     const xs = Array.from(horizons, X);
     pen.clip(box.x, box.y - 3, box.w, box.h + 6, () => {

@@ -1,0 +1,2 @@
+// What app/offline/pdf.js is built from.
+export * from './libraries.js';
