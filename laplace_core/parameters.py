@@ -7,7 +7,7 @@ A dataclass of settings states each of them once, as a field made by :func:`sett
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import Field, dataclass, field, fields, replace
 from functools import cache
 from math import inf
@@ -28,6 +28,7 @@ class Parameter:
         low, high: the range of an int or float; None for all else.
         kind: bool, int, float or str; by default the type of ``default``.
         choices: the allowed words of a str; empty for free text.
+        check: refuses a free text by raising an InputError.
     """
 
     name: str
@@ -37,6 +38,7 @@ class Parameter:
     help: str = ""
     kind: type | None = None
     choices: tuple[str, ...] = ()
+    check: Callable[[str], object] | None = None
 
     @property
     def type(self) -> type:
@@ -67,6 +69,8 @@ class Parameter:
             return value  # as most do: settings are made of settings
         text = str(value)
         if self.type is str and not self.choices:
+            if self.check is not None:
+                self.check(text)
             return text
         text = text.strip()
         if self.type is str:
@@ -115,9 +119,13 @@ def switch(sentence: str, *, default: bool, undecided: bool = False) -> Any:
     return _stated(Parameter("", default, help=sentence), undecided=undecided)
 
 
-def text(sentence: str) -> Any:
-    """Like :func:`setting`, for a text of any kind, None until it is chosen."""
-    return _stated(Parameter("", None, help=sentence))
+def text(sentence: str, check: Callable[[str], object] | None = None) -> Any:
+    """Like :func:`setting`, for a text, None until it is chosen.
+
+    Args:
+        check: refuses a text by raising an InputError; default: any text will do.
+    """
+    return _stated(Parameter("", None, help=sentence, check=check))
 
 
 def like(owner: type, name: str) -> Any:

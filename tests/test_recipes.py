@@ -355,14 +355,14 @@ def halved(problem: Problem, alpha: float) -> Solution:
 
 
 def test_a_solver(workshop):
-    solvers, words = "laplace_core/inverse/solvers.py", "app/inverse/words.py"
+    solvers, words = "laplace_core/inverse/solvers.py", "laplace_core/inverse/titles.py"
     (workshop.root / "laplace_core/inverse/halved.py").write_text(HALVED_SOLVER)
     workshop.insert(solvers, "from laplace_core.inverse.linear", "from laplace_core.inverse.halved import halved\n")
     workshop.insert(
         solvers, '    "neural": Solver(', '    "halved": Solver(partial(_of_one_alpha, halved), has_alpha=False),\n'
     )
     workshop.insert(words, '    "neural": "Neural network",', '    "halved": "Half of it",\n')
-    assert workshop.touched() == [words, "laplace_core/inverse/halved.py", solvers]
+    assert workshop.touched() == ["laplace_core/inverse/halved.py", solvers, words]
     assert_in_the_recipe("A solver", workshop.touched())
 
     # Two certain steps: the least-squares timeline of the exact values is the true one, and this is half of it.
@@ -385,13 +385,13 @@ LARGEST_SELECTOR = '''def largest(sweep: Sweep) -> np.ndarray:
 
 
 def test_a_selector(workshop):
-    selectors, words = "laplace_core/inverse/selectors.py", "app/inverse/words.py"
+    selectors, titles = "laplace_core/inverse/selectors.py", "laplace_core/inverse/titles.py"
+    words = "laplace_core/payloads/inverse_words.py"
     workshop.insert(selectors, "SELECTORS: ", LARGEST_SELECTOR)
     workshop.insert(selectors, '    "fitted": fitted,', '    "largest": largest,\n')
-    workshop.insert(
-        words, '    "fitted": Rule(', '    "largest": Rule("Largest", "The largest alpha that is tried.", "-alpha"),\n'
-    )
-    assert workshop.touched() == [words, selectors]
+    workshop.insert(words, '    "fitted": (', '    "largest": ("The largest alpha that is tried.", "-alpha"),\n')
+    workshop.insert(titles, '    "fitted": "Fitted network"', '    "largest": "Largest",\n')
+    assert workshop.touched() == [selectors, titles, words]
     assert_in_the_recipe("A selector", workshop.touched())
 
     decode = ("decode", "two_branch", "--json", "--alpha")

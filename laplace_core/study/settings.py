@@ -43,6 +43,21 @@ OVERHANG = 0.2
 _setting, _choice, _switch = (partial(kind, undecided=True) for kind in (setting, choice, switch))
 
 
+@lru_cache(maxsize=64)
+def levels_in(text: str) -> tuple[float, ...]:
+    """The numbers of ``noise_levels``.
+
+    Raises:
+        InputError: a word that is no number, or not from 1e-12 to 1.
+    """
+    words = [word.strip() for word in text.split(",")]
+    levels = tuple(float(word) if NUMBER.fullmatch(word) else float("nan") for word in words)
+    for word, level in zip(words, levels, strict=True):
+        if not 1e-12 <= level <= 1.0:
+            raise InputError(f"noise_levels must be numbers from 1e-12 to 1, by commas, not {word[:40]!r}.")
+    return levels
+
+
 @dataclass(frozen=True)
 class Settings:
     """Settings of one study.
@@ -92,7 +107,8 @@ class Settings:
         "Random error that gamma-space is taken to have: standard deviation of (1 - gamma) Q. Discrepancy needs it.",
     )
     noise_levels: str | None = text(
-        "The same at each discount, by commas, as the seeds of a learner show it; in place of --noise-level."
+        "The same at each discount, by commas, as the seeds of a learner show it; in place of --noise-level.",
+        levels_in,
     )
     weighting: str | None = _choice(
         None, WEIGHTINGS,
@@ -258,21 +274,6 @@ class ResolvedForWorld(Resolved):
     @staticmethod
     def _open() -> tuple[str, ...]:
         return ("theta_scale", "horizon", "noise_level", "noise_levels")
-
-
-@lru_cache(maxsize=64)
-def levels_in(text: str) -> tuple[float, ...]:
-    """The numbers of ``noise_levels``.
-
-    Raises:
-        InputError: a word that is no number, or not from 1e-12 to 1.
-    """
-    words = [word.strip() for word in text.split(",")]
-    levels = tuple(float(word) if NUMBER.fullmatch(word) else float("nan") for word in words)
-    for word, level in zip(words, levels, strict=True):
-        if not 1e-12 <= level <= 1.0:
-            raise InputError(f"noise_levels must be numbers from 1e-12 to 1, by commas, not {word[:40]!r}.")
-    return levels
 
 
 SCHEMA = schema_of(Settings)

@@ -106,7 +106,7 @@ def run(code: str, word: str, tmp_path: Path) -> str:
 
 def test_every_page_opens_without_what_only_unix_has(tmp_path):
     pages = re.findall(r'st\.Page\("screens/(\w+)\.py"', (ROOT / "app" / "main.py").read_text())
-    assert set(pages) == {"worlds", "inverse", "agents", "race", "train", "paper"}
+    assert set(pages) == {"worlds", "inverse", "agents", "race", "train", "paper", "guide"}
     assert run(PAGES, ",".join(pages), tmp_path) == "opened"
 
 

@@ -253,8 +253,9 @@ def test_with_chance_the_lens_gets_what_continuations_came_to(shipped, few):
     loaded = load_checkpoint(shipped / "laplace_two_branch.safetensors")
     rollout = roll_out(loaded.agent, "two_branch", 5, rule="random")
     header, arrays = lens_arrays(page)
-    found = continue_from(loaded.agent, rollout, 0, action=0, count=2, steps=20)
-    assert header["simulated"] == {"action": 0, "count": 2}
+    taken = int(rollout.actions[0])  # the lens looks at it, until another one is chosen
+    found = continue_from(loaded.agent, rollout, 0, action=taken, count=2, steps=20)
+    assert header["simulated"] == {"action": taken, "count": 2}
     np.testing.assert_allclose(arrays["simulated_lines"][0], found.rewards.mean(axis=0), rtol=1e-6)
 
     next(box for box in page.selectbox if box.label.startswith("Control of what")).set_value("rule").run()
@@ -269,7 +270,9 @@ def test_what_is_simulated_is_of_its_state_and_action_only(shipped, few):
     simulated(rolled_out(**query))
     assert "simulated" in lens_arrays(rolled_out(**query))[0]  # of the same state again, nothing is to be waited for
     assert "simulated" not in lens_arrays(rolled_out(**query, **{"r.at": "1"}))[0]
-    assert "simulated" not in lens_arrays(rolled_out(**query, action="long"))[0]
+    rollout = roll_out(load_checkpoint(shipped / "laplace_two_branch.safetensors").agent, "two_branch", 6)
+    other = ("long", "short")[int(rollout.actions[0])]  # actions are short and long
+    assert "simulated" not in lens_arrays(rolled_out(**query, action=other))[0]
 
 
 def test_the_link_adds_discounts_and_softens_the_slope(shipped):

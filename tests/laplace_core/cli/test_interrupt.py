@@ -43,7 +43,7 @@ def test_every_verb_that_is_interrupted_at_work_ends_with_one_line(
     for verb, words in VERBS.items():
         with subtests.test(verb), monkeypatch.context() as patched:
             patched.setattr(f"laplace_core.cli.{FUNCTIONS[verb]}", lambda *_, **__: os.kill(os.getpid(), number))
-            verbs._parser.cache_clear()
+            verbs.parser.cache_clear()
             before = [signal.getsignal(each) for each in (signal.SIGINT, signal.SIGTERM)]
             if number == signal.SIGINT:
                 assert main(words) == 130
@@ -53,7 +53,7 @@ def test_every_verb_that_is_interrupted_at_work_ends_with_one_line(
                 assert ended.value.code == 143
             assert capsys.readouterr().err == ("laplace: stopped\n" if number == signal.SIGINT else "")
             assert [signal.getsignal(each) for each in (signal.SIGINT, signal.SIGTERM)] == before
-    verbs._parser.cache_clear()
+    verbs.parser.cache_clear()
     assert list(tmp_path.iterdir()) == []
 
 

@@ -32,7 +32,7 @@ def test_what_falls_short_is_named():
     made = {"low": 0.2, "high": 0.4, "bumps": 100, "predicted": 0.3, "real": 0.34}
     assert bumps.shortfalls({"rows": [made]}) == []
     assert bumps.shortfalls({"rows": [made | {"real": 0.36}]}) == ["0.2 to 0.4"]
-    solved = {"world": "w", "noise": 1e-2, "kkt": 1e-7, "violated": 1e-9}
+    solved = {"world": "w", "measure": "reward", "noise": 1e-2, "kkt": 1e-7, "violated": 1e-9}
     assert timelines.shortfalls({"rows": [solved]}) == []
     assert timelines.shortfalls({"rows": [solved | {"kkt": 1e-5}]}) == ["w at 0.01"]
 
