@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from laplace_core import Study
-from laplace_core.inverse import AUTO, SELECTORS
+from laplace_core.inverse import AUTO, SELECTORS, SOLVERS
 from laplace_core.inverse.components import sweep_of
 from laplace_core.inverse.consistency import LEVEL
 from laplace_core.inverse.selectors import TYPED
@@ -125,8 +125,12 @@ def _choice(study: Study, found: Swept) -> str:
         name = RULE_TITLES[record.rule]
         by = f", by the {RULE_TITLES[AUTO].lower()}," if record.rule == "auto" else ""
         return f"{name}{by} takes alpha {alpha:.3g}."
-    suggested = float(found.sweep.alphas[found.chosen[AUTO]])
-    return f"Alpha {alpha:.4g} was set by hand; automatic takes {suggested:.3g}."
+    if not SOLVERS[study.settings.solver].has_alpha:
+        return "This solver has no alpha."
+    by_hand = f"Alpha {alpha:.4g} was set by hand"
+    if AUTO not in found.chosen:  # the rule is not fitted to this solver
+        return f"{by_hand}."
+    return f"{by_hand}; automatic takes {float(found.sweep.alphas[found.chosen[AUTO]]):.3g}."
 
 
 def chosen_over(study: Study, actions: np.ndarray) -> str:
