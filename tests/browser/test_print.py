@@ -98,7 +98,7 @@ def test_a_set_in_a_dark_theme_is_light_and_every_letter_an_outline(page, demo, 
     caption = " ".join(words)
     for setting in ("α = 0.2", "T = 3 steps", "solver Tikhonov", "slope 25 / reward", "Rows as decoded"):
         assert setting in caption
-    assert {"tau-space", "gamma-space", "sensitivity θ (reward)", "value (reward)", "horizon T (steps)"} <= set(words)
+    assert {"Tau-space", "Gamma-space", "sensitivity θ (reward)", "value (reward)", "horizon T (steps)"} <= set(words)
     letters = module_of(page, "print/letters.js")
     assert letters.evaluate("({ missingFrom }, words) => missingFrom(words)", caption) == []
 
@@ -181,6 +181,6 @@ def test_a_saved_lens_prints_without_a_network_and_says_where_a_pdf_is_made(page
     expect(dialog).to_contain_text("A PDF is saved in the workbench")
     drawing = ET.parse(saved(alone, dialog, "SVG", 85, tmp_path / "one.svg")).getroot()
     assert drawing.get("width") == "85mm"
-    assert "tau-space" in labels(drawing)
+    assert "Tau-space" in labels(drawing)
     assert problems == []
     context.close()
