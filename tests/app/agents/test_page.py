@@ -246,7 +246,7 @@ def test_with_chance_the_lens_gets_what_continuations_came_to(shipped, few):
     """Untold, of another rule than greedy, they are what tau-space predicts; and by wish, under that rule."""
     query = {"r.shown": "yes", "r.seed": "5", "r.rule": "random"}
     page = simulated(rolled_out(checkpoint="laplace_two_branch", **query))
-    assert "2 continuations of 20 steps" in words(page)
+    page = wait(page, lambda page: "2 continuations of 20 steps" in words(page))
     assert "greedy at γ" in words(page)
     assert "another process" not in words(page)
     assert "simulated" not in charts(page)  # the lens shows it
@@ -267,7 +267,7 @@ def test_with_chance_the_lens_gets_what_continuations_came_to(shipped, few):
 
 def test_what_is_simulated_is_of_its_state_and_action_only(shipped, few):
     query = {"r.shown": "yes", "r.seed": "6", "checkpoint": "laplace_two_branch"}
-    simulated(rolled_out(**query))
+    wait(simulated(rolled_out(**query)), lambda page: "simulated" in lens_arrays(page)[0])
     assert "simulated" in lens_arrays(rolled_out(**query))[0]  # of the same state again, nothing is to be waited for
     assert "simulated" not in lens_arrays(rolled_out(**query, **{"r.at": "1"}))[0]
     rollout = roll_out(load_checkpoint(shipped / "laplace_two_branch.safetensors").agent, "two_branch", 6)
