@@ -64,6 +64,7 @@ def test_the_download_equals_what_the_shown_command_computes(page, address, tmp_
 def test_a_click_on_a_state_looks_from_there(page, address):
     open_at(page, address, "world=two_branch")
     point = page.locator(".laplace-lens .world").locator(".scatterlayer .trace .points path.point").nth(1)
+    settled(page)
     box = point.bounding_box()
     page.mouse.move(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
     page.mouse.click(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
