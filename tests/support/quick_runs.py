@@ -47,7 +47,7 @@ def stand_in(monkeypatch) -> None:
     monkeypatch.setattr(queue, "_command", lambda folder, most_bytes: [sys.executable, "-c", _CHILD, str(folder)])
 
 
-def until(done: Callable[[], object], seconds: float = 60) -> None:
+def until(done: Callable[[], object], seconds: float = 240) -> None:
     """Wait for something to happen."""
     limit = time.monotonic() + seconds
     while not done():
