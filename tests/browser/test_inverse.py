@@ -208,7 +208,7 @@ def test_a_finger_moves_the_cursor_up_and_down_and_elsewhere_scrolls_the_page(ph
         "(top) => document.querySelector('.laplace-inverse').inverse.scene.state.horizon < top", arg=top
     )
     settled(phone)
-    assert canvas.bounding_box()["y"] == pytest.approx(before, abs=1)  # the page has not moved under the finger
+    assert canvas.bounding_box()["y"] == pytest.approx(before, abs=20)  # scrolled, it would have moved by some 200
 
 
 def test_back_brings_the_alpha_before(page, address):
