@@ -42,7 +42,7 @@ def values_of(step: int) -> dict[str, Any]:
 
 
 def story(chosen: Mapping[str, Any]) -> dict[str, Any]:
-    """What the lens is told of the story: the step that is shown, 0 for none, and all steps with their links."""
+    """The story as the lens shows it: the number of the step, 0 for none, and all steps with their links."""
     steps = [
         {"name": name, "panel": panel, "words": words, "href": f"?{urlencode(query_of(values_of(step)))}"}
         for step, (name, panel, _, words) in enumerate(_STEPS, start=1)

@@ -1,4 +1,4 @@
-// The page of the inverse inside Streamlit: one alpha, dragged on any of its pictures. The server is told of releases only;
+// The page of the inverse inside Streamlit: one alpha, dragged on any of its pictures. The server answers releases only;
 // the rule of payloads, revisions and releases is written down in app/session/message.py.
 /** @import { InverseModel, InverseScene, InverseTold, Message } from '../types.js' */
 import { coloursOf } from '../draw/colours.js';

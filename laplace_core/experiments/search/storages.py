@@ -133,7 +133,7 @@ def storage_of(text: str, interval: int = HEARTBEAT) -> BaseStorage:
         InputError: a text that names none, or a storage that cannot be opened.
     """
     check_storage(text)
-    optuna.logging.set_verbosity(logging.ERROR)  # a trial that fails is told by whoever asked for the search
+    optuna.logging.set_verbosity(logging.ERROR)  # the search itself reports a trial that fails
     if _POSTGRES.match(text):
         _check_driver()
         return _database(_POSTGRES.sub("postgresql+psycopg://", text), interval)

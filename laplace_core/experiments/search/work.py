@@ -295,7 +295,7 @@ def take_over(study: optuna.Study, plan: Plan) -> None:
         else:
             dead = process.near and not process.alive
         if dead:
-            # Of two workers that see it at once, the second is told that the trial is over already.
+            # Where two workers see it at once, Optuna refuses the second: the trial is over already.
             with contextlib.suppress(ValueError, optuna.exceptions.UpdateFinishedTrialError):
                 study.tell(trial.number, state=TrialState.FAIL)
                 queue_again(study, study.trials[trial.number])
