@@ -166,6 +166,7 @@ def swipe(page, name, begin, end, steps=12):
 
 def in_the_middle(page, name):
     """Bring a picture to the middle of the screen, so that there is room to scroll both ways; its size."""
+    expect(page.get_by_text("is being tested")).to_have_count(0)  # what is found may take another number of lines
     canvas = page.locator(f".laplace-inverse .{name} canvas")
     canvas.evaluate("(canvas) => canvas.scrollIntoView({ block: 'center' })")
     settled(page)
