@@ -5,7 +5,8 @@ What is seen has two owners, the server and the hand in the browser, and this is
 1. **Payloads.** A message names its payload, and carries it only where the browser does not hold it. The browser keeps
    the last few (``HELD`` in ``lens/models.js`` and ``cursor/cursor.js``), and :attr:`Channel.held` mirrors which. Where
    the two differ, after a reload say, the browser answers ``missing``; then Python forgets what it believed and sends
-   the payload with its next message.
+   the payload with its next message. Streamlit keeps only the last answer that the server has not read yet, so this
+   one repeats the released state of rule 3.
 2. **Revisions.** A message has a revision. A component takes over the state of a message only if the revision differs
    from that of the last message; else the state on its screen stays, which a hand may have changed since.
 3. **Releases.** When a hand lets go, the browser reports the state. Python takes it over (:meth:`Channel.release`) and
@@ -25,10 +26,12 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
+_DIGITS = 16
+
 
 def name_of(data: bytes) -> str:
     """What the browser knows a payload by."""
-    return hashlib.sha256(data).hexdigest()[:16]
+    return hashlib.sha256(data).hexdigest()[:_DIGITS]
 
 
 @dataclass
@@ -69,15 +72,21 @@ class Channel:
         """A hand has let go at this state."""
         self.released = state
 
-    def answered(self, name: str, answer: object, most: int) -> bool:
-        """Note that the browser answered a message with the payload ``name``; whether it holds that payload.
+    def answered(self, answer: Mapping[str, Any], most: int) -> bool:
+        """Note which payload the browser holds, by its answer; whether it holds the one that it was sent last.
 
         Args:
+            answer: with the ``id`` of the payload that it is about, which may be older than the last message, or with
+                the ``missing`` one.
             most: payloads that the browser keeps.
         """
-        missing = isinstance(answer, Mapping) and "missing" in answer
-        self.held = [] if missing else [name, *(each for each in self.held if each != name)][:most]
-        return not missing
+        if "missing" in answer:
+            self.held = []
+            return False
+        name = answer.get("id")
+        if isinstance(name, str) and len(name) == _DIGITS:
+            self.held = [name, *(each for each in self.held if each != name)][:most]
+        return True
 
     def due(self, name: str, data: bytes) -> bytes:
         """The payload, if it has to be sent."""

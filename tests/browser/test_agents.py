@@ -116,6 +116,7 @@ def test_a_softer_slope_and_added_discounts(page, address, wanted):
     page.locator("input[name=slope_share]").focus()
     for _ in range(10):
         page.keyboard.press("ArrowLeft")
+    assert page.evaluate("() => document.querySelector('.laplace-lens').lens.state.slope_share") == 0.5
     page.wait_for_url("**slope_share=0.5*")
     space = exactly(page, loaded, rollout, added=1)
     found, told = taken_along(page)

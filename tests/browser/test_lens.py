@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from playwright.sync_api import expect
 
-from tests.browser.support import ask_why, grab, open_at, runs_asked, runs_of_demo, settled
+from tests.browser.support import ask_why, grab, module_of, open_at, runs_asked, runs_of_demo, settled
 from tests.support.lens_agreement import compared_in, fixture, network, payloads, random_cases
 
 pytestmark = pytest.mark.browser
@@ -124,6 +124,29 @@ def test_a_lens_put_back_shows_what_was_let_go_of(page, demo):
     toggle.click()
     page.locator("canvas.tau-space").wait_for()
     expect(page.locator("input[name=alpha]")).to_have_attribute("aria-valuetext", "10")
+
+
+def test_an_answer_that_a_payload_is_missing_repeats_the_release_that_it_replaces(page, demo):
+    """Streamlit keeps only the last answer that the server has not read: the release before it would be lost."""
+    open_lens(page, demo)
+    page.locator("input[name=alpha]").focus()
+    page.keyboard.press("ArrowRight")
+    settled(page)
+    state = page.evaluate("() => document.querySelector('.laplace-lens').lens.state")
+    answers = module_of(page, "lens/entry.js").evaluate(
+        """({ default: show }) => Array.from({ length: 9 }, (_, revision) => {
+          const header = new TextEncoder().encode(JSON.stringify({ name: 'demo', id: 'not held', revision }));
+          const data = new Uint8Array(4 + header.length);
+          new DataView(data.buffer).setUint32(0, header.length, true);
+          data.set(header, 4);
+          let answer;
+          show({ data, parentElement: document.body, setTriggerValue: (name, value) => { answer = value; } });
+          return answer;
+        })"""
+    )
+    assert state["alpha"] > 0.2
+    assert answers.count({"missing": "not held", "state": state}) == 1  # of the revision that the browser is at
+    assert answers.count({"missing": "not held"}) == 8
 
 
 def test_one_place_is_marked_in_every_picture(page, demo):

@@ -37,8 +37,9 @@ def under_cursor(
 
     def rested() -> None:
         answer = st.session_state[widget].rested
-        if not isinstance(answer, Mapping) or not channel.answered(digest, answer, HELD):
+        if not isinstance(answer, Mapping):
             return
+        channel.answered(answer, HELD)
         step = answer.get("step")
         number = isinstance(step, int | float) and not isinstance(step, bool)
         if step is not None and number and 0 <= step < 1e6 and answer.get("id") == digest:

@@ -160,7 +160,7 @@ def lens(
 
     def released() -> None:
         answer = st.session_state[widget].released
-        if not channel.answered(digest, answer, _HELD):
+        if not isinstance(answer, Mapping) or (not channel.answered(answer, _HELD) and "state" not in answer):
             return
         report = _released(answer, presets)
         channel.release(report.state)
@@ -171,9 +171,8 @@ def lens(
     assets.component("lens", "entry")(key=widget, data=packed, on_released_change=released, height="content")
 
 
-def _released(answer: object, presets: Sequence[Preset]) -> Released:
+def _released(report: Mapping[str, Any], presets: Sequence[Preset]) -> Released:
     """What the browser says, which is not to be trusted: ``checked`` looks at the state value by value."""
-    report = answer if isinstance(answer, Mapping) else {}
     state, preset, pin, solver, follow = (report.get(name) for name in ("state", "preset", "pin", "solver", "follow"))
     remedy, picked, story = (_index(report.get(name)) for name in ("remedy", "picked", "story"))
     return Released(

@@ -44,11 +44,12 @@ export const component = ({ kind, open, mount, shown = (told) => told.id }) => {
       length = view.getUint32(0, true);
     const told = JSON.parse(new TextDecoder().decode(data.subarray(4, 4 + length)));
     const opened = await found(told.id, data.subarray(4 + length));
+    let kept = mounted.get(parentElement);
     if (!opened) {
-      setTriggerValue('rested', { missing: told.id });
+      const unheard = kept?.unheard !== undefined && { step: kept.unheard, id: kept.id };
+      setTriggerValue('rested', { missing: told.id, ...unheard });
       return;
     }
-    let kept = mounted.get(parentElement);
     if (kept && kept.shown === shown(told) && kept.host.isConnected) {
       kept.report = setTriggerValue;
       if (kept.revision !== told.revision || kept.unheard === told.at) kept.unheard = undefined;

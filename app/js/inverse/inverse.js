@@ -37,7 +37,9 @@ export default function ({ data, parentElement, setTriggerValue }) {
   const told = JSON.parse(new TextDecoder().decode(data.subarray(4, 4 + length))),
     model = modelOf(told.id, data.subarray(4 + length));
   if (!model) {
-    setTriggerValue('released', { missing: told.id });
+    // This answer takes the place of a release that Python has not read: so it repeats it.
+    const last = released.get(told.name);
+    setTriggerValue('released', { missing: told.id, ...(last?.revision === told.revision && { state: last.state }) });
     return;
   }
   const kept = mounted.get(parentElement),

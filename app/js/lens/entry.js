@@ -37,7 +37,9 @@ export default function ({ data, parentElement, setTriggerValue }) {
   const kept = mounted.get(parentElement),
     given = modelOf(id, data.subarray(4 + length));
   if (!given) {
-    setTriggerValue('released', { missing: id });
+    // This answer takes the place of a release that Python has not read: so it repeats it.
+    const last = released.get(name);
+    setTriggerValue('released', { missing: id, ...(last?.revision === revision && { state: last.state }) });
     return;
   }
   const [model, told] = led(given, { ...message, live: true, template }),

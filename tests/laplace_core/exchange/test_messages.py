@@ -5,6 +5,7 @@ from __future__ import annotations
 from laplace_core.exchange.messages import Channel
 
 ONE, TWO = {"alpha": 0.1}, {"alpha": 0.2}
+A, B, C = ("a" * 16, "b" * 16, "c" * 16)
 
 
 def test_a_state_that_the_server_sets_has_a_revision_of_its_own():
@@ -54,15 +55,25 @@ def test_a_cursor_is_always_sent_its_step():
 
 def test_a_payload_is_sent_until_the_browser_holds_it_and_again_when_it_does_not():
     channel = Channel()
-    assert channel.due("a", b"data") == b"data"
-    assert channel.answered("a", {"state": {}}, 2)
-    assert channel.due("a", b"data") == b""
-    assert not channel.answered("a", {"missing": "a"}, 2)
-    assert channel.due("a", b"data") == b"data"
+    assert channel.due(A, b"data") == b"data"
+    assert channel.answered({"id": A, "state": {}}, 2)
+    assert channel.due(A, b"data") == b""
+    assert not channel.answered({"missing": A}, 2)
+    assert channel.due(A, b"data") == b"data"
+
+
+def test_an_answer_about_an_older_payload_does_not_say_that_the_newer_one_is_held():
+    channel = Channel()
+    channel.show(B, ONE)
+    channel.answered({"id": A, "state": TWO}, 2)
+    assert (channel.due(A, b"data"), channel.due(B, b"data")) == (b"", b"data")
+    for strange in (None, 7, "x" * 10_000, [A]):
+        channel.answered({"id": strange}, 2)
+    assert channel.held == [A]
 
 
 def test_the_oldest_payload_makes_room():
     channel = Channel()
-    for name in ("a", "b", "a", "c"):
-        channel.answered(name, {}, 2)
-    assert channel.held == ["c", "a"]
+    for name in (A, B, A, C):
+        channel.answered({"id": name}, 2)
+    assert channel.held == [C, A]
