@@ -233,13 +233,14 @@ def _factored(system: np.ndarray) -> Callable[[np.ndarray], np.ndarray]:
     at = np.arange(scaled.shape[1])
     scaled[:, at, at] += 1e-14
     if scaled.shape[1] >= FACTORED_SINGLY or len(scaled) == 1:
-        from scipy.linalg import lu_factor, lu_solve  # slow to import
+        from scipy.linalg.lapack import dgetrf, dgetrs  # slow to import; lu_solve checks for longer than it solves
 
-        factors = [lu_factor(one, overwrite_a=True, check_finite=False) for one in scaled]
+        # LAPACK counts by columns: it is handed the transpose, which of a symmetric matrix is the same one.
+        factors = [dgetrf(one.T, overwrite_a=True)[:2] for one in scaled]
 
         def solve(right: np.ndarray) -> np.ndarray:
             rights = zip(factors, scale * right, strict=True)
-            return scale * np.array([lu_solve(factor, one, check_finite=False) for factor, one in rights])
+            return scale * np.array([dgetrs(*factor, one)[0] for factor, one in rights])
 
         return solve
     inverse = np.linalg.inv(scaled)
