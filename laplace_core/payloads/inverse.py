@@ -17,7 +17,6 @@ from laplace_core.inverse import LINEAR, is_linear
 from laplace_core.inverse.bands import bands, bands_by_draws, bins_of, reward_gain
 from laplace_core.inverse.components import Sweep, reached, sweep_of
 from laplace_core.inverse.feasible import reduced_system
-from laplace_core.inverse.nonnegative import LEAST_ALPHA
 from laplace_core.inverse.selectors import chosen_index, curves_of
 from laplace_core.inverse.transform import transform_matrix
 from laplace_core.payloads.packing import pack, packed_blocks
@@ -151,7 +150,6 @@ def payload(
         "actions": list(study.action_names),
         "action": action,
         "gain": gain or 0.0,
-        "least": LEAST_ALPHA,
         "decoded_at": s.alpha if "decoded" in arrays else None,
     }
     return _packed(header, arrays)
