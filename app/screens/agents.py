@@ -13,7 +13,7 @@ from app.components.waiting import attempt
 from app.components.widgets import left_out, select, upload
 from app.session import store
 from app.session.typed import in_markdown
-from app.view import compute, export, panels, solver
+from app.view import compute, export, feasible, panels, solver
 from laplace_core import InputError
 from laplace_core.agents.capabilities import HasGammaSpace
 from laplace_core.environments import Environment, environment_of
@@ -112,7 +112,9 @@ def _view(loaded: Loaded, scene: Environment, rolling: Rolling | None) -> None:
     above = st.container()
     try:
         view = view_of(loaded, scene, values, observation)
-        base = view_of(loaded, scene, store.without(*LIVE), observation)
+        base = feasible.linear(view_of(loaded, scene, store.without(*LIVE), observation))
+        with above:
+            view = feasible.drawn(view)
         compute.study_for(view)
     except InputError as error:
         st.error(in_markdown(error))

@@ -7,7 +7,7 @@ import streamlit as st
 from app.components.waiting import turn
 from app.session import store
 from app.session.typed import in_markdown
-from app.view import compute, panels
+from app.view import compute, feasible, panels
 from app.worlds import bring, compare, export, learners, learning, sidebar, sources, story
 from app.worlds.presets import presets_for
 from app.worlds.schema import LINK
@@ -42,8 +42,8 @@ def _view(*, running: bool) -> None:
         _refuse(error)
         return
     with turn(needed=large):
-        drawn = _pictures(view, base, watched)
-    if drawn and not running:  # what is learned changes under the search
+        drawn = _pictures(view, feasible.linear(base), watched)
+    if drawn is not None and drawn == view and not running:  # what is learned changes under the search
         panels.explain(view)
     if learners.at_work() != running:  # learning began or ended: look oftener, or no more
         st.rerun()
@@ -54,13 +54,14 @@ def _refuse(error: InputError) -> None:
     st.button("Undo the last change", on_click=store.undo)
 
 
-def _pictures(view: View, base: View, watched: learners.Watched | None) -> bool:
-    """All that is computed of a view, but for the search for causes; whether it could be drawn."""
+def _pictures(view: View, base: View, watched: learners.Watched | None) -> View | None:
+    """All that is computed of a view, but for the search for causes; the view that was drawn, if one could be."""
     try:
+        view = feasible.drawn(view)
         compute.study_for(view)
     except InputError as error:
         _refuse(error)
-        return False
+        return None
     store.worked()
     learning.strip(view, watched)
     presets = presets_for(view) if view.world is not None else ()
@@ -71,7 +72,7 @@ def _pictures(view: View, base: View, watched: learners.Watched | None) -> bool:
     export.footer(view)
     compare.comparison(view)
     bring.editor(view)
-    return True
+    return view
 
 
 page()
