@@ -552,6 +552,8 @@ export interface Told {
   pin?: State | null;
   /** Title of the rule that chose alpha. */
   rule?: string | null;
+  /** The solver whose timeline is being computed, while that of another one is drawn. */
+  coming?: string | null;
   lead?: { id: string; step: number } | null;
   followed?: Followed | null;
   /** Whether the action of the pictures is the one that was taken, as long as nobody chooses another. */

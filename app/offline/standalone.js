@@ -4253,7 +4253,7 @@ function mount(root, model, told, tell) {
         /** @type {[string, {}]} */
         [label, { remedy }]
       )),
-      ...told.live ? offers(model, seen).filter(([label]) => !heard?.remedies.includes(label)).map(([label, solver]) => (
+      ...told.live ? offers(model, seen).filter(([label, solver]) => solver !== told.coming && !heard?.remedies.includes(label)).map(([label, solver]) => (
         /** @type {[string, {}]} */
         [label, { solver }]
       )) : []

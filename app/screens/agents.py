@@ -114,7 +114,7 @@ def _view(loaded: Loaded, scene: Environment, rolling: Rolling | None) -> None:
         view = view_of(loaded, scene, values, observation)
         base = feasible.linear(view_of(loaded, scene, store.without(*LIVE), observation))
         with above:
-            view = feasible.drawn(view)
+            view, coming = feasible.drawn(view)
         compute.study_for(view)
     except InputError as error:
         st.error(in_markdown(error))
@@ -125,12 +125,13 @@ def _view(loaded: Loaded, scene: Environment, rolling: Rolling | None) -> None:
         with above:
             rollout_form.show(rolled, scene, view)
             simulated = truth.ask(view, loaded, rollout, at)
-    panels.pictures(view, base, lead=lead, followed=followed, simulated=simulated, follows=follows)
+    panels.pictures(view, base, lead=lead, followed=followed, simulated=simulated, follows=follows,
+                    coming=coming)  # fmt: skip
     if rollout is not None:
         truth.section(view, loaded, rollout, at)
     name, alpha = view.subject.action_names[view.action], compute.study_for(view).settings.alpha
     returns.section(loaded, observation, view.action, name, alpha=alpha, rollout=rollout, step=at)
-    panels.artefacts(view)
+    panels.artefacts(view, coming)
     export.agent_footer(view)
 
 

@@ -37,7 +37,7 @@ def page() -> None:
     store.write_url()
     try:
         with turn(needed=is_large(view)):
-            view = feasible.drawn(view)
+            view, _ = feasible.drawn(view)
             waiting = _pictures(view)
     except InputError as error:
         sidebar.refused(str(error))

@@ -43,7 +43,7 @@ def _view(*, running: bool) -> None:
         return
     with turn(needed=large):
         drawn = _pictures(view, feasible.linear(base), watched)
-    if drawn is not None and drawn == view and not running:  # what is learned changes under the search
+    if drawn and not running:  # what is learned changes under the search
         panels.explain(view)
     if learners.at_work() != running:  # learning began or ended: look oftener, or no more
         st.rerun()
@@ -54,25 +54,26 @@ def _refuse(error: InputError) -> None:
     st.button("Undo the last change", on_click=store.undo)
 
 
-def _pictures(view: View, base: View, watched: learners.Watched | None) -> View | None:
-    """All that is computed of a view, but for the search for causes; the view that was drawn, if one could be."""
+def _pictures(view: View, base: View, watched: learners.Watched | None) -> bool:
+    """All that is computed of a view, but for the search for causes; whether it could be drawn."""
     try:
-        view = feasible.drawn(view)
+        view, coming = feasible.drawn(view)
         compute.study_for(view)
     except InputError as error:
         _refuse(error)
-        return None
+        return False
     store.worked()
     learning.strip(view, watched)
     presets = presets_for(view) if view.world is not None else ()
     told = story.story(store.chosen())
-    panels.pictures(view, base, presets=presets, pin=compare.pinning(view), story=told, on_story=story.show)
-    panels.artefacts(view)
+    panels.pictures(view, base, presets=presets, pin=compare.pinning(view), story=told, on_story=story.show,
+                    coming=coming)  # fmt: skip
+    panels.artefacts(view, coming)
     learning.pictures(view)
     export.footer(view)
     compare.comparison(view)
     bring.editor(view)
-    return view
+    return True
 
 
 page()

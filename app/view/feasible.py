@@ -35,24 +35,25 @@ def linear(view: View) -> View:
     return replace(view, settings=replace(view.settings, solver=selecting(SOLVER)))
 
 
-def drawn(view: View) -> View:
+def drawn(view: View) -> tuple[View, str | None]:
     """The view as it can be drawn now, and in words above it what is still to come.
 
     Returns:
-        the view itself; or, while its timeline is computed or after that was cancelled, that of :func:`linear`.
+        the view itself and None; or, while its timeline is computed and after that was cancelled, that of
+        :func:`linear` and the name of the solver that it stands in for.
 
     Raises:
         InputError: settings that do not fit each other.
     """
     if view.settings.solver != SOLVER or compute.is_known(view):
         leave(SLOT)
-        return view
+        return view, None
     shown = linear(view)
     compute.study_for(shown)  # it refuses what the other would refuse, and at once
     seconds = _seconds(view)
     if seconds <= AT_ONCE:
         leave(SLOT)
-        return view
+        return view, None
     base = compute.unread(view)
     wish = wish_for(base, seconds)
     job = wish.look()
@@ -61,9 +62,9 @@ def drawn(view: View) -> View:
     if job is not None and not job.going and not job.gone:
         compute.remember(base, *job.result())  # or raises the sentence that refuses it
         compute.is_known(view)
-        return view
+        return view, None
     _said(wish, job)
-    return shown
+    return shown, SOLVER
 
 
 def wish_for(view: View, seconds: float) -> Wish[tuple[Study, Study | None]]:

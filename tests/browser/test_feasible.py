@@ -99,5 +99,5 @@ def test_the_page_of_the_inverse_draws_the_linear_timeline_first(page, address):
     settled(page)
     expect(page.get_by_text(COMING)).to_have_count(0)
     shown = page.evaluate("() => Array.from(document.querySelector('.laplace-inverse').inverse.scene.made.tau)")
-    expected = decoded(solver="feasible", alpha=0.13)
+    expected = decoded(solver="feasible", alpha=0.13, weighting="deviation")
     np.testing.assert_allclose(np.reshape(shown, expected.shape), expected, atol=1e-5)

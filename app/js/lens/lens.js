@@ -411,7 +411,7 @@ export function mount(root, model, told, tell) {
       ...(heard?.remedies ?? []).map((label, remedy) => /** @type {[string, {}]} */ ([label, { remedy }])),
       ...(told.live
         ? offers(model, seen)
-            .filter(([label]) => !heard?.remedies.includes(label))
+            .filter(([label, solver]) => solver !== told.coming && !heard?.remedies.includes(label))
             .map(([label, solver]) => /** @type {[string, {}]} */ ([label, { solver }]))
         : []),
     ];

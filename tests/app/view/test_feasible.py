@@ -60,12 +60,16 @@ def view(**changes):
 
 def test_the_linear_timeline_is_drawn_with_a_sentence_until_the_feasible_one_is_there(held):
     page = opened(**HERE)
-    assert unpacked(handed(page)[1])[0]["solver"] == "tikhonov"
+    told, data = handed(page)
+    assert unpacked(data)[0]["solver"] == "tikhonov"
+    assert told["coming"] == "feasible"
+    assert "searched for" not in told["said"]["sentence"]
     held.set()
     for job in [job for _, job in feasible._timelines.items()]:
         job.wait(60.0)
-    data = handed(run(page))[1]
+    told, data = handed(run(page))
     assert unpacked(data)[0]["solver"] == "feasible"
+    assert told["coming"] is None
     np.testing.assert_allclose(unpacked(data)[1]["decoded"], decoded(), atol=1e-12)
 
 
