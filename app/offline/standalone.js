@@ -686,8 +686,7 @@ function columnsOf(A, targets, K) {
     { length: q },
     (_, i) => dot(A.subarray(i * K, (i + 1) * K), A.subarray(i * K, (i + 1) * K))
   );
-  const c = new Float64Array(B * q), x = new Float64Array(K), along = new Float64Array(K);
-  let last = 0;
+  const x = new Float64Array(K), along = new Float64Array(K), rows = transposed(A, q, K);
   const rowsOf = (at, out) => {
     out.fill(0);
     for (let i = 0; i < q; i++) for (let k = 0, row = i * K; k < K; k++) out[k] += at[i] * A[row + k];
@@ -706,9 +705,9 @@ function columnsOf(A, targets, K) {
     if (off <= rounding) return 0;
     for (let k = 0; k < K; k++) {
       if (!(x[k] > 0)) continue;
-      for (let i = 0; i < q; i++) {
-        const factor = A[i * K + k];
-        for (let j = 0; j <= i; j++) hessian[i * q + j] += factor * A[j * K + k];
+      for (let i = 0, at2 = k * q; i < q; i++) {
+        const factor = rows[at2 + i];
+        for (let j = 0, to = i * q; j <= i; j++) hessian[to + j] += factor * rows[at2 + j];
       }
     }
     for (let i = 0; i < q; i++) hessian[i * q + i] += alpha * alpha;
@@ -742,45 +741,143 @@ function columnsOf(A, targets, K) {
     }
     return share;
   }
+  function newton(at, z, alpha, most) {
+    let best = Infinity, idle = 0;
+    for (let i = 0; i < most && idle < IDLE; i++) {
+      const off = moved(at, z, alpha);
+      if (!off) break;
+      idle = off < best / 2 ? 0 : idle + 1;
+      best = Math.min(best, off);
+    }
+  }
+  function massesOf(c) {
+    const found = new Float64Array(B * K);
+    for (let b = 0; b < B; b++) {
+      rowsOf(c.subarray(b * q, (b + 1) * q), x);
+      for (let k = 0; k < K; k++) found[b * K + k] = Math.max(0, x[k]);
+    }
+    return found;
+  }
+  function below(above, alpha, most) {
+    const c = Float64Array.from(above.c), z = (b) => targets.subarray(b * q, (b + 1) * q);
+    if (alpha >= LEAST * size) {
+      for (let b = 0; b < B; b++) newton(c.subarray(b * q, (b + 1) * q), z(b), alpha, most);
+      return { c };
+    }
+    const masses2 = Float64Array.from(above.masses ?? massesOf(c));
+    for (let b = 0; b < B; b++) activeSet(A, z(b), alpha, masses2.subarray(b * K, (b + 1) * K));
+    return { c: above.c, masses: masses2 };
+  }
+  const alphas = [size];
+  for (let last = size; last > FLOOR * size; alphas.push(last)) last /= last > LEAST * size ? FALL : FALL_BELOW;
+  const ladder = (
+    /** @type {ReturnType<typeof below>[]} */
+    []
+  );
   return {
     size,
-    at(alpha) {
-      const falling = [alpha], from = last || size;
-      while (falling[falling.length - 1] * FALL < from) falling.push(falling[falling.length - 1] * FALL);
-      if (!last) {
-        const first = falling[falling.length - 1];
-        for (let b = 0; b < B; b++)
-          for (let i = 0; i < q; i++) c[b * q + i] = targets[b * q + i] / (lengths[i] + first * first);
+    at(asked) {
+      const alpha = Math.max(asked, FLOOR * size), depth = Math.max(
+        0,
+        alphas.findLastIndex((each) => each > alpha)
+      );
+      while (ladder.length <= depth) {
+        const n = ladder.length, guess = () => targets.map((value, i) => value / (lengths[i % q] + size * size));
+        ladder.push(below(n ? ladder[n - 1] : { c: guess() }, alphas[n], ON_THE_WAY));
       }
-      const out = new Float64Array(K * B);
-      for (let b = 0; b < B; b++) {
-        const at = c.subarray(b * q, (b + 1) * q), z = targets.subarray(b * q, (b + 1) * q);
-        for (let n = falling.length - 1; n >= 0; n--) {
-          const most = n ? ON_THE_WAY : MOST_STEPS;
-          let best = Infinity, idle = 0;
-          for (let i = 0; i < most && idle < IDLE; i++) {
-            const off = moved(at, z, falling[n]);
-            if (!off) break;
-            idle = off < best / 2 ? 0 : idle + 1;
-            best = Math.min(best, off);
-          }
-        }
-        rowsOf(at, x);
-        for (let k = 0; k < K; k++) out[k * B + b] = Math.max(0, x[k]);
-      }
-      last = alpha;
-      return out;
+      const { c, masses: masses2 = massesOf(c) } = below(ladder[depth], alpha, MOST_STEPS);
+      return transposed(masses2, B, K);
     }
   };
 }
-var MOST_STEPS, FALL, ON_THE_WAY, SEARCHES, IDLE, dot;
+function activeSet(A, z, alpha, x) {
+  const K = x.length, free = [], rounding = 4 * Number.EPSILON * Math.sqrt(dot(A, A) * dot(z, z)), barred = /* @__PURE__ */ new Set();
+  for (let k = 0; k < K; k++) if (x[k] > 0) free.push(k);
+  let found = settled(A, z, alpha, x, free, freed(A, z, alpha, K, free));
+  for (let n = 0; n < 3 * K; n++) {
+    let most = rounding, next = -1;
+    for (let k = 0; k < K; k++) {
+      if (x[k] > 0 || barred.has(k)) continue;
+      let sum = 0;
+      for (let i = 0; i < z.length; i++) sum += A[i * K + k] * found.residual[i];
+      if (sum > most) [most, next] = [sum, k];
+    }
+    if (next < 0) return;
+    const place2 = free.filter((k) => k < next).length;
+    free.splice(place2, 0, next);
+    const wanted = freed(A, z, alpha, K, free);
+    if (wanted.x[place2] > 0) {
+      barred.clear();
+      found = settled(A, z, alpha, x, free, wanted);
+    } else {
+      barred.add(next);
+      free.splice(place2, 1);
+    }
+  }
+}
+function settled(A, z, alpha, x, free, wanted) {
+  for (; ; ) {
+    let share = 1, first = -1;
+    free.forEach((k, i) => {
+      if (wanted.x[i] > 0) return;
+      const here = x[k] / (x[k] - wanted.x[i] || 1);
+      if (here < share || first < 0) [share, first] = [here, k];
+    });
+    free.forEach((k, i) => x[k] += share * (wanted.x[i] - x[k]));
+    if (first < 0) return wanted;
+    x[first] = 0;
+    for (let i = free.length - 1; i >= 0; i--) {
+      if (x[free[i]] > 0) continue;
+      x[free[i]] = 0;
+      free.splice(i, 1);
+    }
+    wanted = freed(A, z, alpha, x.length, free);
+  }
+}
+function freed(A, z, alpha, K, free) {
+  const q = z.length, p = free.length, long = p + q;
+  const M = new Float64Array(q * long), diagonal = new Float64Array(q), halves = new Float64Array(q);
+  for (let j = 0; j < q; j++) {
+    for (let i = 0; i < p; i++) M[j * long + i] = A[j * K + free[i]];
+    M[j * long + p + j] = alpha;
+  }
+  const reflect = (j, out, at) => {
+    const end = p + j + 1;
+    let sum = 0;
+    for (let i = j; i < end; i++) sum += M[j * long + i] * out[at + i];
+    sum /= halves[j];
+    for (let i = j; i < end; i++) out[at + i] -= sum * M[j * long + i];
+  };
+  for (let j = 0; j < q; j++) {
+    const at = j * long;
+    for (let m = 0; m < j; m++) reflect(m, M, at);
+    let sum = 0;
+    for (let i = j; i < long; i++) sum += M[at + i] ** 2;
+    diagonal[j] = M[at + j] > 0 ? -Math.sqrt(sum) : Math.sqrt(sum);
+    halves[j] = sum - diagonal[j] * M[at + j];
+    M[at + j] -= diagonal[j];
+  }
+  const y = new Float64Array(long);
+  for (let j = 0; j < q; j++) {
+    let sum = z[j];
+    for (let m = 0; m < j; m++) sum -= M[j * long + m] * y[m];
+    y[j] = sum / diagonal[j];
+  }
+  for (let j = q - 1; j >= 0; j--) reflect(j, y, 0);
+  return { x: y.slice(0, p), residual: y.slice(p).map((value) => alpha * value) };
+}
+var MOST_STEPS, FALL, FALL_BELOW, SEARCHES, IDLE, ON_THE_WAY, LEAST, FLOOR, dot;
 var init_nonnegative = __esm({
   "app/js/core/nonnegative.js"() {
+    init_algebra();
     MOST_STEPS = 200;
-    FALL = 3;
-    ON_THE_WAY = 2;
+    FALL = 1.5;
+    FALL_BELOW = 3;
     SEARCHES = 12;
     IDLE = 8;
+    ON_THE_WAY = 2;
+    LEAST = 3e-3;
+    FLOOR = 1e-9;
     dot = (a, b) => {
       let sum = 0;
       for (let i = 0; i < a.length; i++) sum += a[i] * b[i];
@@ -881,7 +978,7 @@ function timelineError(model, state, seen) {
       }
       if (shown < LEAST_SHOWN * comes) return null;
       for (let k = 0; k < K; k++) {
-        const whole = state.normalise !== "survival" ? 1 : alive[k] > FLOOR ? 1 / alive[k] : 0;
+        const whole = state.normalise !== "survival" ? 1 : alive[k] > FLOOR2 ? 1 / alive[k] : 0;
         for (let v = 0; v < V; v++) {
           const chance = chances[k * V + v] * whole;
           if (chance) for (let h = 0; h < H; h++) out[step(k) * V + nearest[h]] += chance * M[v * H + h];
@@ -973,7 +1070,7 @@ function see(model, state, most = Infinity) {
         const full = allMasses(model, grid, { columns, map, hum, soft, thetas, H, open: open2 }, state, a);
         return columnsOf(reduced, transposed(product(turned, full, q, grid.G, wide), q, wide), K);
       });
-      return solver.at(Math.max(state.alpha, header.least * solver.size));
+      return solver.at(state.alpha);
     });
     const rows = (a) => Float64Array.from({ length: K * H }, (_, i) => each[a][Math.floor(i / H) * wide + i % H + end]);
     return {
@@ -1104,7 +1201,7 @@ function normalise(rows, survival, how, width, dt, rounding) {
     const row = rows.subarray(k * width, (k + 1) * width);
     if (how === "survival") {
       const alive = survival[k] / dt;
-      for (let h = 0; h < width; h++) row[h] = alive > FLOOR ? row[h] / alive : 0;
+      for (let h = 0; h < width; h++) row[h] = alive > FLOOR2 ? row[h] / alive : 0;
     } else {
       let mass = 0;
       for (let h = 0; h < width; h++) mass += row[h] = Math.max(0, row[h]);
@@ -1225,7 +1322,7 @@ function effect(model, state, name) {
   }
   return { size, on: on.regret, off: off.regret, flips: on.chosen !== off.chosen };
 }
-var LEAST_SHOWN, FLOOR, gammaSpace, flag, SWITCHES;
+var LEAST_SHOWN, FLOOR2, gammaSpace, flag, SWITCHES;
 var init_maths = __esm({
   "app/js/core/maths.js"() {
     init_algebra();
@@ -1233,7 +1330,7 @@ var init_maths = __esm({
     init_network();
     init_nonnegative();
     LEAST_SHOWN = 0.05;
-    FLOOR = 0.05;
+    FLOOR2 = 0.05;
     gammaSpace = ({ grid, columns, map, hum, H }, state) => differencesOf(columns, grid, map, H, state.action, hum, state.noise);
     flag = (name, words) => ({
       ...words,
@@ -4156,7 +4253,7 @@ function mount(root, model, told, tell) {
         /** @type {[string, {}]} */
         [label, { remedy }]
       )),
-      ...told.live ? offers(model, seen).map(([label, solver]) => (
+      ...told.live ? offers(model, seen).filter(([label, solver]) => solver !== told.coming && !heard?.remedies.includes(label)).map(([label, solver]) => (
         /** @type {[string, {}]} */
         [label, { solver }]
       )) : []

@@ -16,7 +16,9 @@ a product of rank r = rows of A (Woodbury), and what is left is one system of N 
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from contextvars import ContextVar
 from typing import NamedTuple
 
 import numpy as np
@@ -32,6 +34,19 @@ TO_THE_EDGE = 0.995
 """Share of the way to the edge that a step goes at most."""
 FACTORED_SINGLY = 48
 """Unknowns from which on a loop over factorisations is faster than the inverses of all problems at once."""
+
+
+_on_step: ContextVar[Callable[[], None] | None] = ContextVar("on_step", default=None)
+
+
+@contextmanager
+def calling(on_step: Callable[[], None]) -> Iterator[None]:
+    """Within it, every Newton step of this thread calls a function first, which may end the work by an exception."""
+    before = _on_step.set(on_step)
+    try:
+        yield
+    finally:
+        _on_step.reset(before)
 
 
 class Optimum(NamedTuple):
@@ -95,7 +110,10 @@ def solve_feasible(
     best, best_kkt, steps = point, np.full(n, np.inf), np.zeros(n, dtype=int)
     misfit = np.zeros(n)
     moving, since, least_gap = np.arange(n), np.zeros(n, dtype=int), np.full(n, np.inf)
+    on_step = _on_step.get()
     for turn in range(MOST_STEPS):
+        if on_step is not None:
+            on_step()
         own, data = A[moving] if A.ndim == 4 else A, z[moving]
         residuals, kkt, fit, gap = _residuals(own, data, axis, penalty, point=point, terms=terms[moving])
         better = kkt < best_kkt[moving]

@@ -410,7 +410,9 @@ export function mount(root, model, told, tell) {
     const buttons = [
       ...(heard?.remedies ?? []).map((label, remedy) => /** @type {[string, {}]} */ ([label, { remedy }])),
       ...(told.live
-        ? offers(model, seen).map(([label, solver]) => /** @type {[string, {}]} */ ([label, { solver }]))
+        ? offers(model, seen)
+            .filter(([label, solver]) => solver !== told.coming && !heard?.remedies.includes(label))
+            .map(([label, solver]) => /** @type {[string, {}]} */ ([label, { solver }]))
         : []),
     ];
     const whole = `${WORDS[tone]}. ${words}`,
