@@ -863,6 +863,8 @@ export interface InversePanel {
   why: [string, string];
   /** What is said beside the title. */
   note?(scene: InverseScene): string;
+  /** What the picture shows, in numbers, for those who cannot see it; by default the note. */
+  words?(scene: InverseScene): string;
   draw(pen: Pen, w: number, h: number, scene: InverseScene): Scale;
   /** Where a hand at a place of the picture, in pixels, puts the state; there where it can be dragged. */
   drag?(scene: InverseScene, scale: Scale, x: number, y: number): Partial<InverseState>;

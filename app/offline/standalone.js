@@ -278,7 +278,7 @@ var ACTIONS, actionColour, NEUTRAL, GRID, UNDER, VIRIDIS, contextOf, escaped, sh
 var init_drawing = __esm({
   "app/js/draw/drawing.js"() {
     init_colours();
-    ACTIONS = ["#0072B2", "#E69F00", "#009E73", "#D55E00", "#CC79A7", "#56B4E9", "#8C6D31", "#7A7A7A"];
+    ACTIONS = ["#0072B2", "#E69F00", "#009E73", "#D55E00", "#CC79A7", "#56B4E9", "#8B46FF", "#7A5C28"];
     actionColour = (a) => ACTIONS[a % ACTIONS.length];
     NEUTRAL = "#8a8f98";
     GRID = "rgba(138,143,152,0.28)";
@@ -301,8 +301,8 @@ var init_drawing = __esm({
     channelsOf = (colour) => [1, 3, 5].map((i) => parseInt(colour.slice(i, i + 2), 16));
     SCALE = (() => {
       const zero = UNDER / (1 + UNDER), stops = [
-        [0, "#ff3b3b"],
-        [0.75 * zero, "#a11a4a"],
+        [0, "#d63af9"],
+        [0.75 * zero, "#a01090"],
         ...VIRIDIS.map(
           (colour, i) => (
             /** @type {[number, string]} */
@@ -1624,6 +1624,57 @@ var init_export = __esm({
   }
 });
 
+// app/js/lens/help.js
+function framed({ name, title, why: [words, formula] }, picture, files) {
+  const help = element(
+    "details",
+    { class: "help" },
+    element("summary", { "aria-label": `what ${title} shows`, title: `what ${title} shows` }, "?"),
+    element(
+      "div",
+      { tabindex: -1 },
+      // a click on its words leaves it open
+      element("p", {}, words),
+      element("code", {}, formula),
+      element(
+        "span",
+        { class: "group" },
+        "Save this picture",
+        ...files.map(
+          ([format, save2]) => element(
+            "button",
+            { type: "button", class: "tool", "aria-label": `save ${title} as ${format}`, onclick: save2 },
+            format
+          )
+        )
+      )
+    )
+  );
+  help.onkeydown = (event) => {
+    if (event.key !== "Escape" || !help.open) return;
+    help.open = false;
+    help.querySelector("summary")?.focus();
+  };
+  help.addEventListener("focusout", ({ relatedTarget }) => {
+    if (!(relatedTarget instanceof Node && help.contains(relatedTarget))) help.open = false;
+  });
+  return element("div", { class: `picture of-${name}` }, element("h2", { class: "unseen" }, title), picture, help);
+}
+var WORLD;
+var init_help = __esm({
+  "app/js/lens/help.js"() {
+    init_elements();
+    WORLD = {
+      name: "world",
+      title: "World",
+      why: [
+        "The states and actions of the world; numbers are rewards. The state and the action that are looked at are lit up. Click a state to look from there.",
+        "P(s′, r | s, a)"
+      ]
+    };
+  }
+});
+
 // app/js/print/layout.js
 function layoutOf(count, mm, lines) {
   const width = mm * PER_MM, columns = mm > 100 && count > 1 ? 2 : 1, rows = Math.ceil(count / columns);
@@ -1961,7 +2012,8 @@ async function worldOf2(box, w, h) {
     /** @type {any} */
     box
   );
-  const light = { ...layout, paper_bgcolor: PAPER.paper, plot_bgcolor: PAPER.paper, width: w, height: h };
+  const annotations = layout.annotations?.map((each) => each.bgcolor ? { ...each, bgcolor: PAPER.paper } : each);
+  const light = { ...layout, annotations, paper_bgcolor: PAPER.paper, plot_bgcolor: PAPER.paper, width: w, height: h };
   const address = await globalThis.Plotly.toImage(
     { data, layout: { ...light, font: { ...layout.font, color: PAPER.text, size: 11 } } },
     { format: "png", width: w, height: h, scale: 600 / 96 }
@@ -1991,7 +2043,10 @@ async function sheetFor(lens2, names, mm) {
   });
   return {
     sheet: sheet2,
-    about: { title: `${scene.model.header.world}: ${chosen.join(", ")}`, caption },
+    about: {
+      title: `${scene.model.header.world}: ${chosen.map((name) => titleOf(lens2, name)).join(", ")}`,
+      caption
+    },
     draw: (pen) => onPaper(scene, () => drawSheet(pen, sheet2, panels, lines))
   };
 }
@@ -2003,24 +2058,19 @@ async function fileOf({ sheet: sheet2, draw, about }, format) {
 }
 function openPrint(lens2) {
   const { host } = lens2, names = printable(lens2), live = Boolean(lens2.told.live);
-  const field = (type, name, value, checked, disabled = false) => element(
-    "label",
-    {},
-    element("input", { type, name, value, checked, disabled }),
-    ` ${value}${name === "mm" ? " mm" : ""}`
-  );
-  const boxes = names.map((name) => field("checkbox", "panel", name, name === "tau-space"));
+  const field = (type, name, value, words, checked, disabled = false) => element("label", {}, element("input", { type, name, value, checked, disabled }), ` ${words}`);
+  const boxes = names.map((name) => field("checkbox", "panel", name, titleOf(lens2, name), name === "tau-space"));
   const group = (legend, ...parts) => element("fieldset", {}, element("legend", {}, legend), ...parts);
   const preview = element("img", { alt: "" }), status = element("p", { role: "status" }), saver = element("button", { type: "submit", class: "remedy" }, "Save");
   const form = element(
     "form",
     { method: "dialog" },
     group("Panels", ...boxes, element("button", { type: "button", class: "tool", onclick: all }, "All panels")),
-    group("Width", ...WIDTHS.map((mm, i) => field("radio", "mm", mm, !i))),
+    group("Width", ...WIDTHS.map((mm, i) => field("radio", "mm", mm, `${mm} mm`, !i))),
     group(
       "File",
       ...FORMATS.map(
-        (name) => field("radio", "format", name, name === (live ? "PDF" : "SVG"), !live && name === "PDF")
+        (name) => field("radio", "format", name, name, name === (live ? "PDF" : "SVG"), !live && name === "PDF")
       )
     ),
     ...live ? [] : [element("p", {}, "A PDF is saved in the workbench: its writer is too large for this file.")],
@@ -2088,13 +2138,14 @@ function openPrint(lens2) {
   dialog.showModal();
   show();
 }
-var FORMATS, printable;
+var FORMATS, printable, titleOf;
 var init_print = __esm({
   "app/js/print/print.js"() {
     init_colours();
     init_elements();
     init_maths();
     init_export();
+    init_help();
     init_caption();
     init_layout();
     init_document();
@@ -2102,6 +2153,7 @@ var init_print = __esm({
     init_sheet();
     FORMATS = ["PDF", "SVG", "PNG"];
     printable = ({ world, panels }) => [...world ? ["world"] : [], ...panels.map(({ panel }) => panel.name)];
+    titleOf = ({ panels }, name) => panels.find(({ panel }) => panel.name === name)?.panel.title ?? WORLD.title;
   }
 });
 
@@ -2416,8 +2468,12 @@ function toolbar(model, wish, told) {
       (words, value) => element("option", { value }, words)
     )
   );
-  const does = (words, name, title = name) => button("tool", words, () => wish(name, true), { "aria-label": name, title });
-  const undo = does("↶", "undo"), redo = does("↷", "redo"), reset = does("reset", "reset", "back to the world’s own settings");
+  const does = (words, name, title = name, keys = "") => button("tool", words, () => wish(name, true), {
+    "aria-label": name,
+    title,
+    "aria-keyshortcuts": keys || void 0
+  });
+  const undo = does("↶", "undo", "undo (Ctrl+Z)", "Control+Z"), redo = does("↷", "redo", "redo (Ctrl+Shift+Z)", "Control+Shift+Z"), reset = does("reset", "reset", "back to the world’s own settings");
   const pin = button("tool", "pin as A", () => wish("pin", true), {
     title: "keep this view as A and compare what you change with it"
   });
@@ -2499,6 +2555,24 @@ function footer(presets, files, wish) {
 
 // app/js/lens/lens.js
 init_drawing();
+
+// app/js/draw/keys.js
+var TYPED = "input:not([type=range], [type=checkbox], [type=radio], [type=button]), textarea, [contenteditable]";
+function onUndo(host, does) {
+  const heard = (event) => {
+    if (!host.isConnected) {
+      document.removeEventListener("keydown", heard);
+      return;
+    }
+    const { key, target } = event;
+    if (!(event.ctrlKey || event.metaKey) || event.altKey || key.toLowerCase() !== "z") return;
+    if (target instanceof Element && target.closest(TYPED)) return;
+    if (document.querySelector("dialog[open], [role=dialog]")) return;
+    event.preventDefault();
+    does(event.shiftKey ? "redo" : "undo");
+  };
+  document.addEventListener("keydown", heard);
+}
 
 // app/js/hub.js
 var lens;
@@ -2625,53 +2699,8 @@ function listen(canvas, panel, scene, draw) {
   canvas.ondblclick = all;
 }
 
-// app/js/lens/help.js
-init_elements();
-var WORLD = {
-  name: "world",
-  title: "World",
-  why: [
-    "The states and actions of the world; numbers are rewards. The state and the action that are looked at are lit up. Click a state to look from there.",
-    "P(s′, r | s, a)"
-  ]
-};
-function framed({ name, title, why: [words, formula] }, picture, files) {
-  const help = element(
-    "details",
-    { class: "help" },
-    element("summary", { "aria-label": `what ${title} shows`, title: `what ${title} shows` }, "?"),
-    element(
-      "div",
-      { tabindex: -1 },
-      // a click on its words leaves it open
-      element("p", {}, words),
-      element("code", {}, formula),
-      element(
-        "span",
-        { class: "group" },
-        "Save this picture",
-        ...files.map(
-          ([format, save2]) => element(
-            "button",
-            { type: "button", class: "tool", "aria-label": `save ${title} as ${format}`, onclick: save2 },
-            format
-          )
-        )
-      )
-    )
-  );
-  help.onkeydown = (event) => {
-    if (event.key !== "Escape" || !help.open) return;
-    help.open = false;
-    help.querySelector("summary")?.focus();
-  };
-  help.addEventListener("focusout", ({ relatedTarget }) => {
-    if (!(relatedTarget instanceof Node && help.contains(relatedTarget))) help.open = false;
-  });
-  return element("div", { class: `picture of-${name}` }, element("h3", { class: "unseen" }, title), picture, help);
-}
-
 // app/js/lens/lens.js
+init_help();
 init_maths();
 
 // app/js/core/reading.js
@@ -2783,7 +2812,7 @@ init_drawing();
 // app/js/draw/frame.js
 var HELP = 22;
 var GHOST = { width: 1.2, dash: [7, 3] };
-var inside = (w, h, { left = 46, right = 10, top: top2 = 28, bottom = 34 } = {}) => ({
+var inside = (w, h, { left = 46, right = 10, top: top2 = 31, bottom = 34 } = {}) => ({
   x: left,
   y: top2,
   w: w - left - right,
@@ -2820,6 +2849,19 @@ function marked(pen, { box, X, Y }, { x, y }, colours) {
 }
 var top = (values) => values.reduce((a, b) => Math.max(a, b), 0);
 var leastSpan = ({ arrays }) => arrays.rewards ? 0.05 * Math.max(1e-9, ...arrays.rewards.map(Math.abs)) : 1e-3;
+var SHAPES = [
+  { corners: 12, turn: 0, size: 1 },
+  { corners: 4, turn: Math.PI / 4, size: 1.2 },
+  { corners: 3, turn: -Math.PI / 2, size: 1.4 },
+  { corners: 4, turn: 0, size: 1.4 }
+];
+function markOf(a, x, y, r) {
+  const { corners, turn, size } = SHAPES[a % SHAPES.length];
+  return Array.from({ length: corners }, (_, i) => {
+    const angle = turn + 2 * Math.PI * i / corners;
+    return [x + size * r * Math.cos(angle), y + size * r * Math.sin(angle)];
+  });
+}
 var disc = (x, y, r) => Array.from({ length: 13 }, (_, i) => [x + r * Math.cos(i * Math.PI / 6), y + r * Math.sin(i * Math.PI / 6)]);
 
 // app/js/lens/panels.js
@@ -3022,7 +3064,7 @@ var tauPanel = {
   name: "tau-space",
   title: "Tau-space",
   why: [
-    "How likely each reward θ is at each future step τ, decoded from gamma-space. A certain reward reads as 1; red is below 0.",
+    "How likely each reward θ is at each future step τ, decoded from gamma-space. A certain reward reads as 1; magenta is below 0.",
     "P = V diag(s / (s² + α²)) Uᵀ Z, with γ^τ = U diag(s) Vᵀ; summed over θ ± 2 / slope"
   ],
   rows: "tau",
@@ -3190,6 +3232,7 @@ var valuesPanel = {
         ],
         { stroke: actionColour(a), width: a === state.action ? 4 : 2 }
       );
+      pen.path(markOf(a, at + 7, y, 3.6), { fill: actionColour(a), close: true });
       pen.text(words, at + 18, y + 4, { size: 11, colour: colours.text });
     });
     const left_ = names.length - legend.length;
@@ -3213,8 +3256,10 @@ var valuesPanel = {
           known.map((k) => [xs[k], Y(values[k])]),
           { stroke: actionColour(a), width: a === state.action ? 2.4 : 1.8 }
         );
-        if (K <= 40)
-          for (const k of known) pen.path(disc(xs[k], Y(values[k]), 2.6), { fill: actionColour(a), close: true });
+        const every = Math.ceil(K / 40) * (K > 40 ? 5 : 1), offset = Math.floor(a * every / names.length);
+        for (const k of known)
+          if (k % every === offset)
+            pen.path(markOf(a, xs[k], Y(values[k]), 2.8), { fill: actionColour(a), close: true });
       });
       for (const [T, value] of crossings(model, seen))
         pen.path(disc(X(T), Y(value), 4), { stroke: colours.text, width: 1.5, fill: colours.paper, close: true });
@@ -3604,7 +3649,9 @@ var rewardsPanel = {
       if (simulated) drawSimulated(pen, simulated.reward, simulated.rewardError, scale);
       line(pen, xs, rewards.map(Y), { stroke: actionColour(a), width: 2.2 });
       if (K <= 40)
-        rewards.forEach((value, k) => pen.path(disc(xs[k], Y(value), 2.8), { fill: actionColour(a), close: true }));
+        rewards.forEach(
+          (value, k) => pen.path(markOf(a, xs[k], Y(value), 2.8), { fill: actionColour(a), close: true })
+        );
     });
     pen.clip(lower.x, lower.y, lower.w, lower.h, () => {
       const known = seen.truth?.steps.survival[a];
@@ -3871,6 +3918,10 @@ function themed(layout, host) {
     modebar: { bgcolor: "rgba(0,0,0,0)", color: "rgba(138, 143, 152, 0.8)", activecolor: colour }
   };
   const page = style.getPropertyValue("--st-background-color").trim();
+  if (layout.annotations)
+    painted2.annotations = layout.annotations.map(
+      (each) => each.bgcolor ? { ...each, bgcolor: page || "#fff" } : each
+    );
   if (layout.legend?.bgcolor && /^#[0-9a-f]{6}$/i.test(page))
     painted2.legend = { ...layout.legend, bgcolor: `${page}d9` };
   for (const name of Object.keys(layout)) {
@@ -4307,6 +4358,7 @@ function mount(root, model, told, tell) {
     if (event.target === host) recolour();
   });
   new ResizeObserver(draw).observe(host);
+  onUndo(host, (way) => wish(way, true));
   if (told.world) scene.world?.show(told.world);
   draw();
   const controls = () => [...host.querySelectorAll("button, input, select, canvas")];

@@ -209,7 +209,7 @@ def artefacts(view: View, coming: str | None = None) -> None:
     name = compute.study_for(view).action_names[view.action]
     listed = compute.artefacts_for(view, explained=session.part(_Search).explained)
     others = compute.artefacts_elsewhere(view)
-    st.html(f'<div class="panel-title">artefacts in the tau-space of {escape(name)}</div>')
+    st.html(f'<h2 class="panel-title">artefacts in the tau-space of {escape(name)}</h2>')
     with st.container(key="artefacts"):
         if not listed:
             st.html(f'<div class="artefact">None found for this action. {escape(others)}</div>')

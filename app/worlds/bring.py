@@ -121,7 +121,7 @@ def _edited(kind: str, word: str, new: str) -> None:
 
 def _world_table(world: World) -> None:
     word = str(store.chosen()[sources.OWN])
-    st.html('<div class="panel-title">the world as a table: every row is one thing that may happen</div>')
+    st.html('<h2 class="panel-title">the world as a table: every row is one thing that may happen</h2>')
     if world.state.size > MOST_ROWS:
         st.caption(f"{world.state.size:,} outcomes are too many for a table: download the file, edit and open it.")
         _download(world)
@@ -169,7 +169,7 @@ def _download(world: World) -> None:
 
 def _timeline_table(world: World) -> None:
     word = str(store.chosen()[sources.TIMELINE])
-    st.html('<div class="panel-title">your timeline: at future step tau, this reward comes with this probability</div>')
+    st.html('<h2 class="panel-title">your timeline: at future step tau, this reward comes with this probability</h2>')
     key = _version(word, sources.TIMELINE)
     base, rest = timeline_rows_of(_table(sources.TIMELINE).base)
     table, beside = st.columns([3, 1.2])

@@ -88,7 +88,7 @@ def comparison(view: View) -> None:
         st.warning(f"A cannot be shown any more: {in_markdown(error)}")
         return
     title, choice, away = st.columns([3.2, 1, 0.7], vertical_alignment="center")
-    title.html(f'<div class="panel-title">A, pinned, against B, what you see above</div>{_differs(values)}')
+    title.html(f'<h2 class="panel-title">A, pinned, against B, what you see above</h2>{_differs(values)}')
     with choice:
         key = store.show("compare", "tau-space")
         st.segmented_control("Space", ("tau-space", "gamma-space"), key=key, on_change=store.keep, args=(key,),

@@ -5,6 +5,7 @@ import { coloursOf } from '../draw/colours.js';
 import { element } from '../draw/elements.js';
 import { ALPHAS, footer, sliders, switchboard, toolbar, turnsStrip } from './controls.js';
 import { sheet, short } from '../draw/drawing.js';
+import { onUndo } from '../draw/keys.js';
 import { hub } from '../hub.js';
 import { saveCsv, saveHtml, savePanel, savePng, saveSvg } from './export.js';
 import { isSpace, listen } from './hand.js';
@@ -469,6 +470,7 @@ export function mount(root, model, told, tell) {
     if (event.target === host) recolour();
   }); // its colour follows the theme
   new ResizeObserver(draw).observe(host);
+  onUndo(host, (way) => wish(way, true));
   if (told.world) scene.world?.show(told.world);
   draw();
   /** @returns {any[]} controls of all kinds */

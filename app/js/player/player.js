@@ -33,19 +33,31 @@ function mount(host, reel, told, report) {
   host.times = [];
 
   const frame = element('img', { class: 'frame', alt: 'the environment before this step' });
-  const canvas = element('canvas', { class: 'reel', role: 'img', 'aria-label': 'rewards and surprise of the episode' });
+  const canvas = element('canvas', {
+    class: 'reel',
+    role: 'img',
+    'aria-label':
+      `Rewards and surprise of an episode of ${reel.steps} steps: return ${short(returns[last], 4)}, ` +
+      `largest surprise ${short(reel.surprise[order[0]])} at step ${order[0]}`,
+  });
   const at = stepper({ host, told, last, name: 'step', label: 'step of the episode', show, report });
   const differs = button(
     differ ? `not greedy › ${differ}` : 'always greedy',
     'next step whose action is not the greedy one',
     () => at.to(nextMarked(reel.differs, at.step)),
+    false,
   );
   differs.disabled = !differ;
-  const surprise = button('surprise ›', 'largest surprise; again for the next largest', () => {
-    // on from the last one, while it is still shown
-    rank = order[rank] === at.step ? (rank + 1) % Math.min(order.length, 10) : 0;
-    at.to(order[rank]);
-  });
+  const surprise = button(
+    'surprise ›',
+    'largest surprise; again for the next largest',
+    () => {
+      // on from the last one, while it is still shown
+      rank = order[rank] === at.step ? (rank + 1) % Math.min(order.length, 10) : 0;
+      at.to(order[rank]);
+    },
+    false,
+  );
   const artefact = button('artefact ›', '', () => at.to(nextMarked(begins, at.step)));
   const where = element('b', {}),
     here = element('span', { class: 'here' });
