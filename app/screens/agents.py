@@ -1,4 +1,4 @@
-"""Trained agents: what one has learned for an observation, through the same decode, reading and drawing as a world."""
+"""Trained agents: an agent's gamma-space for an observation, decoded, read and drawn in the same way as a world's."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The paper: each of its figures, tables and claims beside ours, with the command that makes ours again."""
+"""The paper: each of its figures, tables and claims beside ours, with the command that reproduces ours."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ def page() -> None:
     store.open_page("paper", LINK)
     store.write_url()
     st.markdown(
-        "*Laplace DQN: Deep RL Algorithm for Temporally Flexible Planning*, figure by figure: numbers of the paper "
+        "*Laplace DQN: Deep RL Algorithm for Temporally Flexible Planning*, figure by figure: the numbers of the paper "
         "beside ours, from the raw results that come with the workbench."
     )
     found = results.found()

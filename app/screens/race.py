@@ -34,7 +34,7 @@ def page() -> None:
 
 @st.fragment
 def _view(control: Control, one: Race, packed: bytes) -> None:
-    """While the cursor moves nothing else is drawn anew."""
+    """A fragment: while the cursor moves, nothing else is redrawn."""
     store.write_url()
     form.show(control, one, packed)
 

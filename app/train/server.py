@@ -1,4 +1,4 @@
-"""What this server grants and how much of it is used."""
+"""The limits of this server and their use."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from laplace_core.training.queue import Run
 
 
 class Use(NamedTuple):
-    """One limit: what it is of, how much is used in which unit, and the environment variable that sets it."""
+    """One limit: its subject, how much is used, the unit, and the environment variable that sets it."""
 
     what: str
     used: float
@@ -27,7 +27,7 @@ class Use(NamedTuple):
 
 
 def server(runs: Sequence[Run]) -> None:
-    """The section of the page, closed until somebody asks."""
+    """The section of the page, closed at first."""
     box = st.expander("Server", key="server", on_change="rerun")
     if not box.open:
         return

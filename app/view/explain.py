@@ -1,4 +1,4 @@
-"""The words behind the pictures, one click away from them; they lie in Markdown beside this file."""
+"""The explanations of the pictures, one click away; their text is in the Markdown files of this folder."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ GUIDE = {READING: ("concepts", "Concepts on one page"), TRAINING: ("guides/agent
 
 
 def explain(place: DeltaGenerator, words: str = READING) -> None:
-    """What lies in a closed popover is left out: formulas bring a large script along."""
+    """Draw the explanation; a closed popover stays empty, because formulas load a large script."""
     box = place.popover("How to read this", width="stretch", on_change="rerun", key="reading")
     if box.open:
         box.markdown(Path(__file__).with_name(words).read_text(encoding="utf-8"))

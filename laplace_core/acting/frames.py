@@ -44,7 +44,7 @@ def picture_of(env: gymnasium.Env) -> bytes | None:
     try:
         return encoded(np.asarray(env.render()))
     except gymnasium.error.DependencyNotInstalled:
-        raise InputError("pictures need pygame, which is not installed: ask for none.") from None
+        raise InputError("pictures need pygame, which is not installed: roll out without pictures.") from None
 
 
 def animation(pictures: Sequence[bytes], seconds: float, most: int = 500) -> bytes:

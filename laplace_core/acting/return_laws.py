@@ -131,7 +131,7 @@ def return_laws(
         kind = MEAN if locations.shape[1] == 1 else LEARNED
         return [ReturnLaw(kind, gamma, locations[action], masses[action]) for action in actions]
     if not isinstance(agent, HasGammaSpace):
-        raise InputError("this agent predicts the mean of its return, and no distribution.")
+        raise InputError("this agent predicts only the mean of its return, not its distribution.")
     space, steps = agent.gamma_space(observation), steps_until_cut(gamma)
     tau_space = decode(space.differences[list(actions)], space.gammas, steps, alpha)
     rewards, discounts = space.bin_values, gamma ** np.arange(steps)

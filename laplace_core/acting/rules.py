@@ -267,7 +267,7 @@ def check_rule_options(rule: str, given: Iterable[str]) -> None:
         if name not in RULES[rule].options:
             takers = " and ".join(taker for taker, other in RULES.items() if name in other.options)
             option = "alpha by name" if name == "selector" else name.replace("_", "-")
-            raise InputError(f"--{option} changes nothing under the rule {rule[:40]!r}: it is of {takers}.")
+            raise InputError(f"--{option} changes nothing under the rule {rule[:40]!r}: it is for {takers}.")
 
 
 def options_for(rule: str, given: Mapping[str, Any]) -> dict[str, Any]:

@@ -147,7 +147,7 @@ class LaplaceAgent(Agent[LaplaceSettings]):
 
     def _at(self, inputs: Tensor, gammas: np.ndarray) -> Tensor:
         if not isinstance(self.target, networks.DiscountInput):
-            raise InputError("a trunk knows only the discounts of its own grid: train 'network' or 'multiplexer'.")
+            raise InputError("a trunk has values only at its trained discounts: train 'network' or 'multiplexer'.")
         if gammas.ndim != 1 or not gammas.size or not np.all(np.diff([0.0, *gammas, 1.0]) > 0):
             raise InputError("discounts must increase and lie between 0 and 1, both excluded.")
         return self.target.at(inputs, tuple(gammas.tolist()))

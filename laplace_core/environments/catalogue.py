@@ -133,7 +133,7 @@ def environment_of(name: str) -> Environment:
         InputError: a name that is not on it.
     """
     if name not in ENVIRONMENTS:
-        raise InputError(f"environment {str(name)[:40]!r} is none of {', '.join(ENVIRONMENTS)}.")
+        raise InputError(f"environment {str(name)[:40]!r} is not one of {', '.join(ENVIRONMENTS)}.")
     if name in GYMNASIUM:
         return GYMNASIUM[name]
     world = load_world(name)

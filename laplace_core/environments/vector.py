@@ -70,7 +70,7 @@ def make(name: str, *, pictures: bool = False, limited: bool = True) -> gymnasiu
         most = (limited and listed.time_limit) or -1  # gymnasium's word for no limit
         return gymnasium.make(name, disable_env_checker=True, max_episode_steps=most, **drawing)
     except gymnasium.error.DependencyNotInstalled:
-        how = "see what its package asks for" if listed.module else "pip install 'gymnasium[box2d]'"
+        how = "see the instructions of its package" if listed.module else "pip install 'gymnasium[box2d]'"
         raise InputError(f"{name} needs packages that are not installed: {how}.") from None
     except ModuleNotFoundError as missing:
         raise InputError(f"{name} needs a package that is not installed: {missing.name}.") from None

@@ -52,7 +52,7 @@ def differences(
     zero = {"type": "line", "x0": 0, "x1": 0, "yref": "paper", "y0": 0, "y1": 1,
             "line": {"color": NEUTRAL, "width": 1.2, "dash": "dot"}}  # fmt: skip
     return build(
-        "difference of return, a dot a start",
+        "difference of return, one dot for each start",
         traces,
         margin={"t": 54},
         shapes=[zero],

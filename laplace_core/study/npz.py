@@ -144,7 +144,7 @@ def read_gamma_space(
     gammas, thetas, values = arrays["gammas"], arrays["thetas"], arrays["gamma_space"]
     check_gammas(gammas)
     if gammas.size < 2:
-        raise InputError("'gammas' must hold at least 2 discounts, or there is nothing to decode.")
+        raise InputError("'gammas' must hold at least 2 discounts, or nothing can be decoded.")
     check_thetas(thetas)
     for grid, most in _MOST.items():
         if arrays[grid].size > most:

@@ -174,7 +174,7 @@ class Study:
         """
         for name, index, count in (("row", row, len(self.horizons)), ("action", action, len(self.action_names))):
             if index is not None and not 0 <= index < count:
-                raise InputError(f"{name} {index} is not there: this study has {count}, from 0 to {count - 1}.")
+                raise InputError(f"{name} {index} does not exist: this study has {count}, numbered 0 to {count - 1}.")
 
     @property
     def taus(self) -> np.ndarray:

@@ -73,11 +73,11 @@ class Settings:
     params: tuple[tuple[str, object], ...] = ()
     state: str | None = text("State to look from, by name or index (default: the likeliest start).")
     gammas: int | None = _setting(None, 2, 500, "Number of discounts.")
-    spacing: str | None = _choice("inverse-log", GAMMA_SPACINGS, "How the discounts are spaced.")
+    spacing: str | None = _choice("inverse-log", GAMMA_SPACINGS, "Spacing of the discounts.")
     gamma_min: float | None = _setting(0.01, *DISCOUNT_RANGE, "Smallest discount.")
     gamma_max: float | None = _setting(0.99, *DISCOUNT_RANGE, "Largest discount.")
     thetas: int | None = _setting(150, 2, 2000, "Number of reward sensitivities.")
-    theta_spacing: str | None = _choice("uniform", THETA_SPACINGS, "How the sensitivities are spaced.")
+    theta_spacing: str | None = _choice("uniform", THETA_SPACINGS, "Spacing of the sensitivities.")
     theta_min: float | None = _setting(None, -1e10, 1e10, "Smallest sensitivity, in reward.")
     theta_max: float | None = _setting(None, -1e10, 1e10, "Largest sensitivity, in reward.")
     theta_scale: float | None = _setting(None, 0, 1e10, THETA_SCALE_HELP)
@@ -87,18 +87,20 @@ class Settings:
     time_step: float | None = _setting(
         1.0, 1e-3, 1, "Time from one row of tau-space to the next, in steps of the world."
     )
-    normalise: str | None = _choice("none", NORMALISATIONS, "What is done to the rows of tau-space.")
-    policy: str | None = _choice("shared", TARGET_POLICIES, "Whose policy every discount evaluates.")
+    normalise: str | None = _choice("none", NORMALISATIONS, "Scaling of the rows of tau-space.")
+    policy: str | None = _choice("shared", TARGET_POLICIES, "Policy that every discount evaluates.")
     acting_gamma: float | None = _setting(
         0.99, *DISCOUNT_RANGE, "Discount of the policy and of the values over the horizon."
     )
     softness: float | None = _setting(
         0.0, 0, 10, "Width of the deadline, as a fraction of the horizon; 0 is a hard one."
     )
-    deadline: str | None = _choice("time_to_go", DEADLINES, "The T that an episode is acted with at each step.")
-    solver: str | None = _choice("tikhonov", tuple(SOLVERS), "How the transform is inverted.")
+    deadline: str | None = _choice(
+        "time_to_go", DEADLINES, "T at each step of an episode: the time to go, or constant."
+    )
+    solver: str | None = _choice("tikhonov", tuple(SOLVERS), "Solver that inverts the transform.")
     selector: str | None = _choice(
-        "typed", ALPHA_CHOICES, "Rule that chooses alpha, as --alpha NAME does; typed: none."
+        "typed", ALPHA_CHOICES, "Rule that chooses alpha, as --alpha NAME does; 'typed' uses the number of --alpha."
     )
     noise_level: float | None = _setting(
         None,
@@ -123,7 +125,7 @@ class Settings:
     )
     noise_seed: int | None = _setting(0, 0, 2**31 - 1, "Seed of that error.")
     horizon: float | None = _setting(None, 1e-3, 2000, "Deadline T, in steps of the world (default: the longest).")
-    used: float | None = _setting(0.0, 0, 2000, "Steps of the episode that are over: T less these are left.")
+    used: float | None = _setting(0.0, 0, 2000, "Steps of the episode that are over; the time to go is T minus these.")
     value_gamma: float | None = _setting(None, *DISCOUNT_RANGE, "Discount of the values (default: the acting gamma).")
     fold: bool | None = _switch("Decode only as many rows as the horizon has (K = T).", default=False)
     shift: bool | None = _switch("Decode each discount by the row of the next one, an index error.", default=False)

@@ -206,7 +206,7 @@ class Trials:
         if s.fold:
             yield Remedy("Decode all rows", {"fold": False}, "only T rows")
         if s.shift:
-            yield Remedy("Undo the shift of the index", {"shift": False}, "shifted index")
+            yield Remedy("Undo the index shift", {"shift": False}, "shifted index")
         if s.value_gamma != s.acting_gamma:
             label = f"Read values at the acting gamma {s.acting_gamma:g}"
             yield Remedy(label, {"value_gamma": s.acting_gamma}, "discount of the values")
@@ -237,7 +237,7 @@ class Trials:
         if self.study.learned is not None:
             return ()
         if s.paper_grid:
-            return (Remedy("Leave the paper's grid", {"paper_grid": False}, "discount grid"),)
+            return (Remedy("Choose another grid than the paper's", {"paper_grid": False}, "discount grid"),)
         changes: list[dict[str, Any]] = [{"spacing": other} for other in GAMMA_SPACINGS if other != s.spacing]
         labels = [f"Space the discounts as {each['spacing']}" for each in changes]
         if s.spacing != "paper":

@@ -32,7 +32,7 @@ RELOAD = 2.0
 TICK = 1.0
 """Seconds between two looks at which sessions are there."""
 WAITING, RUNNING, DONE, REFUSED, ENDED = "waiting", "running", "done", "refused", "ended"
-FULL = "the line of this server is full; try again in a moment."
+FULL = "the queue of this server is full; try again soon."
 
 
 def duration(seconds: float) -> str:

@@ -57,7 +57,7 @@ def observe(
     """
     agent = loaded.agent
     if not isinstance(agent, HasGammaSpace):
-        raise InputError(f"{titled(loaded)} has no gamma-space to look at.")
+        raise InputError(f"{titled(loaded)} has no gamma-space: choose a Laplace DQN agent.")
     return Observed(
         with_added(agent.gamma_space(np.array(observation)), added), action_names, agent.sensitivities.places, added
     )

@@ -22,7 +22,7 @@ HORIZON, START, LEFT, GAMMA, RIGHT, AT, MANY, COUNT = (
     "d.T", "d.start", "d.left", "d.gamma", "d.right", "d.at", "d.many", "d.starts",
 )  # fmt: skip
 USUAL_COUNT = 100
-_STOPPED = "Both episodes are stopped after so many steps."
+_STOPPED = "Both episodes are stopped after this number of steps."
 _HELD_OUT = "No agent was trained or chosen on any of these starts."
 _RIGHT_HELP = "The rule by which the agent acts for the time to go."
 _STOPS = (1, 2, 3, 4, 5, 6, 8, 10, 15, 20, 25, 30, 40, 50, 60, 80, 100, 125, 150, 200, 250, 300, 400, 500, 700, 1000)
@@ -60,13 +60,15 @@ def parameters(loaded: Loaded, other: Loaded | None = None) -> dict[str, Paramet
     left, played = rules_of_race((other or loaded).agent), (loaded.agent, loaded.environment)
     return by_name(
         Parameter(HORIZON, usual_horizon(*played), 1, longest_horizon(*played), _STOPPED),
-        Parameter(START, 0, 0, MOST_START, f"Both sides begin from it. {_HELD_OUT}"),
-        Parameter(LEFT, None, help="The rule that the right side is compared with.", kind=str, choices=left),
-        Parameter(GAMMA, None, 1e-6, 0.999999, "It takes the best action at this discount.", float),
+        Parameter(START, 0, 0, MOST_START, f"Start seed of both sides. {_HELD_OUT}"),
+        Parameter(
+            LEFT, None, help="Rule of the left side, with which the right side is compared.", kind=str, choices=left
+        ),
+        Parameter(GAMMA, None, 1e-6, 0.999999, "The right side takes the best action at this discount.", float),
         Parameter(RIGHT, None, help=_RIGHT_HELP, kind=str, choices=rules_of_race(loaded.agent)),
-        Parameter(AT, None, 0, 10_000, "Steps that are over under the cursor.", int),
-        Parameter(MANY, "no", help="Whether many starts are raced over.", choices=("no", "yes")),
-        Parameter(COUNT, USUAL_COUNT, 2, MOST_RACES, "From start 0 on; more starts make the interval narrower."),
+        Parameter(AT, None, 0, 10_000, "Number of steps before the cursor.", int),
+        Parameter(MANY, "no", help="Whether the race runs from many starts.", choices=("no", "yes")),
+        Parameter(COUNT, USUAL_COUNT, 2, MOST_RACES, "Number of starts; more make the interval narrower."),
     )
 
 
@@ -153,7 +155,7 @@ def field_verdict(summary: Mapping[str, Any], control: Control) -> tuple[str, st
         return "level", f"{count} both have the same return from every start."
     means = f"{count}: {left} {summary['left']:.1f}, {right} {summary['right']:.1f} on average"
     if low <= 0.0 <= high:
-        return "level", f"{means}. The interval of the difference covers 0: these starts do not tell which is better."
+        return "level", f"{means}. The interval of the difference covers 0: these starts do not show which is better."
     leader, tone = (right, "ahead") if mean > 0 else (left, "behind")
     return tone, f"{means}. {capital(leader)} is ahead by {abs(mean):.1f} ({_range(low, high)})."
 

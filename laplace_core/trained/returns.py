@@ -52,14 +52,14 @@ def _same(one: Loaded, other: Loaded) -> bool:
 
 def offer(loaded: Loaded, step: int, name: str) -> str:
     """What would be simulated; ``name`` is the first action's."""
-    times = f"{COUNT} times" if vector.chance(loaded.environment) else "once, because nothing here is by chance"
+    times = f"{COUNT} times" if vector.chance(loaded.environment) else "once, because nothing here is random"
     return f"As learned. Simulated: {name} at step {step}, then each agent's own greedy policy, {times}."
 
 
 def summary(observed: Sequence[SimulatedReturns], step: int, name: str) -> str:
     """What was simulated."""
     most, count = max(observed, key=lambda one: one.missing), len(observed[0].returns)
-    times = f"{count} times" if count > 1 else "once, because nothing here is by chance"
+    times = f"{count} times" if count > 1 else "once, because nothing here is random"
     cut = f"the cut at {most.steps} steps leaves out at most {most.missing:.2g}" if most.missing else "all ended"
     return f"{name.capitalize()} at step {step}, then each agent's own greedy policy, {times}; {cut}. Shaded: W1."
 

@@ -35,7 +35,7 @@ PARAMETERS = by_name(
     Parameter(HORIZON, None, 1, MOST_STEPS, "Deadline T of the episode, in steps.", int),
     Parameter(GAMMA, None, 1e-6, 0.999999, "Discount to be greedy at.", float),
     Parameter(AT, 0, 0, MOST_STEPS, "Step under the cursor."),
-    Parameter(AFTER, "values", help="Control of what is simulated from there.", choices=("values", "rule")),
+    Parameter(AFTER, "values", help="Policy of the simulation from that step.", choices=("values", "rule")),
 )
 
 
@@ -68,7 +68,7 @@ def parameters(agent: Agent[Any]) -> dict[str, Parameter]:
     rules = tuple(titles_of(agent))
     own = Parameter(RULE, rules[0], help="Control rule.", kind=str, choices=rules)
     kept = {name: one for name, one in PARAMETERS.items() if name != GAMMA or isinstance(agent, HasDiscounts)}
-    shown = Parameter(ACTION, TAKEN, help="Action that is shown of an agent without a lens.", kind=str)
+    shown = Parameter(ACTION, TAKEN, help="Action that is shown for an agent without a lens.", kind=str)
     return kept | {RULE: own, ACTION: shown}
 
 

@@ -70,10 +70,10 @@ def words(view: View, loaded: Loaded, rollout: Rollout, step: int, *, own: bool)
         action = view.subject.action_names[view.action]
         words = f"{COUNT} continuations of {steps} steps, {limit}: {action}, then {then}."
     else:
-        words = f"{loaded.environment} has no chance in it: what followed is all that can follow from here. "
+        words = f"{loaded.environment} is deterministic: only the observed rewards can follow from here. "
         words += f"For calibration, {EACH} states of each of {EPISODES} episodes, {then}."
     if own:
-        words += f" Tau-space predicts greedy at γ {rollout.acting_gamma:.4g}: this is another process."
+        words += f" Tau-space predicts greedy at γ {rollout.acting_gamma:.4g}: this simulation follows another policy."
     return words
 
 

@@ -440,7 +440,7 @@ def _why(end: End) -> str | None:
     if end.refusal:
         return end.refusal
     if end.fault:
-        return f"training broke off: {end.fault}; errors.txt in the run's folder says more."
+        return f"training broke off: {end.fault}; errors.txt in the run's folder has the details."
     if end.signal is not None:
         return f"its process was killed (signal {end.signal}); resume it, smaller if memory was short."
     return None if end.status is None else f"its process ended too early, with status {end.status}; resume it."

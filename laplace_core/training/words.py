@@ -59,7 +59,7 @@ def progress(run: Run, progress: Progress | None, curves: Curves, places: int) -
     step = of if run.state == FINISHED else step
     words = [f"{step:,} of {of:,} steps"]
     if run.state == WAITING:
-        words.append(f"waits for one of the {places} places")
+        words.append(f"waiting; {places} runs train at once")
     elif run.state == STOPPING:
         words.append("its resume point is being written")
     elif run.state == TRAINING and not reported:
@@ -75,4 +75,4 @@ def set_by_hand(settings: LoopSettings) -> str:
     """Which settings differ from those that suit the algorithm and the environment."""
     words = changed(settings)
     listed = ", ".join(words[:_MOST_LISTED]) + (", ..." if len(words) > _MOST_LISTED else "")
-    return f"set by hand: {listed}" if words else "settings that suit it"
+    return f"set by hand: {listed}" if words else "recommended settings"

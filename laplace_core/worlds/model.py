@@ -240,7 +240,7 @@ def _check_names(kind: str, names: tuple[str, ...], most: int) -> None:
         if not isinstance(name, str) or not name or len(name) > 100 or not name.isprintable():
             raise InputError(f"{kind} name {str(name)[:40]!r} must be 1 to 100 printable characters.")
         if name == "END" or name == "*":
-            raise InputError(f"{name!r} has a meaning of its own and cannot be the name of one of the {kind}s.")
+            raise InputError(f"{name!r} is reserved and cannot be the name of one of the {kind}s.")
         if name in seen:
             raise InputError(f"{kind} {name!r} is listed twice.")
         seen.add(name)

@@ -98,7 +98,7 @@ def test_find_whether_an_agents_timeline_comes_true(page, address, hand):
     hand.click("Trained agents", role="link")
     hand.click("Roll out")
     hand.click("Simulate")
-    expect(page.get_by_text(re.compile("does the decoded timeline come true", re.I))).to_be_visible()
+    expect(page.get_by_text(re.compile("decoded timeline against simulated continuations", re.I))).to_be_visible()
     hand.report("find whether an agent's timeline comes true", 3)
 
 

@@ -30,7 +30,7 @@ function themed(layout, host) {
     modebar: { bgcolor: 'rgba(0,0,0,0)', color: 'rgba(138, 143, 152, 0.8)', activecolor: colour },
   };
   const page = style.getPropertyValue('--st-background-color').trim();
-  // A legend within the picture hides what it lies on.
+  // A legend within the picture hides the curves under it.
   if (layout.legend?.bgcolor && /^#[0-9a-f]{6}$/i.test(page))
     painted.legend = { ...layout.legend, bgcolor: `${page}d9` };
   for (const name of Object.keys(layout)) {
@@ -46,7 +46,7 @@ const TO_SVG = {
 };
 
 /**
- * Draws what a box wants, in turn.
+ * Draws the figures of a box, one after the other.
  * @param {ChartBox} box
  * @returns {void}
  */

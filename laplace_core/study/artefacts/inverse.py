@@ -56,9 +56,9 @@ def shifted_index(look: Look) -> Artefact | None:
     return Artefact(
         "shifted index",
         size,
-        f"the shift of the index moves up to {of_a_row(size)}",
+        f"the index shift moves up to {of_a_row(size)}",
         WHY["shifted index"],
-        (Remedy("Undo the shift of the index", {"shift": False}),),
+        (Remedy("Undo the index shift", {"shift": False}),),
     )
 
 

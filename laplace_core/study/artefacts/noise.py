@@ -14,7 +14,7 @@ _SENTENCE = (
 _APART = " Some falls are larger than the others allow: there discounts follow different policies, or know less."
 _ROUNDING, _FEW = 1e-6, 5
 """Of (1 - gamma) Z; and discounts so few that falls between most of them say nothing."""
-_TOO_MUCH = " No alpha takes it away and leaves the picture"
+_TOO_MUCH = " No alpha removes the noise and keeps the picture"
 
 
 def noise_amplification(look: Look) -> Artefact | None:
@@ -50,7 +50,7 @@ def _against_truth(look: Look) -> Artefact | None:
 
 def _too_much(look: Look) -> str:
     """What helps where no alpha does: noise that was added is left out, an error of learning is learned away."""
-    return f"{_TOO_MUCH}." if look.settings.noise else f"{_TOO_MUCH}; only learning on does."
+    return f"{_TOO_MUCH}." if look.settings.noise else f"{_TOO_MUCH}; only more learning does."
 
 
 def _keeps_a_picture(look: Look, exact: np.ndarray, alpha: float) -> bool:

@@ -87,12 +87,10 @@ def test_rows_that_cannot_be_drawn_are_one_sentence(monkeypatch, tmp_path):
     (folder / "fig6.json").write_text(json.dumps(about | {"results": [{"part": {"values": "exact"}, "result": {}}]}))
     monkeypatch.setattr(results, "FOLDER", folder)
     page = opened(screen="paper")
-    assert [warning.value for warning in page.warning] == [
-        "fig6.json cannot be drawn: it holds something else than results."
-    ]
+    assert [warning.value for warning in page.warning] == ["fig6.json cannot be drawn: the file does not hold results."]
     assert "paper fig6" not in charts(page)
 
 
 def test_a_link_to_it_holds_nothing():
     page = opened(screen="paper", world="two_branch")
-    assert ["means nothing here" in warning.value for warning in page.warning] == [True]
+    assert ["this page does not know" in warning.value for warning in page.warning] == [True]

@@ -137,7 +137,7 @@ def test_the_line_is_bounded_and_says_so():
     kind = server.kind()
     gate, first = held(server, kind)
     waiting = [kind.take(i, at_once, 1.0) for i in range(2)]
-    with pytest.raises(InputError, match="the line of this server is full; try again in a moment"):
+    with pytest.raises(InputError, match="the queue of this server is full; try again soon"):
         kind.take("late", at_once, 1.0)
     assert kind.get("late") is None
     assert server.line.usage() == (1, 2, 2)
