@@ -248,7 +248,7 @@ def test_with_chance_the_lens_gets_what_continuations_came_to(shipped, few):
     page = simulated(rolled_out(checkpoint="laplace_two_branch", **query))
     page = wait(page, lambda page: "2 continuations of 20 steps" in words(page))
     assert "greedy at γ" in words(page)
-    assert "another process" not in words(page)
+    assert "another policy" not in words(page)
     assert "simulated" not in charts(page)  # the lens shows it
     loaded = load_checkpoint(shipped / "laplace_two_branch.safetensors")
     rollout = roll_out(loaded.agent, "two_branch", 5, rule="random")
