@@ -96,14 +96,14 @@ def weigh(*objects: object) -> Weight:
 
 
 def _owner(array: Any) -> Any:
-    """What holds the memory of an array: itself, the array that it is a view of, or bytes."""
+    """The owner of an array's memory: the array itself, the array that it is a view of, or bytes."""
     while type(array) is np.ndarray and array.base is not None:
         array = array.base
     return array
 
 
 def _content(each: Any, kind: type) -> Iterable[object]:
-    """What an object that is neither number nor buffer holds."""
+    """The contents of an object that is neither number nor buffer."""
     if kind in _ROWS:
         return list(each)
     if isinstance(each, Mapping):
@@ -175,7 +175,7 @@ class Budget:
             return sum(cache.usage.bytes for cache in self._caches if cache.fixed)
 
     def usage(self) -> list[Usage]:
-        """What each cache holds that holds anything, the largest first."""
+        """The use of every cache that is not empty, the largest first."""
         with self.lock:
             used = [cache.usage for cache in self._caches if len(cache)]
         return sorted(used, key=lambda one: -one.bytes)

@@ -25,7 +25,7 @@ class Parameter:
 
     Attributes:
         default: the value if none is given; None means that it depends on the world.
-        low, high: the range of an int or float; None for all else.
+        low, high: the range of an int or float; None for other types.
         kind: bool, int, float or str; by default the type of ``default``.
         choices: the allowed words of a str; empty for free text.
         check: refuses a free text by raising an InputError.

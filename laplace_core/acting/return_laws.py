@@ -105,7 +105,7 @@ def has_return_law(agent: Agent) -> bool:
 
 
 def says_more_than_a_mean(agent: Agent) -> bool:
-    """Whether it predicts the spread of the return, and not only its mean."""
+    """Whether the agent predicts the spread of the return, not only its mean."""
     if isinstance(agent, HasReturnDistribution):
         return agent.return_distribution(np.zeros(agent.n_observations))[0].shape[1] > 1
     return isinstance(agent, HasGammaSpace)

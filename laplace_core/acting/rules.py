@@ -243,12 +243,12 @@ def rules_of(agent: Agent) -> tuple[str, ...]:
 
 
 def title_of(rule: str) -> str:
-    """What a form calls a rule; one that is not in the list, such as random actions, goes by its name."""
+    """The title of a rule in a form; a rule that is not in the list, such as random actions, keeps its name."""
     return (RULES[rule].title if rule in RULES else "") or rule
 
 
 def words_of(rule: str) -> str:
-    """What a sentence calls a rule."""
+    """The name of a rule in a sentence."""
     return (RULES[rule].words if rule in RULES else "") or rule
 
 
@@ -271,7 +271,7 @@ def check_rule_options(rule: str, given: Iterable[str]) -> None:
 
 
 def options_for(rule: str, given: Mapping[str, Any]) -> dict[str, Any]:
-    """Those of the options that a rule uses; none of a rule that does not exist."""
+    """The options that a rule uses; none for a rule that does not exist."""
     return {name: value for name, value in given.items() if rule in RULES and name in RULES[rule].options}
 
 

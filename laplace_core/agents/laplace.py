@@ -73,7 +73,7 @@ class LaplaceAgent(Agent[LaplaceSettings]):
 
     @torch.no_grad()
     def targets(self, batch: Batch) -> Tensor:
-        """What the scaled outputs are moved to, ``(B, G, C)``; the equation is that of :mod:`.parametrisations`."""
+        """Targets of the scaled outputs, ``(B, G, C)``; the equation is in :mod:`.parametrisations`."""
         gammas, code = self._gammas, self.code
         actions = self.following(batch.next_observations).expand(-1, len(gammas))
         later = code.scaled(self.target(batch.next_observations, actions=actions))
@@ -153,7 +153,7 @@ class LaplaceAgent(Agent[LaplaceSettings]):
         return self.target.at(inputs, tuple(gammas.tolist()))
 
     def gamma_space(self, observation: np.ndarray, gammas: np.ndarray | None = None) -> GammaSpace:
-        """What the agent has learned for one observation ``(O,)``, to be decoded: what it acts on, open ends too."""
+        """The learned gamma-space of one observation ``(O,)``, with the open ends that the agent acts on."""
         values, constant = self.gamma_spaces(np.asarray(observation)[None], gammas)
         gammas = self.gammas if gammas is None else np.asarray(gammas)
         return GammaSpace(values[0], constant[0], gammas, self.thetas, open_ends=True)

@@ -101,7 +101,7 @@ class LoopSettings:
 
     @property
     def own_experience(self) -> bool:
-        """Whether every discount learns from a buffer of its own."""
+        """Whether every discount learns from its own buffer."""
         return False
 
     @property

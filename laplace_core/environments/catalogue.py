@@ -35,7 +35,7 @@ class Environment:
         title: what it is about, in one line.
         components: the numbers of an observation, in order; empty for a tabular world.
         actions: what the actions are called, in order.
-        states: of a tabular world, what they are called; empty for all else.
+        states: names of the states of a tabular world; empty for other environments.
         time_limit: steps after which an episode is truncated; None if it never is.
         chance: whether the same action in the same state may lead to different things.
         inner: attributes that are all of its inner state besides its random numbers and its time. None where there is

@@ -1,6 +1,6 @@
 """The environments that agents are trained in, stepped side by side, and their inner state for a resume point.
 
-Which there are, and what is known of each, stands in :mod:`laplace_core.environments`.
+The list of environments is in :mod:`laplace_core.environments`.
 
 gymnasium resets an environment on the step AFTER its episode ended and ignores that step's action. Such a step is no
 transition: :class:`Environments` marks it, and hands out the true final observation of an episode before it.
@@ -77,7 +77,7 @@ def make(name: str, *, pictures: bool = False, limited: bool = True) -> gymnasiu
 
 
 def _draws(name: str) -> bool:
-    """Whether an environment of gymnasium makes pictures; those that say nothing of it make none."""
+    """Whether an environment of gymnasium makes pictures; one that does not declare it makes none."""
     entry = gymnasium.spec(name).entry_point
     creator = load_env_creator(entry) if isinstance(entry, str) else entry
     metadata = getattr(creator, "metadata", None)

@@ -102,7 +102,7 @@ def check_of(name: str, test: Callable[[str], object], drops: tuple[str, ...] = 
 
 @dataclass(frozen=True)
 class Schema:
-    """What the link of a page may hold.
+    """The entries that the link of a page may hold.
 
     Attributes:
         opening: the values of the page without a link.

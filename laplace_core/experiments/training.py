@@ -1,4 +1,4 @@
-"""How well, how fast and how surely an algorithm learns an environment: the same settings, several seeds."""
+"""Score, speed and reliability of an algorithm on an environment: the same settings, several seeds."""
 
 from __future__ import annotations
 

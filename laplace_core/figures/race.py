@@ -63,7 +63,7 @@ def differences(
 
 
 def piles(x: np.ndarray) -> tuple[np.ndarray, int]:
-    """How high each dot lies, ``(N,)``, from 1: its rank among those of its bin; and the highest."""
+    """The height of each dot, ``(N,)``, from 1: its rank among those of its bin; and the largest height."""
     low, high = float(x.min()), float(x.max())
     width = (high - low) / _BINS or 1.0
     bins = np.minimum(((x - low) / width).astype(int), _BINS - 1)

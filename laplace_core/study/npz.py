@@ -123,7 +123,7 @@ def read_gamma_space(
     """A gamma-space from an ``.npz`` with ``gamma_space``, ``gammas`` and ``thetas``.
 
     ``gamma_space`` is ``(A, G, H)``, or ``(G, H)`` for one action, or ``(S, A, G, H)`` with ``state`` as an
-    index. Without a ``constant_channel`` ``(A, G)`` the tail at the lowest sensitivity stands in for it: it
+    index. Without a ``constant_channel`` ``(A, G)`` the tail at the lowest sensitivity is used instead: it
     is the same thing as long as no reward lies below that sensitivity. ``open_ends`` 1 says that what lies beyond the
     sensitivities counts, and ``places`` where these lie on the activation, as :class:`GammaSpace` has it. Values that
     are clearly those of another convention are refused (:mod:`laplace_core.study.conventions`).
@@ -165,7 +165,7 @@ def read_gamma_space(
     check_shapes(values, constant, gammas, thetas)
     if values.ndim == 4:
         index = _state_index(state, len(values))
-        values = values[index].copy()  # the other states are let go
+        values = values[index].copy()  # the memory of the other states is freed
         constant = None if constant is None else constant[index].copy()
     elif state not in (None, "0"):
         raise InputError(f"state {state[:40]!r} does not exist: this gamma-space holds a single state, 0.")

@@ -55,7 +55,7 @@ from laplace_core.worlds import World
 
 AnyResolved = TypeVar("AnyResolved", bound=Resolved)
 MAX_FOLDED = 200_000_000
-"""Numbers that the inverses of all horizons may be together, where each has one of its own: two or three seconds."""
+"""Most numbers of the inverses of all horizons together, if each has its own: two or three seconds."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -1,7 +1,7 @@
 """Every choice that leads from a world to a tau-space, as one frozen, typed object.
 
-A setting stands in one place, as a field of :class:`Settings`; the command line, the URL of the app and the saved files
-all read and write it by what stands there. None means "what suits the world" and is filled in by :func:`resolve`.
+A setting is defined once, as a field of :class:`Settings`; the command line, the URL of the app and the saved files
+all use this definition. None means "the default for the world", which :func:`resolve` fills in.
 """
 
 from __future__ import annotations

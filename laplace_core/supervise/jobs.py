@@ -205,7 +205,7 @@ class Line:
     """Jobs that wait, and threads that do them: the shortest first, and none is passed for ever.
 
     A job's turn is the time at which it was asked for and the seconds that it takes: what waits for as long as it
-    takes goes before everything that is asked for from then on. A session has one long job running at a time.
+    takes goes before everything that is added from then on. A session has one long job running at a time.
 
     Args:
         threads: at most; ``kept`` of them do short jobs only.
@@ -429,7 +429,7 @@ class Asked:
 
 @dataclass(frozen=True)
 class Task(Generic[Result]):
-    """Work that can be asked for, whoever wants it; its fields are those of a :class:`Wish`."""
+    """Work that any session can wish for; its fields are those of a :class:`Wish`."""
 
     key: Hashable
     make: Callable[[Progress], Result]

@@ -14,7 +14,7 @@ from laplace_core.errors import InputError
 
 LOCK = ".lock"
 PATIENCE = 2.0
-"""Seconds that a process waits for the lock: whoever only looks whether it is free has it for a moment."""
+"""Seconds that a process waits for the lock: a process that only tests whether it is free holds it for a moment."""
 
 
 def lock_of(folder: Path) -> FileLock:

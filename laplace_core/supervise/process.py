@@ -27,7 +27,7 @@ _SAME = 2.0
 
 @cache
 def here() -> str:
-    """The place within which numbers of processes mean the same: a container has numbers of its own."""
+    """The namespace of process numbers: every container has its own."""
     with contextlib.suppress(OSError, AttributeError):
         boot = Path("/proc/sys/kernel/random/boot_id").read_text(encoding="ascii").strip()
         return f"{boot} {os.readlink('/proc/self/ns/pid')}"

@@ -1,4 +1,4 @@
-"""Learning in a process of its own, to be watched from a page: no thread, no shell, and an end within a second.
+"""Learning in a separate process that a page can watch: no thread, no shell, and an end within a second.
 
 The process is the command ``learn``; what passes between the two are files in one folder: the world where it is no
 preset, lines of progress, and a snapshot that is always whole.

@@ -1,6 +1,6 @@
 """How an agent learns: every choice as one frozen, typed object, with the defaults that suit a world.
 
-A setting stands in one place, as a field of :class:`LearnSettings`; the command line, the app and the saved files read
+A setting is defined once, as a field of :class:`LearnSettings`; the command line, the app and the saved files read
 and write it by what stands there. None means "what suits the world" and is filled in by :func:`resolve_learning`.
 """
 

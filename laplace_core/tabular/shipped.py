@@ -1,4 +1,4 @@
-"""The agents of a folder that ship and learned a tabular world, as whoever shows them asks for them.
+"""The bundled agents of a folder that learned a tabular world.
 
 A folder is looked at once: :func:`forget` is for one whose files were changed meanwhile.
 """

@@ -1,4 +1,4 @@
-"""Learners as jobs: each in a process of its own, watched through its files, and what was learned is kept in memory.
+"""Learners as jobs: each in a separate process, watched through its files; the result is kept in memory.
 
 A run belongs to what it learns and not to a session: a page that is loaded again finds it at work.
 """
@@ -191,7 +191,7 @@ class Runs:
     watched: dict[str, Watched] = field(default_factory=dict)
 
     def watch(self, wish: Wish[Work]) -> Watched | None:
-        """The run of a wish, if this session has begun or seen it, or its link asks for it."""
+        """The run of a wish, if this session has begun or seen it, or its link holds it."""
         mine, key = self.watched, str(wish.key)
         job = wish.look() if key in mine or wish.by_itself else None
         if job is not None:

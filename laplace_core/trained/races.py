@@ -161,7 +161,7 @@ def field_verdict(summary: Mapping[str, Any], control: Control) -> tuple[str, st
 
 
 def _range(low: float, high: float) -> str:
-    """The interval of a lead, whoever leads."""
+    """The interval of a lead, of either side."""
     return f"95% {min(abs(low), abs(high)):.1f} to {max(abs(low), abs(high)):.1f}"
 
 

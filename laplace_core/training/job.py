@@ -51,7 +51,7 @@ def write_job(path: Path, job: Job) -> None:
 
 
 def ask_to_stop(path: Path) -> None:
-    """Ask whoever trains a run, in whatever container, to end it; nothing happens where no file can be made."""
+    """Ask the process that trains a run, in any container, to end it; no effect if no file can be written."""
     with contextlib.suppress(OSError):
         (path / _REQUEST).touch()
 

@@ -1,6 +1,6 @@
 """Training the neural inverse of one grid of discounts, on timelines that are drawn without a world.
 
-What the networks are, and how they are run, stands in :mod:`laplace_core.inverse.neural`.
+The networks, and how they are run, are described in :mod:`laplace_core.inverse.neural`.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""The queue of training runs in one folder: a few train at a time, each in a process of its own, and others wait.
+"""The queue of training runs in one folder: a few train at a time, each in a separate process, and others wait.
 
 All that matters is on disk, so that another queue on the same folder, after a restart or beside this one, sees the
 same: who waits and in which order (``job.json`` in the folder of each run), who trains (its lock and
@@ -300,7 +300,7 @@ class Queue:
             run = self.get(name)  # once more: somebody else may have removed or resumed it
             if run.going:
                 raise InputError(f"{name} was resumed at this moment: remove it again.")
-            away = self.folder / f".removed-{time.time_ns()}"  # gone at once for whoever looks
+            away = self.folder / f".removed-{time.time_ns()}"  # gone at once for every reader
             try:
                 os.rename(run.folder, away)
             except OSError as error:

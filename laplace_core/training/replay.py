@@ -2,7 +2,7 @@
 they are filled.
 
 Rings keep the steps of an environment in order, so that n-step rewards are gathered when a batch is drawn and no
-episode in progress has to be remembered elsewhere. With experience of its own for every discount, ring g belongs to
+episode in progress has to be remembered elsewhere. With separate experience for every discount, ring g belongs to
 discount g and a batch has one column a discount; otherwise all rings are drawn from as one.
 """
 

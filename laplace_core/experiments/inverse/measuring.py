@@ -1,4 +1,4 @@
-"""A study of the inverse beside a server: the command ``study`` in a process of its own, and its table as it grows."""
+"""A study of the inverse in the background of a server: the command ``study`` in a process, and its growing table."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ from laplace_core.supervise.jobs import Progress, too_large
 SOLVERS_OFFERED = tuple(name for name in SOLVERS if name != "neural")
 """The neural inverse takes only the discounts and rows that it was fitted to, which random worlds do not keep to."""
 MOST_ROWS = 20_000
-"""Of a study that a page asks for: some 4 MB."""
+"""Most rows of a study on a page: some 4 MB."""
 PARAMETERS = (
     Parameter("worlds", "random", help="Random worlds, or listed worlds, by commas."),
     Parameter("cases", 20, 1, 1000, "Random worlds, and draws of the noise of each listed world."),
@@ -43,7 +43,7 @@ _LOOK_EVERY = 0.2  # seconds between two looks at the process
 
 
 def words_in(text: str) -> list[str]:
-    """The words of a list that stands in one text."""
+    """The words of a list that is written as one text."""
     return [word.strip() for word in text.split(",") if word.strip()]
 
 

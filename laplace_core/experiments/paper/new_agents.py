@@ -1,4 +1,4 @@
-"""Laplace DQN on LunarLander trained anew, with the target averaging that the search selected, on seeds of its own."""
+"""Laplace DQN on LunarLander trained again, with the target averaging that the search selected, on new seeds."""
 
 from laplace_core.experiments.paper.experiment import Cell, Experiment
 from laplace_core.experiments.paper.lander import ENVIRONMENT

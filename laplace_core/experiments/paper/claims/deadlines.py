@@ -55,7 +55,7 @@ def of_paper(name: str, horizon: str) -> float | None:
 
 
 def columns(results: Results) -> dict[str, Mapping[str, Any]]:
-    """What is measured on LunarLander, by T."""
+    """Measured returns on LunarLander, by T."""
     found = {horizon: results.summary.get(_LANDER + horizon, {}) for horizon in HORIZONS}
     return {horizon: column for horizon, column in found.items() if column}
 

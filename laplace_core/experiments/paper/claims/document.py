@@ -44,7 +44,7 @@ def _overview(found: Sequence[Found]) -> list[str]:
 
 
 def _differing(found: Sequence[Found]) -> list[str]:
-    """The claims that our numbers contradict; why stands in their sections."""
+    """The claims that our numbers contradict; their sections say why."""
     claims = [
         f"- {each.entry.place}: {claim.says}"
         for each in found
