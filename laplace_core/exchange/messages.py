@@ -10,8 +10,8 @@ What is seen has two owners, the server and the hand in the browser, and this is
 2. **Revisions.** A message has a revision. A component takes over the state of a message only if the revision differs
    from that of the last message; otherwise it keeps the state on its screen, which the user may have changed since.
 3. **Releases.** When a control is released, the browser reports the state. Python takes it over
-   (:meth:`Channel.release`) and does not raise the revision for it: the browser has it already. A state that Python itself sets (a remedy, Back,
-   another step) differs from what was released or sent last, and raises the revision.
+   (:meth:`Channel.release`) and does not raise the revision for it: the browser has it already. A state that Python
+   itself sets (a remedy, Back, another step) differs from what was released or sent last, and raises the revision.
 4. **Mounting anew.** A component may be taken off a page and put back with its last message. The lens
    therefore remembers in the browser the last released state with its payload and revision (``released`` in
    ``lens/entry.js``), so that its message need not change with a release (:meth:`Channel.show`). The message

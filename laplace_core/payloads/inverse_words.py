@@ -1,4 +1,4 @@
-"""What rules and solvers are called on the page of the inverse, and the sentence that judges an alpha."""
+"""The words of rules and solvers on the page Inverse, and the sentence that judges an alpha."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from laplace_core.study.pipeline import problem_for
 
 @dataclass(frozen=True)
 class Said:
-    """What is said of a state; ``tone`` is ok, warn, bad or unknown."""
+    """The sentence about a state; ``tone`` is ok, warn, bad or unknown."""
 
     tone: str
     sentence: str
@@ -134,7 +134,7 @@ def _choice(study: Study, found: Swept) -> str:
 
 
 def chosen_over(study: Study, actions: np.ndarray) -> str:
-    """Which action is chosen from which deadline on, of the choices ``(K,)`` for each of them."""
+    """The chosen action and the first deadline of each run of equal choices ``(K,)``."""
     stretches = turns(actions)
     names = [study.action_names[action] for _, action in stretches]
     if len(names) == 1:

@@ -111,7 +111,7 @@ def save_study(study: Study, path: str | Path) -> None:
 
 
 def npz_bytes(study: Study) -> bytes:
-    """What :func:`save_study` writes, for a download that needs no file."""
+    """The bytes that :func:`save_study` writes, for a download that needs no file."""
     file = io.BytesIO()
     np.savez_compressed(file, **study_arrays(study))
     return file.getvalue()
@@ -194,7 +194,7 @@ def _state_index(state: str | None, count: int) -> int:
 
 
 def states_of(source: str | Path | bytes | BinaryIO, name: str | None = None) -> int:
-    """How many states a gamma-space file holds: S of ``(S, A, G, H)``, else 1. Only a header is read.
+    """The number of states in a gamma-space file: S of ``(S, A, G, H)``, else 1. Only a header is read.
 
     Raises:
         InputError: as :func:`read_gamma_space`, as far as the header of ``gamma_space`` shows it.

@@ -104,12 +104,12 @@ class Truth(Decoded):
 
 @dataclass(frozen=True, eq=False)
 class Study:
-    """One state, looked at through one choice of settings; a :class:`WorldStudy` where there is a world to look at.
+    """One state under one choice of settings; a :class:`WorldStudy` if there is a world.
 
     ``midpoints`` are what each column of the tau-space counts as: the bin values of the gamma-space, ``(B,)``.
     ``learned`` is the learned reward-indicator basis, ``(A, G, V)``, that was decoded in place of the exact one;
     ``policy`` is the one that was given in place of the target policy of the settings. ``automatic`` says how a rule
-    chose the alpha that stands in the settings; None where it was typed.
+    chose the alpha of the settings; None if it was typed.
     """
 
     settings: Resolved
@@ -290,7 +290,7 @@ def clipped_sensitivities(settings: ResolvedForWorld, world: World, timeline: np
 
 
 def rows_decoded(settings: Resolved, row: int | None) -> int:
-    """How many rows the inverse has: all K, or under ``fold`` as many as the horizon of a row."""
+    """The number of rows of the inverse: all K, or under ``fold`` as many as the horizon of a row."""
     return row + 1 if settings.fold and row is not None else settings.steps
 
 
@@ -443,7 +443,7 @@ def read_study(gamma_space: GammaSpace, settings: Resolved) -> Decoded:
 
 
 def folded_values(rewards_at: Callable[[int], np.ndarray], settings: Resolved) -> np.ndarray:
-    """V_T, ``(..., K)``, where every horizon has an inverse of its own.
+    """V_T, ``(..., K)``, if every horizon has its own inverse.
 
     Args:
         rewards_at: E[r_tau], ``(..., K)``, decoded for the horizon of a row.
@@ -457,7 +457,7 @@ def folded_values(rewards_at: Callable[[int], np.ndarray], settings: Resolved) -
 
 
 def work_of_fold(settings: Resolved, discounts: int, columns: int) -> int:
-    """Numbers that the inverses of all horizons are together, where each has one of its own; 0 where all share one.
+    """Numbers of the inverses of all horizons together, if each has its own; 0 if all share one.
 
     Args:
         columns: how many columns each of them decodes.

@@ -450,7 +450,7 @@ def _weighting(values: Mapping[str, Any]) -> str:
 
 
 def _nearest_horizon(values: Mapping[str, Any]) -> float | None:
-    """The horizon of a row that is nearest to the one that is asked for."""
+    """The horizon of the row that is nearest to the chosen one."""
     if values["horizon"] is None:
         return None
     horizons = row_horizons(values["steps"], values["time_step"])

@@ -39,7 +39,7 @@ def take(folder: Path) -> FileLock | None:
 
 
 def is_taken(folder: Path) -> bool:
-    """Whether a process has the lock; where it cannot be looked at, nobody has it that this process could meet."""
+    """Whether a process has the lock; false if the lock file cannot be read."""
     lock = lock_of(folder)
     try:
         if not (folder / LOCK).is_file():

@@ -54,12 +54,12 @@ class Process:
 
     @property
     def near(self) -> bool:
-        """Whether it can be seen and ended from here; of one in another container nothing is known."""
+        """Whether it can be seen and ended from here; not if it is in another container."""
         return self.place == here()
 
     @property
     def alive(self) -> bool:
-        """Whether it runs here; a zombie, which its parent has not waited for yet, does not."""
+        """Whether it runs here; a zombie, for which its parent has not waited yet, does not."""
         return self._running_process() is not None
 
     def _running_process(self) -> psutil.Process | None:

@@ -89,7 +89,7 @@ class Run:
 
     @property
     def error(self) -> str | None:
-        """One sentence if the process ended by itself without finishing."""
+        """One sentence if the process ended without finishing and without being stopped."""
         end = self._worker.end
         if end is None or end.status == 0 or self._cancelled:
             return None

@@ -46,7 +46,7 @@ def _room() -> Path:
 
 
 class Work:
-    """What one job does: it starts a process, looks at it until it ends, and keeps what it has learned.
+    """The work of one job: it starts a process, watches it until it ends, and keeps the learned values.
 
     That counts in the memory of the server for its caches, and leaves with what was used least recently there.
     """
@@ -113,7 +113,7 @@ class Work:
 
     @property
     def lost(self) -> bool:
-        """Whether what was learned had to make room."""
+        """Whether the learned values were dropped to free memory."""
         return self._run is None and self._has_learned and self._place not in _learned
 
 
@@ -158,14 +158,14 @@ class Watched:
 
     @property
     def error(self) -> str | None:
-        """One sentence if it ended by itself without finishing."""
+        """One sentence if it ended without finishing and without being stopped."""
         if self._job.why:
             return f"{self._job.why}; what was learned until then stays."
         return self._job.refusal
 
     @property
     def lost(self) -> bool:
-        """Whether what was learned had to make room, so that it has to be learned anew."""
+        """Whether the learned values were dropped to free memory, so that they must be learned again."""
         return self._work is not None and not self.running and self._work.lost
 
     def progress(self) -> dict[str, Any] | None:
@@ -211,5 +211,5 @@ class Runs:
         self.watched.pop(str(wish.key), None)
 
     def at_work(self) -> bool:
-        """Whether one of them is going on."""
+        """Whether one of them is running."""
         return any(run.running for run in self.watched.values())

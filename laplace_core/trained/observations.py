@@ -1,4 +1,4 @@
-"""What a trained agent sees of one observation: the observation, its gamma-space, and one view of it."""
+"""A trained agent and one observation: the observation, its gamma-space, and a view of it."""
 
 from __future__ import annotations
 
@@ -66,7 +66,7 @@ def observe(
 def view_of(
     loaded: Loaded, scene: Environment, values: Mapping[str, Any], observation: tuple[float, ...] | None = None
 ) -> View:
-    """What the page shows.
+    """The view of the page.
 
     Args:
         observation: in place of the one that the values describe.

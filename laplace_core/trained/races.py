@@ -30,7 +30,7 @@ _STOPS = (1, 2, 3, 4, 5, 6, 8, 10, 15, 20, 25, 30, 40, 50, 60, 80, 100, 125, 150
 
 @dataclass(frozen=True)
 class Control:
-    """Who races by what rule to which deadline; ``gamma`` is the discount of a greedy left side."""
+    """The agents, rules and deadline of a race; ``gamma`` is the discount of a greedy left side."""
 
     left: Loaded
     left_rule: str
@@ -56,7 +56,7 @@ def horizons(loaded: Loaded, shown: int) -> list[int]:
 
 
 def parameters(loaded: Loaded, other: Loaded | None = None) -> dict[str, Parameter]:
-    """What a link may hold besides the agents."""
+    """The entries of a link in addition to the agents."""
     left, played = rules_of_race((other or loaded).agent), (loaded.agent, loaded.environment)
     return by_name(
         Parameter(HORIZON, usual_horizon(*played), 1, longest_horizon(*played), _STOPPED),
@@ -123,7 +123,7 @@ def sides(control: Control) -> tuple[str, str]:
 
 
 def alike(control: Control) -> bool:
-    """Whether both sides are one and the same."""
+    """Whether both sides are the same."""
     same = control.left is control.right and control.left_rule == control.right_rule
     return same and control.gamma is None
 

@@ -56,7 +56,7 @@ WAITING, TRAINING, STOPPING, FINISHED, STOPPED, FAILED = (
 
 @dataclass(frozen=True)
 class Run:
-    """One run as it stands.
+    """The present state of one run.
 
     Attributes:
         settings: None if its folder holds none that can be read.
@@ -421,7 +421,7 @@ def _sentence(error: OSError | InputError) -> str:
 
 
 def _trains(path: Path, process: Process | None, job: Job) -> bool:
-    """Whether a process works on a run, in whatever container."""
+    """Whether a process works on a run, in any container."""
     if (process is not None and process.alive) or is_taken(path):
         return True
     if process is None or process.near or not job.begun:

@@ -162,7 +162,7 @@ class Replay:
         return arrays if self.tree is None else arrays | {"top": np.array([self.top])}
 
     def _rings(self) -> dict[str, np.ndarray]:
-        """What is stored of every transition, ``(rings, length, ...)``, by name."""
+        """The stored arrays of every transition, ``(rings, length, ...)``, by name."""
         arrays: dict[str, np.ndarray] = {name: getattr(self, name) for name in _ARRAYS}
         if self.tree is not None:
             arrays["priorities"] = self.tree.leaves().reshape(self.rings, self.length)

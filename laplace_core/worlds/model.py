@@ -289,7 +289,7 @@ def _check_outcomes(
 
 
 def _totals(world: World, pair: np.ndarray, probability: np.ndarray) -> np.ndarray:
-    """What the probabilities of each (state, action) are divided by, ``(S*A,)``."""
+    """The sum of the probabilities of each (state, action), ``(S*A,)``."""
     totals = np.bincount(pair, weights=probability, minlength=world.n_states * world.n_actions)
     off = np.flatnonzero(np.abs(totals - 1.0) > PROBABILITY_TOLERANCE)
     if off.size:

@@ -17,7 +17,7 @@ survival above 1 or that rises."""
 
 
 def over_smoothing(look: Look) -> Artefact | None:
-    """What a smaller alpha would bring back from the gamma-space that is there: fall of the timeline's error."""
+    """The decrease of the timeline's error under a smaller alpha, with the same gamma-space."""
     alpha = look.settings.alpha
     if not look.has_truth or alpha == 0:
         return None
@@ -63,7 +63,7 @@ def shifted_index(look: Look) -> Artefact | None:
 
 
 def survival_above_one(look: Look) -> Artefact | None:
-    """By how much the decoded probability that the episode still runs exceeds 1."""
+    """The amount by which the decoded survival exceeds 1."""
     size = float(look.drawn.survival.max(initial=0.0)) / look.settings.time_step - 1.0
     if size < VISIBLE:
         return None

@@ -49,7 +49,7 @@ def _against_truth(look: Look) -> Artefact | None:
 
 
 def _too_much(look: Look) -> str:
-    """What helps where no alpha does: noise that was added is left out, an error of learning is learned away."""
+    """The remedy if no alpha helps: leave out added noise, or learn longer against an error of learning."""
     return f"{_TOO_MUCH}." if look.settings.noise else f"{_TOO_MUCH}; only more learning does."
 
 
