@@ -9,7 +9,7 @@ from app.components.waiting import offer, turn
 from app.inverse import compute, evidence, grids, leaderboard, memory, sidebar, studies, subjects
 from app.inverse.schema import LINK
 from app.session import store
-from app.view import solver
+from app.view import explain, solver
 from app.view.compute import horizon_of, is_large
 from laplace_core import InputError
 from laplace_core.inverse.selectors import TYPED
@@ -34,6 +34,7 @@ def page() -> None:
             sidebar.refused(str(error))
             return
         sidebar.settings(view, world)
+    explain.guide("inverse")
     store.write_url()
     try:
         with turn(needed=is_large(view)):

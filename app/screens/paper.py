@@ -7,6 +7,7 @@ import streamlit as st
 from app.paper import results, sections
 from app.paper.schema import LINK
 from app.session import store
+from app.view import explain
 
 
 def page() -> None:
@@ -19,6 +20,7 @@ def page() -> None:
     found = results.found()
     with st.sidebar:
         sections.contents(found)
+    explain.guide("paper")
     sections.overview(found)
     for each in found:
         sections.section(each)

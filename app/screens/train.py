@@ -11,6 +11,7 @@ from app.components.widgets import left_out
 from app.session import store
 from app.train import cards, form, pictures, searches, server
 from app.train.schema import LINK, OPENING
+from app.view import explain
 from laplace_core.supervise.limits import limits
 from laplace_core.training.queue import Run
 
@@ -24,6 +25,7 @@ def page() -> None:
     with st.sidebar:
         form.form()
         left_out(checkpoints.left_out())
+    explain.guide("train")
     going = attempt(lambda: _going(training_runs.queue().runs()))
     if going is not None:
         st.fragment(_view, run_every=LOOK_EVERY if going else None)(going=going)
