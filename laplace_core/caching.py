@@ -315,7 +315,7 @@ class Cache(Generic[Value]):
         return kept
 
     def recount(self, key: Hashable) -> None:
-        """Weigh the value of a key anew, if it is there: it has grown since."""
+        """Weigh the value of a key again, if it is there: it has grown since."""
         with self._budget.lock:
             entry = self._entries.get(key)
         if entry is None:
@@ -483,7 +483,7 @@ class Cached(Generic[Arguments, Value]):
         self._cache.put(_key(args, kwargs), value)
 
     def recount(self, *args: Arguments.args, **kwargs: Arguments.kwargs) -> None:
-        """Weigh the value of a call anew, if it is kept: it has grown since."""
+        """Weigh the value of a call again, if it is kept: it has grown since."""
         self._cache.recount(_key(args, kwargs))
 
     def cache_clear(self) -> None:
@@ -500,7 +500,7 @@ def cached(
 ) -> Callable[[Callable[Arguments, Value]], Cached[Arguments, Value]]:
     """Let a function of hashable arguments remember what it has returned.
 
-    A value that alone exceeds the budget is returned and not kept. An exception is raised anew at every call.
+    A value that alone exceeds the budget is returned and not kept. An exception is raised again at every call.
 
     Args:
         most: values that are kept at most.

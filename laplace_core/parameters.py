@@ -138,7 +138,7 @@ def like(owner: type, name: str) -> Any:
 def schema_of(owner: type) -> tuple[Parameter, ...]:
     """The parameters that a dataclass of settings states, in the order of its fields.
 
-    A class that only declares a field anew, say without None, has its range and sentence from the class that states
+    A class that only declares a field again, say without None, has its range and sentence from the class that states
     it. A field that states nothing is no setting.
     """
     hints = get_type_hints(owner)

@@ -34,7 +34,7 @@ def section(control: Control) -> None:
     job = wish.look() if values.get(MANY) == "yes" else None
     if job is None:
         caption, button = st.columns([4.2, 1.2], vertical_alignment="center")
-        words = f"One start shows little. Run the same race from start seeds 0 to {count - 1}, without pictures."
+        words = f"One start shows little. Run the same race from the starts 0 to {count - 1}, without pictures."
         offer(wish, f"Race over {count} starts", key="begin field", words=words, place=caption, button_place=button,
               primary=True, then=partial(store.choose, MANY, "yes"))  # fmt: skip
         return

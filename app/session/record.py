@@ -87,7 +87,7 @@ def current() -> Session:
 def part(kind: type[Kind]) -> Kind:
     """The one object of a class that this session holds; the first call makes it, without arguments.
 
-    The class has to live in a module and not in the script of a page, which Streamlit runs anew every time.
+    The class has to live in a module and not in the script of a page, which Streamlit runs again every time.
     """
     parts = current().parts
     if kind not in parts:

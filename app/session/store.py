@@ -87,7 +87,7 @@ def undo() -> None:
 
 
 def refresh_sidebar() -> None:
-    """Something that the sidebar shows was changed from the main area: the whole page is to be drawn anew."""
+    """Something that the sidebar shows was changed from the main area: the whole page is to be drawn again."""
     session.current().sidebar_stale = True
     _touch()
 

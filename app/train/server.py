@@ -65,6 +65,6 @@ def _who() -> str:
     if not limits().owners:
         return "Everybody may stop, resume, download and remove every run (`LAPLACE_OWNERS`)."
     return (
-        "Everybody sees all runs. A run is stopped, resumed, downloaded and removed in the browser that started it, "
-        "which is known again by a cookie; a run from the command line, by everybody (`LAPLACE_OWNERS`)."
+        "Everybody sees all runs. Only the browser that started a run can stop, resume, download or remove it; a "
+        "cookie identifies that browser. A run from the command line has no owner (`LAPLACE_OWNERS`)."
     )

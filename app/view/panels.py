@@ -203,7 +203,7 @@ def artefacts(view: View) -> None:
     name = compute.study_for(view).action_names[view.action]
     listed = compute.artefacts_for(view, explained=session.part(_Search).explained)
     others = compute.artefacts_elsewhere(view)
-    st.html(f'<div class="panel-title">artefacts in the tau-space of {escape(name)}</div>')
+    st.html(f'<div class="panel-title">Artefacts in the tau-space of {escape(name)}</div>')
     with st.container(key="artefacts"):
         if not listed:
             st.html(f'<div class="artefact">None found for this action. {escape(others)}</div>')

@@ -57,7 +57,7 @@ def noise_and_weights(settings: Resolved) -> None:
     s = settings
     field(BY_NAME["noise_level"], s.noise_level, "Assumed noise level")
     select(
-        "Discounts count", ("deviation", "equal"), store.show("weighting", s.weighting),
+        "Weights of the discounts", ("deviation", "equal"), store.show("weighting", s.weighting),
         {"deviation": "by their error", "equal": "alike"}, help=BY_NAME["weighting"].help,
     )  # fmt: skip
 

@@ -28,8 +28,8 @@ from laplace_core.worlds.timeline import FIRST_TIMELINE, packed_timeline, timeli
 
 MOST_ROWS = 2_000
 _CONTENTS = (
-    "A world file as in the README; arrays gamma_space (actions, discounts, thetas), gammas and thetas; or what "
-    "Download agent saved."
+    "A world file (see Your own world in the Guide); arrays gamma_space (actions, discounts, thetas), gammas, thetas; "
+    "or an agent that was saved by Download agent."
 )
 
 

@@ -35,10 +35,10 @@ _SHOWN = {
     "starts": "Start",
     "rate_first": "First rate",
     "rate_half": "Rate half-life",
-    "rate_floor": "Least rate",
+    "rate_floor": "Smallest rate",
     "epsilon_first": "First epsilon",
     "epsilon_half": "Epsilon half-life",
-    "epsilon_floor": "Least epsilon",
+    "epsilon_floor": "Smallest epsilon",
     "peers": "Also learn the four other codes of the return",
 }
 

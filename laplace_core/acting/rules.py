@@ -46,7 +46,7 @@ class Options:
         stretch: time constant of a fading deadline over the time to go.
         head: another one than the acting head to be greedy at.
         solver, selector: of the inverse, as in :class:`laplace_core.study.settings.Settings`; a selector other than
-            ``typed`` chooses alpha anew for every observation, in place of ``alpha``.
+            ``typed`` chooses alpha again for every observation, in place of ``alpha``.
         noise_level: standard deviation of (1 - gamma) Q; None where it is not known.
     """
 

@@ -39,7 +39,7 @@ class Environment:
         time_limit: steps after which an episode is truncated; None if it never is.
         chance: whether the same action in the same state may lead to different things.
         inner: attributes that are all of its inner state besides its random numbers and its time. None where there is
-            more to it: a run that is gone on with begins its episodes anew there.
+            more to it: a run that is gone on with begins its episodes again there.
         seconds: that a step lasts in life; by default as many as the eye can follow.
         remark: what a race to a deadline should be read with; empty for nothing.
         module: the module that registers it with gymnasium when it is imported; empty for gymnasium's own.

@@ -12,7 +12,7 @@ What is seen has two owners, the server and the hand in the browser, and this is
 3. **Releases.** When a control is released, the browser reports the state. Python takes it over
    (:meth:`Channel.release`) and does not raise the revision for it: the browser has it already. A state that Python
    itself sets (a remedy, Back, another step) differs from what was released or sent last, and raises the revision.
-4. **Mounting anew.** A component may be taken off a page and put back with its last message. The lens
+4. **Mounting again.** A component may be taken off a page and put back with its last message. The lens
    therefore remembers in the browser the last released state with its payload and revision (``released`` in
    ``lens/entry.js``), so that its message need not change with a release (:meth:`Channel.show`). The message
    of a cursor always holds the step that Python knows (:meth:`Channel.place`); a step that it does not know yet is

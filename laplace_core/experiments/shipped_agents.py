@@ -99,6 +99,6 @@ def names_for(folder: Path, environment: str) -> list[str]:
 
 
 def forget() -> None:
-    """Look at all folders anew."""
+    """Look at all folders again."""
     for each in (names, _damaged, _load, curves):
         each.cache_clear()

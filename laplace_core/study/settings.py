@@ -71,7 +71,7 @@ class Settings:
 
     world: str = "two_branch"
     params: tuple[tuple[str, object], ...] = ()
-    state: str | None = text("State to look from, by name or index (default: the likeliest start).")
+    state: str | None = text("State of the view, by name or index (default: the most likely start).")
     gammas: int | None = _setting(None, 2, 500, "Number of discounts.")
     spacing: str | None = _choice("inverse-log", GAMMA_SPACINGS, "Spacing of the discounts.")
     gamma_min: float | None = _setting(0.01, *DISCOUNT_RANGE, "Smallest discount.")
@@ -106,16 +106,16 @@ class Settings:
         None,
         1e-12,
         1,
-        "Random error that gamma-space is taken to have: standard deviation of (1 - gamma) Q. Discrepancy needs it.",
+        "Assumed random error of gamma-space: standard deviation of (1 - gamma) Q. The rule discrepancy needs it.",
     )
     noise_levels: str | None = text(
-        "The same at each discount, by commas, as the seeds of a learner show it; in place of --noise-level.",
+        "The same for each discount, separated by commas, in place of --noise-level.",
         levels_in,
     )
     weighting: str | None = _choice(
         None, WEIGHTINGS,
-        "How discounts count: alike, or divided by the deviation of their error, 1/(1-gamma), which is the default "
-        "where a rule chooses alpha or --noise-level is given.",
+        "Weights of the discounts in the fit: equal, or by the deviation of their error, 1/(1-gamma). The second is "
+        "the default if a rule chooses alpha or a noise level is given.",
     )  # fmt: skip
     filter: str | None = _choice("none", DISCOUNT_FILTERS, "Filter over the discounts before the inverse.")
     filter_window: int | None = _setting(5, 1, 499, "Discounts in a window of --filter savgol, an odd number.")
@@ -123,7 +123,7 @@ class Settings:
     noise: float | None = _setting(
         0.0, 0, 1, "Random error of gamma-space: standard deviation of (1 - gamma) Q, a probability."
     )
-    noise_seed: int | None = _setting(0, 0, 2**31 - 1, "Seed of that error.")
+    noise_seed: int | None = _setting(0, 0, 2**31 - 1, "Seed of the noise in gamma-space.")
     horizon: float | None = _setting(None, 1e-3, 2000, "Deadline T, in steps of the world (default: the longest).")
     used: float | None = _setting(0.0, 0, 2000, "Steps of the episode that are over; the time to go is T minus these.")
     value_gamma: float | None = _setting(None, *DISCOUNT_RANGE, "Discount of the values (default: the acting gamma).")

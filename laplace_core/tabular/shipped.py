@@ -45,6 +45,6 @@ def load(folder: Path, name: str) -> Learned:
 
 
 def forget() -> None:
-    """Look at all folders anew."""
+    """Look at all folders again."""
     names.cache_clear()
     _load.cache_clear()

@@ -206,7 +206,7 @@ class Runs:
         return mine.get(key)
 
     def forget(self, wish: Wish[Work]) -> None:
-        """Drop a run that is at its end, so that it may begin anew."""
+        """Drop a run that is at its end, so that it may begin again."""
         wish.kind.drop(wish.key)
         self.watched.pop(str(wish.key), None)
 

@@ -60,11 +60,11 @@ def parameters(loaded: Loaded, other: Loaded | None = None) -> dict[str, Paramet
     left, played = rules_of_race((other or loaded).agent), (loaded.agent, loaded.environment)
     return by_name(
         Parameter(HORIZON, usual_horizon(*played), 1, longest_horizon(*played), _STOPPED),
-        Parameter(START, 0, 0, MOST_START, f"Start seed of both sides. {_HELD_OUT}"),
+        Parameter(START, 0, 0, MOST_START, f"Number of the start of both sides. {_HELD_OUT}"),
         Parameter(
             LEFT, None, help="Rule of the left side, with which the right side is compared.", kind=str, choices=left
         ),
-        Parameter(GAMMA, None, 1e-6, 0.999999, "The right side takes the best action at this discount.", float),
+        Parameter(GAMMA, None, 1e-6, 0.999999, "The left side takes the best action at this discount.", float),
         Parameter(RIGHT, None, help=_RIGHT_HELP, kind=str, choices=rules_of_race(loaded.agent)),
         Parameter(AT, None, 0, 10_000, "Number of steps before the cursor.", int),
         Parameter(MANY, "no", help="Whether the race runs from many starts.", choices=("no", "yes")),

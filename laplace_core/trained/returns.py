@@ -82,13 +82,14 @@ def notes(
     alphas: Sequence[float],
 ) -> str:  # fmt: skip
     """The meaning of the numbers of the table, and why the mean of an approximate law is not the agent's value."""
-    words = ["All in discounted reward; ± is one standard error; by chance: W1 of as many draws from their own law."]
+    words = ["All in discounted reward; ± is one standard error; by chance: W1 of as many draws from the learned law."]
     for each, law, alpha in zip(agents, laws, alphas, strict=True):
         if law.kind == INDEPENDENT:
             value = each.agent.action_values(np.array(observation)[None], each.agent.acting_head)[0, action]
             words.append(
-                f"{each.settings.TITLE} knows the rewards of each step and not how they hang together: its law is a "
-                f"stand-in, whose mean is what the inverse at α {alpha:g} leaves of its value {value:.4g}."
+                f"{each.settings.TITLE} knows the rewards of each step, but not how they depend on each other: its law "
+                f"assumes independent steps. The agent's value is {value:.4g}; the mean of the law is lower or higher "
+                f"by the error of the inverse at α {alpha:g}."
             )
             break
     return " ".join(words)

@@ -43,7 +43,7 @@ def train(
 ) -> NeuralInverse:  # fmt: skip
     """Networks for these discounts and this many rows; the same seed gives the same networks.
 
-    Every update sees ``batch`` of ``samples`` timelines with new noise, of a size that is drawn anew for each: evenly
+    Every update sees ``batch`` of ``samples`` timelines with new noise, of a size that is drawn again for each: evenly
     in its logarithm, over all sizes that the networks are for. The loss is the distance in time
     (:func:`laplace_core.inverse.distances.time_distance`), where a row counts in inverse proportion to its time: an
     error of a tenth of the time that has passed costs the same, late or early.

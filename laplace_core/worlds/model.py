@@ -250,7 +250,7 @@ _COLUMNS = {
     "state": np.int64, "action": np.int64, "next_state": np.int64, "probability": np.float64, "reward": np.float64,
 }  # fmt: skip
 ROUNDING = 1e-14
-"""A sum of probabilities that is this near to 1 is left as it is, so that a world built anew keeps its last digit."""
+"""A sum of probabilities that is this near to 1 is left as it is, so that a world built again keeps its last digit."""
 
 
 def _column(world: World, name: str, kind: type) -> np.ndarray:

@@ -1,4 +1,4 @@
-"""A trained agent in a real browser: roll out, scrub, change alpha, take along; the numbers against the library."""
+"""A trained agent in a real browser: roll out, scrub, change alpha, download; the numbers against the library."""
 
 from __future__ import annotations
 

@@ -250,7 +250,7 @@ def test_nothing_is_wider_than_the_screen(page, address, scheme, width, height):
 
 
 class Walk:
-    """A new user, who goes by visible labels alone; ``clicks`` counts what they press, and texts that they type."""
+    """A new user, who uses visible labels only; ``clicks`` counts the controls pressed and the texts typed."""
 
     def __init__(self, page, address):
         self.page, self.clicks = page, 1

@@ -35,7 +35,7 @@ class Hand:
 
     def on(self, place) -> None:
         expect(place).to_be_visible()
-        settled(self.page)  # a button that is drawn anew under the hand loses the click
+        settled(self.page)  # a button that is drawn again under the hand loses the click
         place.click()
         self.clicks += 1
         settled(self.page)

@@ -26,12 +26,12 @@ SOLVERS_OFFERED = tuple(name for name in SOLVERS if name != "neural")
 MOST_ROWS = 20_000
 """Most rows of a study on a page: some 4 MB."""
 PARAMETERS = (
-    Parameter("worlds", "random", help="Random worlds, or listed worlds, by commas."),
-    Parameter("cases", 20, 1, 1000, "Random worlds, and draws of the noise of each listed world."),
+    Parameter("worlds", "random", help="Random worlds, or listed worlds."),
+    Parameter("cases", 20, 1, 1000, "Number of random worlds, and of noise draws for each listed world."),
     Parameter("noises", ",".join(map(as_text, NOISES)), help="Standard deviations of (1 - gamma) Q, by commas."),
-    Parameter("grids", "paper", help="Grids of 15 discounts from .01 to .99, by commas."),
-    Parameter("solvers", "tikhonov,tikhonov2", help="Solvers of the inverse, by commas."),
-    Parameter("selectors", "fitted,gcv,lcurve", help="Rules for alpha, by commas."),
+    Parameter("grids", "paper", help="Grids of 15 discounts from .01 to .99."),
+    Parameter("solvers", "tikhonov,tikhonov2", help="Solvers of the inverse."),
+    Parameter("selectors", "fitted,gcv,lcurve", help="Rules for alpha."),
     Parameter("seed", 0, 0, 2**31 - 1, "Seed of the worlds and of their noise."),
 )
 """What a page asks of a study; lists are texts, as the command and links write them."""

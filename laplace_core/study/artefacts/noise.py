@@ -1,4 +1,4 @@
-"""Random error of a gamma-space, and what the inverse makes of it."""
+"""Random error of a gamma-space, and its effect on the inverse."""
 
 from __future__ import annotations
 
@@ -9,9 +9,9 @@ from laplace_core.study.artefacts.model import VISIBLE, Artefact, Remedy
 
 LARGEST_ALPHA = 10.0
 _SENTENCE = (
-    "Gamma-space carries random error, as anything learned does, and the inverse divides it by small singular values."
+    "Gamma-space has random errors, as all learned values do, and the inverse divides them by small singular values."
 )
-_APART = " Some falls are larger than the others allow: there discounts follow different policies, or know less."
+_APART = " Some falls are too large for noise: there, discounts follow different policies or are less well learned."
 _ROUNDING, _FEW = 1e-6, 5
 """Of (1 - gamma) Z; and discounts so few that falls between most of them say nothing."""
 _TOO_MUCH = " No alpha removes the noise and keeps the picture"
@@ -85,7 +85,7 @@ def _mixed(look: Look, size: float) -> Artefact | None:
     return Artefact(
         "mixed policies",
         size,
-        f"what falls with gamma moves at least {of_a_row(size)} across a threshold",
+        f"differences that fall with gamma move at least {of_a_row(size)} across a threshold",
         "Gamma-space falls with gamma at some discounts, as the values of no single process do: discounts follow "
         "different policies, or some are not learned well enough. No alpha makes one timeline of such values.",
         (),

@@ -47,7 +47,7 @@ def shipped(tmp_path, monkeypatch):
 
 
 def simulated(page: AppTest) -> AppTest:
-    """The page once what comes is there."""
+    """The page once the observed returns are there."""
     page.button(key="simulate returns").click().run()
     return wait(page, lambda page: "Shaded: W1" in words(page))
 

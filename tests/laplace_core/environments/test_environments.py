@@ -1,4 +1,4 @@
-"""The entries of environments, held against gymnasium."""
+"""The entries of environments, compared with gymnasium."""
 
 from __future__ import annotations
 

@@ -19,11 +19,11 @@ from laplace_core.experiments.paper.result_files import contents, result_file
 AGREES, DIFFERS, IN_PART, NEW = "agrees", "differs", "in part", "new"
 MISSING, DAMAGED = "not measured", "not readable"
 STATES = {
-    AGREES: "our numbers say what the paper says",
-    DIFFERS: "they say something else",
+    AGREES: "our numbers support the paper's claim",
+    DIFFERS: "our numbers contradict it",
     IN_PART: "some of its claims agree and others do not, or some are not measured yet",
-    NEW: "the paper has nothing to compare with",
-    MISSING: "no result is there yet",
+    NEW: "the paper has no numbers to compare with",
+    MISSING: "there is no result yet",
     DAMAGED: "the file of results is damaged",
 }
 """What each state of an entry means."""
@@ -197,7 +197,7 @@ def look(entry: Entry, folder: Path, agents: Path) -> Found:
         trouble = str(error)
     except _WRONG_CONTENT:
         names = " or ".join(each.name for each in files[:2])
-        trouble = f"{names} holds something else than results, and nothing of it is shown."
+        trouble = f"{names} does not hold results, so nothing of it is shown."
     nothing = Results(path)
     return Found(entry, nothing, entry.lines(nothing), [None] * len(entry.claims), trouble)
 
