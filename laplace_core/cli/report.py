@@ -126,6 +126,8 @@ def add_inverse_reports(kinds: argparse._SubParsersAction[argparse.ArgumentParse
         parser.add_argument("--seed", default="0", metavar="N", help="seed of the cases (default: 0)")
         parser.add_argument("--json", action="store_true", help="print JSON")
         parser.add_argument("--check", action="store_true", help="end with status 1 where it is not as demanded")
+        if module == "alarms":
+            parser.add_argument("--jobs", default="1", metavar="N", help="processes at a time (default: 1)")
         if module == "bumps":
             parser.add_argument("--fit", action="store_true", help="fit the calibration on other worlds, and print it")
         parser.set_defaults(run=_inverse, module=module)
@@ -138,7 +140,8 @@ def _inverse(options: argparse.Namespace) -> None:
     if getattr(options, "fit", False):
         print(json.dumps(module.fit(cases, seed), indent=1))
         return
-    numbers, text = module.report(cases, seed)
+    given = {} if not hasattr(options, "jobs") else {"jobs": checked_number("jobs", options.jobs, int, 1, high=256)}
+    numbers, text = module.report(cases, seed, **given)
     print(json.dumps(numbers, indent=1) if options.json else text)
     if options.check:
         _check(module.shortfalls(numbers))

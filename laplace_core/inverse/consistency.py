@@ -30,7 +30,7 @@ ROWS = 20
 DRAWS = 199
 LEVEL = 0.05
 TOLERANCE = 1e-4
-PENALTY = 1e-7
+PENALTY = 1e-4
 """On |x|^2 beside a misfit of a few tens: it only picks one of the timelines that fit alike."""
 BATCH = 40
 LEAST_DEVIATION = 1e-4
@@ -40,6 +40,10 @@ ROUNDING = 1e-14
 HEARD = 0.3
 """What a direction of the whitened data must be able to change, in units of its noise, to count in the misfit. The rest
 is noise whatever the timeline."""
+STRONGEST = 1e4
+"""The same, at most: a direction that is measured more exactly counts as if it were not. The statistic may be weighted
+as one likes, data and draws alike; directions that differ by more than this from the weakest leave the solver nothing
+but rounding."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -246,7 +250,8 @@ def _fit(masses: np.ndarray, whiten: np.ndarray, axis: Axis, *, alive: bool) -> 
     values, vectors = np.linalg.eigh(system @ np.swapaxes(system, -1, -2))
     heard = values > HEARD**2
     most = max(1, int(heard.sum(axis=-1).max()))
-    rotation = np.swapaxes(vectors[..., -most:] * heard[..., None, -most:], -1, -2)
+    weights = heard / np.maximum(1.0, np.sqrt(np.maximum(values, 0.0)) / STRONGEST)
+    rotation = np.swapaxes(vectors[..., -most:] * weights[..., None, -most:], -1, -2)
     data = (rotation @ (whiten * masses)[..., None])[..., 0]
     return solve_feasible(rotation @ system, data, axis, PENALTY * axis.size, starts_alive=alive, tolerance=TOLERANCE)
 

@@ -25,7 +25,9 @@ from laplace_core.inverse.axis import Axis
 
 MOST_STEPS = 80
 PATIENCE, EARLY = 6, 20
-"""Rounding is taken to stop a problem after so many steps without a smaller residual; its first steps do not count."""
+"""Rounding is taken to stop a problem after so many steps without a smaller residual or a gap that is smaller by a
+tenth; its first steps do not count. The residual alone will not do: its gap is relative to the objective, and both may
+fall together for long."""
 TO_THE_EDGE = 0.995
 """Share of the way to the edge that a step goes at most."""
 FACTORED_SINGLY = 48
@@ -92,14 +94,16 @@ def solve_feasible(
     terms = 1.0 + np.abs(_through(A, z)).reshape(n, -1).max(axis=1)
     best, best_kkt, steps = point, np.full(n, np.inf), np.zeros(n, dtype=int)
     misfit = np.zeros(n)
-    moving, since = np.arange(n), np.zeros(n, dtype=int)
+    moving, since, least_gap = np.arange(n), np.zeros(n, dtype=int), np.full(n, np.inf)
     for turn in range(MOST_STEPS):
         own, data = A[moving] if A.ndim == 4 else A, z[moving]
-        residuals, kkt, fit = _residuals(own, data, axis, penalty, point=point, terms=terms[moving])
+        residuals, kkt, fit, gap = _residuals(own, data, axis, penalty, point=point, terms=terms[moving])
         better = kkt < best_kkt[moving]
+        onward = better | (gap < 0.9 * least_gap[moving])
+        least_gap[moving] = np.minimum(least_gap[moving], gap)
         best = _put(best, moving[better], _Point(*(array[better] for array in point)))
         best_kkt[moving[better]], misfit[moving[better]] = kkt[better], fit[better]
-        since[moving] = np.where(better, 0, since[moving] + 1)
+        since[moving] = np.where(onward, 0, since[moving] + 1)
         still = (best_kkt[moving] > tolerance) & ((since[moving] < PATIENCE) | (turn < EARLY)) & np.isfinite(kkt)
         if not still.any():
             break
@@ -143,8 +147,8 @@ def _earlier(prices: np.ndarray, d: np.ndarray) -> np.ndarray:
 
 def _residuals(
     A: np.ndarray, z: np.ndarray, axis: Axis, penalty: np.ndarray, *, point: _Point, terms: np.ndarray
-) -> tuple[tuple[np.ndarray, ...], np.ndarray, np.ndarray]:
-    """Residuals of stationarity (x, d) and of the equalities (survival, sum); the relative KKT residual; the misfit."""
+) -> tuple[tuple[np.ndarray, ...], np.ndarray, np.ndarray, np.ndarray]:
+    """Residuals of stationarity (x, d) and of the equalities (survival, sum); relative KKT residual, misfit and gap."""
     x, d, prices, zx, zd = point
     error = _seen(A, x) - z
     of_x = _through(A, error) + penalty * x - axis.spread(prices[:, :-1])[:, None, :] - zx
@@ -161,7 +165,7 @@ def _residuals(
             gap / (1.0 + objective),
         ]
     )
-    return (of_x, of_d, of_survival, of_sum), kkt, misfit
+    return (of_x, of_d, of_survival, of_sum), kkt, misfit, gap
 
 
 def _step(A: np.ndarray, axis: Axis, penalty: np.ndarray, point: _Point, residuals: tuple[np.ndarray, ...]) -> _Point:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -11,6 +12,7 @@ from laplace_core.code.gamma_space import GammaSpace
 from laplace_core.experiments.inverse.spaces import NOISES, Space, draw_space, one_action, seeds_of
 from laplace_core.inverse.consistency import LEVEL, Consistency, check_noise, check_seeds
 from laplace_core.study.pipeline import encoded_under
+from laplace_core.supervise.parallel import in_order
 
 KINDS = ("consistent", "mixed policies", "one wrong discount", "values times 1.2")
 SEEDS = 8
@@ -19,14 +21,17 @@ WRONG = 1.1
 MOST_FALSE = 0.07
 
 
-def report(cases: int, seed: int) -> tuple[dict[str, Any], str]:
-    """Numbers and text: the share of alarms of each kind, with noise known and estimated from eight seeds."""
+def report(cases: int, seed: int, jobs: int = 1) -> tuple[dict[str, Any], str]:
+    """Numbers and text: the share of alarms of each kind, with noise known and estimated from eight seeds.
+
+    Args:
+        jobs: processes at a time; the numbers do not depend on them.
+    """
     rows: list[dict[str, Any]] = []
     for kind in KINDS:
         count = cases if kind == "consistent" else max(1, cases // 10)
         for known in (True, False):
-            rng = np.random.default_rng([seed, 2, known])
-            found = [_case(rng, kind, number, known=known) for number in range(count)]
+            found = list(in_order(partial(_case, kind, seed, known=known), range(count), jobs))
             for noise in NOISES:
                 p_values, blamed = zip(*[(p, b) for at, p, b in found if at == noise], strict=True)
                 rows.append(
@@ -68,8 +73,9 @@ def shortfalls(numbers: dict[str, Any]) -> list[str]:
     return missed
 
 
-def _case(rng: np.random.Generator, kind: str, number: int, *, known: bool) -> tuple[float, float, bool]:
+def _case(kind: str, seed: int, number: int, *, known: bool) -> tuple[float, float, bool]:
     """The noise, the p-value, and whether the alarm blames the discount that is wrong before all others."""
+    rng = np.random.default_rng([seed, 2, known, number])
     space = draw_space(rng)
     action, at = int(rng.integers(space.world.n_actions)), int(rng.integers(len(space.exact.gammas)))
     values = _spoilt(space, kind, action, at)

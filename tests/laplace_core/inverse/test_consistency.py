@@ -28,6 +28,24 @@ def test_a_consistent_space_raises_no_alarm():
     assert 0.3 < found.misfit / found.usual < 3.0
 
 
+@pytest.mark.parametrize("noise", [1e-3, 1e-4, 1e-5])
+def test_the_best_fit_is_no_worse_than_the_truth_however_small_the_noise(noise):
+    """The true timeline is feasible, so its misfit, the sum of squares of the whitened noise, bounds the smallest.
+
+    A solver that gives up early stands far above it, in the data or in some of the draws, and raises false alarms.
+    """
+    for seed in range(6):
+        exact, noisy, deviations = noisy_space(noise, seed)
+        weights = channel_weights(exact.thetas, 2)[0]
+        channels = channels_of(noisy.values - exact.values, noisy.constant - exact.constant, weights)
+        errors = np.append(channels[:, :-1] - channels[:, 1:], channels[:, -1:], axis=1)
+        variances = (channel_gains(weights, independent=True)[:, None] * deviations) ** 2
+        of_truth = (errors**2 / np.append(variances[:-1] + variances[1:], variances[-1:], axis=0)).sum()
+        found = check_noise(noisy, deviations, draws=19)
+        assert found.misfit < of_truth
+        assert found.usual < of_truth + 4 * np.sqrt(2 * errors.size)  # drawn misfits are below as many squares
+
+
 def test_values_times_a_fifth_more_do():
     _, noisy, deviations = noisy_space(NOISE, 2)
     found = check_noise(replace(noisy, values=1.2 * noisy.values, constant=1.2 * noisy.constant), deviations, draws=39)
