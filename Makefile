@@ -1,9 +1,9 @@
-# make app: set up and open the workbench.  make test: set up and pass the tests.  make bench: ratios in one run.
-# make verify: what takes long.  make coverage: what no unit test comes by.
+# make app: set up and open the workbench.  make test: set up and run the tests.  make bench: measure speed.
+# make verify: the long tests.  make coverage: lines that no unit test runs.
 # make docs: the documents as HTML, docs/_build/html.
 # make lock: after a change of requirements*.txt.  make audit: known vulnerabilities.
 PYTHON ?= python3
-# Who can reach the workbench of `make app`: with localhost this machine, with 0.0.0.0 whoever reaches the machine.
+# Who can reach the workbench of `make app`: localhost is this machine only, 0.0.0.0 everybody who can reach it.
 ADDRESS ?= localhost
 PORT ?= 8501
 BIN = .venv/bin
@@ -20,9 +20,9 @@ app: .venv/.app
 	@$(BIN)/streamlit run app/main.py --server.address $(ADDRESS) --server.port $(PORT) \
 	  --logger.hideWelcomeMessage true --logger.level warning
 
-# Side by side: a browser waits for long, and in that time unit tests have the machine.
+# Side by side: a browser test often waits, and unit tests use that time.
 test: lint
-	@echo "Unit tests and browser tests run side by side; each tells what it found when it has ended."
+	@echo "Unit tests and browser tests run side by side; each prints its report when it has ended."
 	$(MAKE) --no-print-directory --jobs 2 --output-sync=target unit browser
 
 unit: .venv/.dev
@@ -43,11 +43,11 @@ lint-python: .venv/.dev
 lint-js: .venv/.dev
 	$(NPM) run --silent lint
 
-# Lines and branches that no unit test comes by, file by file. The tests take longer while they are watched.
+# Lines and branches that no unit test runs, file by file. The tests take longer while they are measured.
 coverage: .venv/.dev
 	$(BIN)/python -m pytest --ignore=tests/browser -n 2 --dist worksteal --cov --cov-report=term-missing:skip-covered
 
-# What takes long: random views against an independent judge, detectors against ground truth, the lens on 1,000 views;
+# The long tests: random views against an independent judge, detectors against ground truth, the lens on 1,000 views;
 # neural inverses and a designed grid on random worlds; searches of several workers and of a cluster, and on PostgreSQL
 # where the distribution's package is installed (apt-get install postgresql).
 verify: .venv/.verify

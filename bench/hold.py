@@ -449,7 +449,7 @@ def _training_points(runs: Path) -> dict[str, float]:
 
 
 def _table_points(table: Path) -> dict[str, float]:
-    """Rows of a table that are whole; what a kill has cut short after them is written anew."""
+    """Rows of a table that are whole; what a kill has cut short after them is written again."""
     if not table.exists():
         return {}
     lines = table.read_text().splitlines(keepends=True)
@@ -457,7 +457,7 @@ def _table_points(table: Path) -> dict[str, float]:
 
 
 def _learned_points(file: Path) -> dict[str, float]:
-    """Whether there is a snapshot; it has to be whole. A learner that was killed begins anew."""
+    """Whether there is a snapshot; it has to be whole. A learner that was killed begins again."""
     if not file.exists():
         return {}
     read_learned(file)

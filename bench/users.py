@@ -234,7 +234,7 @@ async def several(jobs) -> list:
 
 
 async def changes(user: User, count: int) -> None:
-    """So many changes; a page that does not answer is an error, and is opened anew."""
+    """So many changes; a page that does not answer is an error, and is opened again."""
     from playwright.async_api import Error
 
     for _ in range(count):

@@ -96,14 +96,14 @@ def weigh(*objects: object) -> Weight:
 
 
 def _owner(array: Any) -> Any:
-    """What holds the memory of an array: itself, the array that it is a view of, or bytes."""
+    """The owner of an array's memory: the array itself, the array that it is a view of, or bytes."""
     while type(array) is np.ndarray and array.base is not None:
         array = array.base
     return array
 
 
 def _content(each: Any, kind: type) -> Iterable[object]:
-    """What an object that is neither number nor buffer holds."""
+    """The contents of an object that is neither number nor buffer."""
     if kind in _ROWS:
         return list(each)
     if isinstance(each, Mapping):
@@ -175,7 +175,7 @@ class Budget:
             return sum(cache.usage.bytes for cache in self._caches if cache.fixed)
 
     def usage(self) -> list[Usage]:
-        """What each cache holds that holds anything, the largest first."""
+        """The use of every cache that is not empty, the largest first."""
         with self.lock:
             used = [cache.usage for cache in self._caches if len(cache)]
         return sorted(used, key=lambda one: -one.bytes)
@@ -315,7 +315,7 @@ class Cache(Generic[Value]):
         return kept
 
     def recount(self, key: Hashable) -> None:
-        """Weigh the value of a key anew, if it is there: it has grown since."""
+        """Weigh the value of a key again, if it is there: it has grown since."""
         with self._budget.lock:
             entry = self._entries.get(key)
         if entry is None:
@@ -483,7 +483,7 @@ class Cached(Generic[Arguments, Value]):
         self._cache.put(_key(args, kwargs), value)
 
     def recount(self, *args: Arguments.args, **kwargs: Arguments.kwargs) -> None:
-        """Weigh the value of a call anew, if it is kept: it has grown since."""
+        """Weigh the value of a call again, if it is kept: it has grown since."""
         self._cache.recount(_key(args, kwargs))
 
     def cache_clear(self) -> None:
@@ -500,7 +500,7 @@ def cached(
 ) -> Callable[[Callable[Arguments, Value]], Cached[Arguments, Value]]:
     """Let a function of hashable arguments remember what it has returned.
 
-    A value that alone exceeds the budget is returned and not kept. An exception is raised anew at every call.
+    A value that alone exceeds the budget is returned and not kept. An exception is raised again at every call.
 
     Args:
         most: values that are kept at most.

@@ -25,7 +25,7 @@ class Parameter:
 
     Attributes:
         default: the value if none is given; None means that it depends on the world.
-        low, high: the range of an int or float; None for all else.
+        low, high: the range of an int or float; None for other types.
         kind: bool, int, float or str; by default the type of ``default``.
         choices: the allowed words of a str; empty for free text.
         check: refuses a free text by raising an InputError.
@@ -138,7 +138,7 @@ def like(owner: type, name: str) -> Any:
 def schema_of(owner: type) -> tuple[Parameter, ...]:
     """The parameters that a dataclass of settings states, in the order of its fields.
 
-    A class that only declares a field anew, say without None, has its range and sentence from the class that states
+    A class that only declares a field again, say without None, has its range and sentence from the class that states
     it. A field that states nothing is no setting.
     """
     hints = get_type_hints(owner)

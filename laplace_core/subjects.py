@@ -1,4 +1,4 @@
-"""What can be looked at, and one look at it: a subject, through resolved settings, at one action."""
+"""The subjects of the workbench, and a view: one subject under resolved settings, at one action."""
 
 from __future__ import annotations
 
@@ -20,18 +20,18 @@ from laplace_core.worlds import World, dump_world
 
 
 class Subject(Hashable, Protocol):
-    """What can be looked at: a world, what was learned of it, or a gamma-space that came without a world.
+    """A subject: a world, the learned values of a world, or a gamma-space without a world.
 
     Equal subjects show the same, so that what is cached for one is found again.
     """
 
     @property
     def world(self) -> World | None:
-        """Where the truth comes from; None where there is only a gamma-space."""
+        """The world, which gives the truth; None if there is only a gamma-space."""
 
     @property
     def learner(self) -> Learner | None:
-        """What was learned of the world, where that is looked at."""
+        """The learner, if the subject is learned."""
 
     @property
     def gamma_space(self) -> GammaSpace | None:
@@ -120,7 +120,7 @@ class GammaSpaceFile:
 
 @dataclass(frozen=True, eq=False)
 class Learner:
-    """What was learned of a world, through the eyes of one seed, or of the mean of all (``index`` None)."""
+    """The learned values of a world, of one seed or of the mean of all seeds (``index`` None)."""
 
     world: World
     learned: Learned
@@ -158,7 +158,7 @@ class Learner:
 
 @dataclass(frozen=True, eq=False)
 class Observed:
-    """What a trained agent has learned for one observation.
+    """The gamma-space of a trained agent for one observation.
 
     Attributes:
         gamma_space: at the discounts that were trained, and ``added`` interpolated ones in every gap between them.
@@ -190,7 +190,7 @@ def state_in(settings: Resolved) -> str:
 
 @dataclass(frozen=True)
 class View:
-    """One state of one subject, looked at through resolved settings.
+    """One state of one subject under resolved settings.
 
     Attributes:
         subject: the world; what was learned of it; or a gamma-space without a world,
@@ -276,7 +276,7 @@ def shown_seed(learned: Learned, word: str) -> int | None:
 
 
 def learned_file(world: World) -> str:
-    """What the file of a learner of a world is called."""
+    """The file name of a learner of a world."""
     return f"{plain_name(world)}_td.safetensors"
 
 

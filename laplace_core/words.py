@@ -9,5 +9,5 @@ def capital(words: str) -> str:
 
 
 def steps(count: int) -> str:
-    """So many steps."""
+    """A number of steps, in words."""
     return f"{count} step" + ("" if count == 1 else "s")

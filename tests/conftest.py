@@ -23,7 +23,7 @@ settings.load_profile("suite")
 # Every run of an AppTest reads the metadata of all installed packages, ten times the work of the page: once is enough.
 manifest_scanner.scan_component_manifests = cache(manifest_scanner.scan_component_manifests)
 
-# And it compiles the scripts of the app anew, which a server does once.
+# And it compiles the scripts of the app again, which a server does once.
 app_test.ScriptCache = local_script_runner.ScriptCache = partial(lambda shared: shared, ScriptCache())
 
 

@@ -111,7 +111,7 @@ def test_the_python_of_a_document_prints_what_is_shown(document, tmp_path, monke
 
 def test_the_page_of_the_command_line_is_what_the_parser_says():
     written = (ROOT / "docs" / "command-line.md").read_text(encoding="utf-8")
-    assert written == command_line.document(), f"write it anew: {command_line.COMMAND}"
+    assert written == command_line.document(), f"write it again: {command_line.COMMAND}"
 
 
 def test_the_page_of_the_command_line_has_every_option():

@@ -1,4 +1,4 @@
-"""What a trained agent says of itself: algorithm, environment, settings, score, and how the score came about."""
+"""The card of a trained agent: algorithm, environment, settings, score and training curves."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ def card(name: str, loaded: Loaded, scene: Environment) -> None:
     )
     curves = checkpoints.curves(name)
     if curves:
-        alt = f"Score over the steps of training: {len(curves)} seeds, the one shown heavier."
+        alt = f"Score over the steps of training: {len(curves)} seeds; the line of this one is thicker."
         chart(score_curve(curves, loaded.step), "card", alt, CARD, revision=name)
     with st.expander("Settings"):
         rows = "".join(

@@ -1,4 +1,4 @@
-"""An agent without a gamma-space: in place of the lens, what it has learned of the return from the state at hand."""
+"""The view of an agent without a gamma-space: in place of the lens, what it has learned of the return of one state."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def view(loaded: Loaded, scene: Environment, rolled: RolledOut | None) -> None:
     chart(picture, "state", alt, revision=loaded.algorithm, place=left)
     with right:
         if rolled is None or rollout is None:
-            st.html('<h2 class="panel-title">along an episode</h2>')
+            st.html('<h2 class="panel-title">Return along an episode</h2>')
             st.caption("Roll out to see what was predicted at every step, and what was observed.")
         else:
             quantiles, gamma = return_quantiles(rolled.along, rollout.actions), rollout.acting_gamma
@@ -56,7 +56,7 @@ def _action(scene: Environment, taken: int | None) -> int:
         now = wanted if wanted in options else rollouts.TAKEN
     st.segmented_control(
         "Action shown", options, key=store.put(key, now), on_change=store.keep, args=(key,), required=True,
-        help="Drawn heavier here, and taken first in the comparison below.",
+        help="Its line is thicker here, and it is the first action of the comparison below.",
     )  # fmt: skip
     return taken if taken is not None and now == rollouts.TAKEN else scene.actions.index(now)
 
@@ -69,7 +69,7 @@ def _of_state(
     if isinstance(agent, HasTimeToGo):
         left = None if rollout is None else min(agent.horizon, (rollout.horizon or agent.horizon + at) - at)
         values = agent.action_values(observation[None])[0]
-        return figures.values_over_time_to_go(values, scene.actions, gamma, left), "Value over T, a line an action."
+        return figures.values_over_time_to_go(values, scene.actions, gamma, left), "Value over T of each action."
     laws = return_laws(agent, observation)
     if len(laws[0].locations) == 1:
         values = np.array([law.mean for law in laws])

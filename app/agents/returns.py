@@ -1,4 +1,4 @@
-"""Codes side by side: for one state and first action, the return as each agent has learned it and as it comes."""
+"""Codes side by side: for one state and first action, the return that each agent predicts and the observed one."""
 
 from __future__ import annotations
 
@@ -44,25 +44,26 @@ def section(
         for i, (each, law) in enumerate(zip(agents, laws, strict=True))
     ]
     left, right = st.container(key="codes").columns([2, 1], gap="medium")
-    alt = "Cumulated distribution of the return, a panel an agent: learned, and observed."
+    alt = "Cumulative distribution of the return, one panel an agent: learned and observed."
     chart(figures.returns_side_by_side(rows), "codes", alt, rows_height(len(rows)), place=left)
     with right:
         st.html(_table(rows))
         st.caption(returns.notes(agents, laws, observation, action=action, alphas=alphas))
         algorithms = [each.algorithm for each in agents]
         file = f"returns_{loaded.environment.replace(':', '-')}_step_{step}.npz"
-        contents = "Locations and masses of every law, and the observed returns."
+        contents = "Returns and their probabilities for every distribution, and the observed returns."
         download("Save returns (NPZ)", lambda: laws_npz(algorithms, laws, observed), file, help=contents)
 
 
 def _offered(
     agents: Sequence[Loaded], rollout: Rollout | None, step: int, action: int, *, name: str
 ) -> tuple[SimulatedReturns, ...] | None:
-    """One row over the pictures: how to observe returns, how far that is, or what was observed, which is returned."""
+    """One row over the pictures: a button to simulate, its progress, or a summary; gives the returns."""
     with st.container(key="codes_line"):
         words, button = st.columns([5, 1], vertical_alignment="center")
         if rollout is None:
-            words.caption(f"As learned, {name} first. Roll out an episode to compare with observed returns.")
+            first = f"The learned return of each agent if {name} is taken first."
+            words.caption(f"{first} Roll out an episode to compare it with observed returns.")
             return None
         wish = jobs.returns(agents, rollout, step, action)
         job = wish.look()
@@ -80,9 +81,9 @@ def _offered(
 
 
 def _table(rows: Sequence[ReturnRow]) -> str:
-    """The numbers of the pictures, a line an agent."""
+    """The numbers of the pictures, one line for each agent."""
     heads = ("", "W1", "by chance", "mean learned", "mean observed")
-    hints = ("", "area between learned and observed, in reward", "W1 that as many draws of the same law would have",
+    hints = ("", "area between learned and observed, in reward", "W1 of as many draws from the learned distribution",
              "in reward, discounted", "in reward, discounted; +- one standard error")  # fmt: skip
     lines = ["".join(f'<th title="{hint}">{head}</th>' for head, hint in zip(heads, hints, strict=True))]
     for row in rows:

@@ -1,4 +1,4 @@
-"""Rolling out on the page of trained agents: the form, the progress, the player, and what can be taken along."""
+"""Rolling out on the page of trained agents: the form, the progress, the player, and the downloads."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ _SLOWEST = 0.05  # seconds for a step on the screen, where life is faster
 
 
 def form(loaded: Loaded) -> None:
-    """What is rolled out; a change counts at once while a rollout is shown."""
+    """The settings of a rollout; a change counts at once while a rollout is shown."""
     control, titles = _control(loaded), titles_of(loaded.agent)
     select("Control rule", list(titles), store.put(RULE, control.rule), titles, keep=_keep)
     left, right = st.columns(2, gap="small")
@@ -75,14 +75,14 @@ def _control(loaded: Loaded) -> Control:
 
 
 def beside(rolling: Rolling | None, scene: Environment) -> None:
-    """In the sidebar, while a rollout is shown: its files, and two ways on."""
+    """In the sidebar, while a rollout is shown: its files, a button to edit the state and one to close it."""
     if rolling is not None and rolling.worked:
         rollout = rolling.result().rollout
         _files(rollout)
         if not scene.states:
             st.button(
                 "Edit the state under the cursor", width="stretch", on_click=_edit, args=(rollout, scene),
-                help="Its numbers go to sliders, and the spaces follow them.",
+                help="Copies this state to the sliders, so that you can change it by hand.",
             )  # fmt: skip
     st.button("Close the rollout", width="stretch", on_click=_close)
 
@@ -95,11 +95,11 @@ def _files(rollout: Rollout) -> None:
     contents = "Every step's observation, action, reward, values and, if there is one, gamma-space."
     download("NPZ", npz, f"{name}.npz", place=left, width="stretch", help=contents)
     if rollout.frames:
-        download("GIF", gif, f"{name}.gif", place=right, width="stretch", help="The episode, moving.")
+        download("GIF", gif, f"{name}.gif", place=right, width="stretch", help="The episode as an animated GIF.")
 
 
 def _edit(rollout: Rollout, scene: Environment) -> None:
-    """Callback: the sliders take over what is under the cursor, within their range."""
+    """Callback: copy the observation under the cursor to the sliders, within their range."""
     observation = rollouts.observation_at(rollout, rollouts.step_of(store.chosen(), rollout))
     for i, (value, part) in enumerate(zip(observation, scene.components, strict=True)):
         store.choose(f"{OBSERVED}{i}", min(part.high, max(part.low, value)))
@@ -107,7 +107,7 @@ def _edit(rollout: Rollout, scene: Environment) -> None:
 
 
 def under_way(wish: Wish[RolledOut], rolling: Rolling | None) -> None:
-    """How far it is, and a way out; or a button, if it takes long and nobody has begun it."""
+    """Progress with a Cancel button; or a button to begin, if the rollout takes long and nobody has begun it."""
 
     def cancel() -> None:
         wish.cancel()

@@ -1,4 +1,4 @@
-"""The state of the page of trained agents: from a link to an observation and what the agent sees of it."""
+"""The state of the page of trained agents: from a link to an observation of the agent."""
 
 from __future__ import annotations
 
@@ -21,12 +21,12 @@ def opening() -> Values:
 
 
 def _of_agent(values: Values) -> dict[str, Parameter]:
-    """What a link may say of the agent that it names, and of what this agent observes."""
+    """The parameters that a link may have for its agent and for the observations of that agent."""
     if "checkpoint" not in values:
         return {}
     loaded = checkpoints.checkpoint(str(values["checkpoint"]))
     scene = environment_of(loaded.environment)
-    states = Parameter("state", None, help="State that is observed.", kind=str, choices=scene.states)
+    states = Parameter("state", None, help="State that the agent observes.", kind=str, choices=scene.states)
     own = {"state": states} if scene.states else {}
     return {**READING, **_LOOKING, **rollouts.parameters(loaded.agent), **own}
 
@@ -46,7 +46,7 @@ def _action_is_known(values: Values) -> None:
     if "checkpoint" in values and "action" in values:
         actions = environment_of(checkpoints.checkpoint(str(values["checkpoint"])).environment).actions
         if values["action"] not in actions:
-            raise InputError(f"action {str(values['action'])[:40]!r} is none of {', '.join(actions)}.")
+            raise InputError(f"action {str(values['action'])[:40]!r} must be one of {', '.join(actions)}.")
 
 
 def _is_reached(name: str) -> Check:

@@ -1,4 +1,4 @@
-"""Truth by simulation: a row over the lens that begins it, and under the lens what the lens does not show of it."""
+"""Truth by simulation: a row over the lens that begins it, and the calibration under the lens."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ _HELP = "Compare the decoded timeline with simulated continuations."
 
 
 def ask(view: View, loaded: Loaded, rollout: Rollout, step: int) -> Simulated | None:
-    """The row over the lens: a button, then progress, then what is drawn; returns what the lens draws of it."""
+    """The row over the lens: a button, then progress, then a summary; returns the simulation for the lens."""
     own = _own(rollout)
     wish = jobs.truth(loaded, rollout, step, view.action, own=own)
     job = wish.look()
@@ -31,8 +31,8 @@ def ask(view: View, loaded: Loaded, rollout: Rollout, step: int) -> Simulated | 
         shares = [6.4, 1.8] if rollout.of_the_values else [5.2, 2.6, 1.8]
         words, *picker, button = st.columns(shares, vertical_alignment="center", gap="small")
         if picker:
-            titles, key, label = truths.titles(rollout), store.show(AFTER, "values"), "Control of what is simulated"
-            place, help = picker[0], "Tau-space predicts one policy; under another one, what comes is another process."
+            titles, key, label = truths.titles(rollout), store.show(AFTER, "values"), "Policy of the simulation"
+            place, help = picker[0], "Tau-space predicts the rewards of one policy; others lead to other rewards."
             select(label, list(titles), key, titles, place=place, label_visibility="collapsed", help=help)
         if job is None:
             told = truths.words(view, loaded, rollout, step, own=own)
@@ -60,14 +60,14 @@ def section(view: View, loaded: Loaded, rollout: Rollout, step: int) -> None:
     confronted = truths.confronted_with(
         simulated, loaded, view.subject, view.action, alpha=compute.study_for(view).settings.alpha
     )
-    st.html('<h2 class="panel-title">does the decoded timeline come true?</h2>')
+    st.html('<h2 class="panel-title">Decoded timeline against simulated continuations</h2>')
     left, right = st.columns([1, 2], gap="small")
     alt = "Predicted against observed probability that a reward exceeds a sensitivity."
     chart(figures.calibration_plot(confronted), "calibration", alt, place=left)
     if vector.chance(loaded.environment):
         right.caption(truths.summary(confronted, view))
         return
-    alt = "Expected reward, survival and W1 distance over future steps, decoded and simulated, means over states."
+    alt = "Expected reward, survival and W1 distance over future steps, decoded and simulated: means over states."
     chart(figures.simulated_timeline(confronted), "simulated", alt, place=right)
 
 

@@ -27,7 +27,7 @@ def shipped() -> tuple[str, ...]:
 
 
 def left_out() -> tuple[str, ...]:
-    """What cannot be used of the files that come with the workbench, a sentence each."""
+    """Sentences about the damaged files of the workbench, which are left out."""
     return shipped_agents.left_out(SHIPPED)
 
 
@@ -107,13 +107,13 @@ def checkpoint(name: str) -> Loaded:
         run = training_runs.queue().get(name.removeprefix(RUN))
         path = run.best
         if path is None:
-            raise InputError(f"the run {run.name} has no checkpoint yet: it comes with the first evaluation.")
+            raise InputError(f"the run {run.name} has no checkpoint yet: the first evaluation writes one.")
         return _trained(path, path.stat().st_mtime_ns)
     return shipped_agents.load(SHIPPED, name)
 
 
 def file_of(name: str) -> str:
-    """Where a checkpoint lies; of one that was opened only its owner knows."""
+    """The path of a checkpoint; None for one that was opened from a file."""
     if name.startswith(RUN):
         return f"runs/{name.removeprefix(RUN)}/best.safetensors"
     return f"checkpoints/{name}.safetensors" if name in shipped() else "opened.safetensors"

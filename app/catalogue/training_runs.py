@@ -37,7 +37,7 @@ def folder() -> Path:
         return writable(wanted, "laplace_runs")
     except OSError:  # there is no temporary folder either
         raise InputError(
-            f"no folder for training runs can be written, neither {wanted} nor a temporary one: set {VARIABLE}."
+            f"training runs have no folder: neither {wanted} nor a temporary one can be written; set {VARIABLE}."
         ) from None
 
 
@@ -101,7 +101,7 @@ def change(what: str, name: str) -> None:
     """
     runs = queue()
     if not may_change(runs.get(name)):
-        raise InputError(f"{name} was started in another browser: only there it can be changed.")
+        raise InputError(f"{name} was started in another browser: it can be changed only there.")
     if what == "stop":
         runs.stop(name, patience=PATIENCE)
     else:

@@ -1,1 +1,1 @@
-"""What runs in the browser, and widgets: each takes values and returns what a person did."""
+"""What runs in the browser, and widgets: each takes values and returns the input of the user."""

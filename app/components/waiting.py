@@ -1,4 +1,4 @@
-"""Work in the background on a page: what it will cost, its place in line, how far it is, a way out, and its end."""
+"""Background jobs on a page: the estimated time, the place in the queue, progress, Cancel, and the result."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def offer(
     wish: Wish, label: str, *, key: str, words: str = "", then: Callable[[], None] | None = None, place: Any = st,
     button_place: Any = None, primary: bool = False, help: str | None = None,
 ) -> None:  # fmt: skip
-    """A button that begins work, and what it costs; or why it cannot be begun.
+    """A button that begins work, with the estimated time; or the reason why it cannot begin.
 
     Args:
         words: said before the cost.
@@ -51,7 +51,7 @@ def offer(
 
 
 def progress(job: Job, words: str, cancel: Callable[[], None] | None = None, *, key: str = "") -> None:
-    """A bar that is drawn anew until the work is done, and then the page with it.
+    """A progress bar that is redrawn until the work is done; then the page is redrawn.
 
     Args:
         words: a format of ``done``, ``of`` and ``share``, for work that has begun.
@@ -72,14 +72,14 @@ def _progress(job: Job, words: str, cancel: Callable[[], None] | None, *, key: s
 
 
 def place_in_line(before: int) -> str:
-    """What is said of work that has not made a step yet, with so many jobs before it."""
+    """The sentence about a waiting job with this number of jobs before it."""
     if not before:
         return "Starting ..."
     return "Waits: 1 other is before this one" if before == 1 else f"Waits: {before} others are before this one"
 
 
 def attempt(make: Callable[[], Result]) -> Result | None:
-    """What a function returns; where it refuses, None, and the sentence that says why is on the page."""
+    """The result of a function; if it raises InputError, None, and the page shows the sentence."""
     try:
         return make()
     except InputError as error:
@@ -92,10 +92,10 @@ _large = threading.Lock()
 
 @contextmanager
 def turn(*, needed: bool) -> Iterator[None]:
-    """Wait until no other page computes something large: memory and processors are to last for the small ones, too.
+    """Wait until no other page computes something large, so that memory and processors remain for small work.
 
     Args:
-        needed: whether what follows is large; all else begins at once.
+        needed: whether the work is large; small work begins at once.
     """
     if not needed:
         yield

@@ -1,4 +1,4 @@
-"""Widgets: one for a parameter, which shows the value that holds and keeps what a person sets; files in and out."""
+"""Widgets: one for a parameter, which shows its present value and keeps what a user sets; files in and out."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from laplace_core import InputError
 from laplace_core.parameters import Parameter
 
 Titles = Callable[[Any], str] | Mapping[Any, str]
-"""What the options of a box are called; an option that is missing goes by its own name."""
+"""What the options of a box are called; an option that is missing keeps its own name."""
 _MIME = {"csv": "text/csv", "json": "application/json", "gif": "image/gif"}
 
 
@@ -121,9 +121,9 @@ def shortened(name: str) -> str:
 
 
 def left_out(sentences: Sequence[str]) -> None:
-    """Which files that come with the workbench cannot be used, a sentence each."""
+    """Show a sentence about each damaged file of the workbench."""
     for sentence in sentences:
-        st.warning(f"Left out, a file of the workbench is damaged: {in_markdown(sentence)}")
+        st.warning(f"Left out because a file of the workbench is damaged: {in_markdown(sentence)}")
 
 
 def _uploaded(key: str, take: Callable[[str, bytes], None], *, anywhere: bool) -> None:
@@ -149,7 +149,7 @@ def _uploaded(key: str, take: Callable[[str, bytes], None], *, anywhere: bool) -
 
 
 def _drop_copy(file: UploadedFile) -> None:
-    """What was read from a file is kept; Streamlit's own copy of it is not needed any more."""
+    """Delete Streamlit's copy of a file: the content that was read from it is kept."""
     context = get_script_run_ctx()
     if context is not None and isinstance(context.uploaded_file_mgr, MemoryUploadedFileManager):
         context.uploaded_file_mgr.remove_file(context.session_id, file.file_id)

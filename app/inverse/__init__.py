@@ -1,1 +1,1 @@
-"""The page of the inverse: alpha under the finger, what the rules say of it, and where the decision turns."""
+"""The page Inverse: alpha by dragging, the rules that choose it, and where the choice of action turns."""

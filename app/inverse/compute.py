@@ -29,7 +29,7 @@ MOST_PAYLOAD = 25
 
 @dataclass(frozen=True, eq=False)
 class Shown:
-    """All that the page shows of a view, but for what takes seconds."""
+    """Everything that the page shows of a view, except the results that take seconds."""
 
     study: Study
     found: Swept
@@ -38,7 +38,7 @@ class Shown:
 
 
 def structure(settings: Resolved) -> Resolved:
-    """Settings with everything set aside that moves in the browser: equal ones have the same payload."""
+    """Settings without those that move in the browser: equal ones have the same payload."""
     follows = is_linear(settings.solver) or settings.solver == FOLLOWS
     return replace(settings.at_alpha(1.0 if follows else settings.alpha), horizon=None)
 
@@ -63,7 +63,7 @@ def independent(view: View) -> bool:
 
 
 def key_of(view: View) -> Hashable:
-    """What the evidence of a view depends on."""
+    """The cache key of the evidence of a view."""
     base = replace(structure(study_for(view).settings), solver="tikhonov", alpha=1.0)
     return view.subject, base
 
@@ -79,7 +79,7 @@ def _swept(subject: Subject, settings: Resolved) -> Swept:
 
 @cached(16)
 def _course(subject: Subject, settings: Resolved) -> Course:
-    """The course of a solver; where that takes too long, of the linear one that alpha is chosen by."""
+    """The course of a solver; if that takes too long, of the linear solver that chooses alpha."""
     study, found = _study(subject, settings), _swept(subject, settings)
     alphas = found.sweep.alphas[found.first :]
     actions, discounts, thetas = study.gamma_space.values.shape

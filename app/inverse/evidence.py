@@ -1,4 +1,4 @@
-"""What of a study takes seconds, as jobs: the test of its values, its certificates, and the band of its rewards."""
+"""The slow parts of a study, as jobs: the test of its values, its certificates, and the band of its rewards."""
 
 from __future__ import annotations
 

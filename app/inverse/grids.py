@@ -66,7 +66,7 @@ def _table(found: tuple[Judged, ...], count: int, *, of_world: bool) -> None:
     picked = found[event.selection.rows[0]] if event.selection.rows else None
     left, right = st.columns([3, 1], vertical_alignment="center")
     named = picked is not None and picked.name != "designed"
-    label = f"Use {picked.name}" if picked is not None and named else "Choose a row that has a name to use its grid"
+    label = f"Use {picked.name}" if picked is not None and named else "Choose a row with a named grid to use it"
     left.button(label, disabled=not (named and of_world), on_click=_use, args=(picked, count), key="use_grid")
     shown = picked or found[0]
     lines = "gamma\n" + "".join(f"{gamma!r}\n" for gamma in shown.gammas.tolist())
@@ -74,7 +74,7 @@ def _table(found: tuple[Judged, ...], count: int, *, of_world: bool) -> None:
 
 
 def _use(grid: Judged, count: int) -> None:
-    """Callback: the discounts of the study become those of a grid; alpha is chosen anew."""
+    """Callback: the study takes the discounts of a grid; alpha is chosen again."""
     spacing = grid.name.partition(",")[0]
     bounds: tuple[float | None, float | None] = (float(grid.gammas[0]), float(grid.gammas[-1]))
     if spacing == "paper":

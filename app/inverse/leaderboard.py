@@ -1,4 +1,4 @@
-"""Every solver on the present case, with the alpha of one rule, in a table that can be sorted and taken along."""
+"""Every solver on the present case, with the alpha of one rule, in a table that can be sorted and downloaded."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ def section(view: View) -> None:
         left, right = st.columns([3, 1], vertical_alignment="center")
         picked = event.selection.rows
         left.button(
-            f"Show {SOLVER_TITLES[rows[picked[0]].solver]}" if picked else "Choose a row to show its solver",
+            f"Show {SOLVER_TITLES[rows[picked[0]].solver]}" if picked else "Choose a row to use its solver",
             disabled=not picked, on_click=_open, args=(rows[picked[0]].solver if picked else "", rule),
         )  # fmt: skip
         download("CSV", lambda: _csv(rows), "solvers.csv", place=right, width="stretch")

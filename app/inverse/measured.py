@@ -1,4 +1,4 @@
-"""Noise as the seeds of a learner show it: they learn in the background, and the first of them is looked at."""
+"""Noise measured over the seeds of a learner, which learn in the background; the page shows the first one."""
 
 from __future__ import annotations
 
@@ -23,21 +23,21 @@ from laplace_core.tabular.work import MOST_KEPT, Work, learning
 
 PARAMETERS = by_name(
     Parameter("measured", False, help="Look at a learned gamma-space, with the spread over seeds as its noise."),
-    Parameter("seeds", 4, 2, 8, "Independent learners; the first one is looked at."),
+    Parameter("seeds", 4, 2, 8, "Independent learners; the page shows the first one."),
     by_name(*LEARN_SCHEMA)["episodes"],
 )
 _learners: Kind[Work] = Kind("learners of the inverse", MOST_KEPT, line=learners)
 
 
 def _wanted(values: Values, world: World, settings: ResolvedForWorld) -> ResolvedLearning:
-    """How the learners of a view learn: with its discounts and its target policy."""
+    """The settings of the learners of a view: with its discounts and its target policy."""
     given: dict[str, Any] = {name: getattr(settings, name) for name in DECIDED_NAMES}
     given |= {"seeds": values.get("seeds", PARAMETERS["seeds"].default), "episodes": values.get("episodes")}
     return resolve_learning(LearnSettings(**given), world)
 
 
 def seen(values: Values, world: World, settings: ResolvedForWorld) -> tuple[Subject, ResolvedForWorld]:
-    """The first learner with the noise that all of them show, known of nothing else; until then, the exact world."""
+    """The first learner with the noise measured over all of them; until they have learned, the exact world."""
     settings = replace(settings, noise=0.0, noise_level=values.get("noise_level"))
     key = learning(world, _wanted(values, world, settings), slot="noise").key
     job = _learners.get(key)
@@ -52,7 +52,7 @@ def seen(values: Values, world: World, settings: ResolvedForWorld) -> tuple[Subj
 
 
 def controls(values: Values, world: World, settings: ResolvedForWorld) -> bool:
-    """Whether noise is measured; if so, from which learners, and how far they are."""
+    """The controls of measured noise: on or off, the learners, and their progress."""
     field(PARAMETERS["measured"], PARAMETERS["measured"].default, "Measure noise from a learner's seeds")
     if not values.get("measured"):
         return False
@@ -63,7 +63,7 @@ def controls(values: Values, world: World, settings: ResolvedForWorld) -> bool:
     wish = Wish.of(_learners, learning(world, wanted, slot="noise"))
     job = wish.look()
     if job is None:
-        offer(wish, "Learn", key="learn_noise", words="The pictures are exact until then.")
+        offer(wish, "Learn", key="learn_noise", words="Until then, the pictures use the exact gamma-space.")
     elif job.going:
         progress(job, "{done:,} of {of:,} episodes", wish.cancel, key="cancel_noise")
     else:

@@ -18,17 +18,17 @@ from laplace_core.subjects import View
 EDIT = "m."
 """Prefix of the entries of an edit, in the session and in the link."""
 PARAMETERS = (
-    Parameter("horizon", 0, 0, 2000, "The episode is stopped after so many steps; 0: it is not."),
-    Parameter("gamma", 1.0, 0.5, 1.0, "Chance to go on after each step."),
-    Parameter("worst", 1.0, 0.01, 1.0, "Each step counts as the mean of this share of its worst outcomes."),
+    Parameter("horizon", 0, 0, 2000, "The episode is stopped after this number of steps; 0 means never."),
+    Parameter("gamma", 1.0, 0.5, 1.0, "Probability that the episode continues after each step."),
+    Parameter("worst", 1.0, 0.01, 1.0, "Value a step by the mean of this share of its worst outcomes; 1 counts all."),
 )
-_TITLES = {"horizon": "Stop after (steps)", "gamma": "Chance to go on", "worst": "Share of the worst outcomes"}
+_TITLES = {"horizon": "Stop after (steps)", "gamma": "Probability to continue", "worst": "Share of the worst outcomes"}
 
 
 def section(view: View) -> None:
     """A closed section, open where a link has changed something."""
     given = {each.name: store.chosen()[EDIT + each.name] for each in PARAMETERS if EDIT + each.name in store.chosen()}
-    box = st.expander("Edit tau-space: stop, discount anew, weigh risk", key="memory", on_change="rerun",
+    box = st.expander("Edit tau-space: stop early, change the discount, weigh risk", key="memory", on_change="rerun",
                       expanded=bool(given))  # fmt: skip
     if not box.open:
         return
@@ -43,7 +43,7 @@ def section(view: View) -> None:
 
 
 def wanted(given: dict[str, float]) -> Edit:
-    """The edit of what is set by hand."""
+    """The edit of the values that are set by hand."""
     stop = given.get("horizon") or None
     return Edit(stop, float(given.get("gamma", 1.0)), float(given.get("worst", 1.0)))
 

@@ -1,4 +1,4 @@
-"""What the link of the page of the inverse may hold."""
+"""The parameters that a link of the page Inverse may hold."""
 
 from __future__ import annotations
 
@@ -13,15 +13,15 @@ from laplace_core.study.settings import ResolvedForWorld
 from laplace_core.worlds import parameters_of
 
 SUBJECT = (
-    Parameter("world", None, help="The world that is looked at.", kind=str),
-    Parameter("agent", None, help="The trained agent whose start state is looked at.", kind=str),
-    Parameter("data", None, help="Your own gamma-space, by the digest of its file.", kind=str),
+    Parameter("world", None, help="The world that the page shows.", kind=str),
+    Parameter("agent", None, help="The trained agent whose start state the page shows.", kind=str),
+    Parameter("data", None, help="Your own gamma-space, named by the digest of its file.", kind=str),
 )
 
 
 def _world_is_listed(name: str) -> None:
     if name not in subjects.WORLDS:
-        raise InputError(f"The link asks for an unknown world, {name[:40]!r}; this is the opening view instead.")
+        raise InputError(f"The link asks for an unknown world, {name[:40]!r}; the opening view is shown instead.")
 
 
 def _of_world(values: Values) -> dict[str, Parameter]:

@@ -1,4 +1,4 @@
-"""The sidebar of the page of the inverse: what is looked at, its noise, the solver, the rule for alpha and the grid."""
+"""The sidebar of the page Inverse: the subject, its noise, the solver, the rule for alpha and the grid."""
 
 from __future__ import annotations
 
@@ -20,16 +20,16 @@ _OF_SUBJECT = ("world", "agent", "data", "state", "action", "alpha", "horizon", 
                "gamma_max", "thetas", "steps")  # fmt: skip
 """Entries that another subject does not take over; its noise and solver it does."""
 _FILE = "gamma_space_file"
-POLICIES = {"shared": "shared: one policy", "per_gamma": "per gamma: each its own"}
+POLICIES = {"shared": "shared: one policy", "per_gamma": "per gamma: one policy for each"}
 
 
 def subject() -> bool:
-    """The controls of what is looked at; False while there is nothing."""
+    """The controls of the subject; False while there is none."""
     kinds = list(subjects.KINDS)
     asked = st.session_state.get("kind") == "data"  # a file that is still to be opened
     here = "data" if asked else subjects.kind_of(store.chosen())
     st.segmented_control(
-        "Look at", kinds, format_func=subjects.KINDS.__getitem__, key=store.put("kind", here), on_change=_other_kind,
+        "Subject", kinds, format_func=subjects.KINDS.__getitem__, key=store.put("kind", here), on_change=_other_kind,
         width="stretch", required=True,
     )  # fmt: skip
     if here == "agent":
@@ -39,7 +39,7 @@ def subject() -> bool:
         if not subjects.agents():
             return False
         select("Agent", subjects.agents(), store.show("agent", subjects.agents()[0]), checkpoints.title, keep=_look_at)
-        st.caption("What it has learned of the state in which episodes start.")
+        st.caption("The values that this agent has learned for the start state.")
     elif here == "data":
         upload("Open a gamma-space (.npz)", ["npz"], _FILE, _opened, anywhere=True)
         return "data" in store.chosen()
@@ -72,7 +72,7 @@ def _opened(name: str, data: bytes) -> None:
 
 
 def _go_to(**values: object) -> None:
-    """Look at something else: noise, solver and rule stay, unless alpha was set by hand."""
+    """Change the subject: noise, solver and rule stay, unless alpha was set by hand."""
     kept = {name: value for name, value in store.chosen().items()
             if name not in _OF_SUBJECT and not name.startswith(PARAM)}  # fmt: skip
     store.replace_all(kept | values)
@@ -120,6 +120,6 @@ def _reset() -> None:
 
 
 def refused(sentence: str) -> None:
-    """What is said where the settings make no view, and the way back."""
+    """The error of settings that make no view, with a button to go back."""
     st.error(in_markdown(sentence))
     st.button("Undo the last change", on_click=store.undo)

@@ -1,4 +1,4 @@
-"""Solvers and rules for alpha on many worlds whose truth is known: measured in the background, drawn, taken along."""
+"""Solvers and rules for alpha on many worlds whose truth is known: in the background, drawn, downloadable."""
 
 from __future__ import annotations
 
@@ -39,20 +39,20 @@ _studies: Kind[Measuring] = Kind("measured studies", MOST_KEPT, line=background)
 
 @dataclass
 class _Held:
-    """The study that this session looks at: what was measured of it stays when it is cancelled."""
+    """The study of this session; its measured rows stay when it is cancelled."""
 
     study: Measuring | None = None
 
 
 def given(values: Values) -> dict[str, Any]:
-    """What of the values set by hand is of a study, by the names of its parameters."""
+    """The values set by hand that belong to a study, by the names of its parameters."""
     return {name.removeprefix(STUDY): value for name, value in values.items() if name.startswith(STUDY)}
 
 
 def section() -> None:
     """A closed section, open where a link has set something; a button begins the work."""
     values = given(store.chosen())
-    box = st.expander("Study: solvers and rules on many worlds", key="study", on_change="rerun", expanded=bool(values))
+    box = st.expander("Study solvers and rules on many worlds", key="study", on_change="rerun", expanded=bool(values))
     if not box.open:
         return
     with box:
@@ -65,7 +65,7 @@ def section() -> None:
 def _form(values: dict[str, Any]) -> None:
     left, middle, right = st.columns([3, 1, 1])
     _list("worlds", values, left)
-    field(_BY_NAME["cases"], _BY_NAME["cases"].default, "Cases of each", key=f"{STUDY}cases", place=middle)
+    field(_BY_NAME["cases"], _BY_NAME["cases"].default, "Cases of each world", key=f"{STUDY}cases", place=middle)
     field(_BY_NAME["seed"], _BY_NAME["seed"].default, "Seed of cases", key=f"{STUDY}seed", place=right)
     left, right = st.columns([3, 2])
     _list("solvers", values, left)
@@ -115,7 +115,7 @@ def _pictures(study: Measuring) -> None:
     if sums:
         for what, place in zip(("ratio", "excess"), st.columns(2), strict=True):
             chart(behind_the_best(sums, what, RULE_TITLES, SOLVER_TITLES), f"study {what}",
-                  f"Medians and nine tenths of the {what} of every solver and rule.", study_heights(sums),
+                  f"Medians and 90% quantiles of the {what} of every solver and rule.", study_heights(sums),
                   place=place)  # fmt: skip
     if study.done:
         download("CSV of all cases", lambda: study.table, "inverse_study.csv", width="stretch")

@@ -1,4 +1,4 @@
-"""What the page of the inverse looks at: a world, a trained agent's start state, or a gamma-space from a file."""
+"""The subjects of the page Inverse: a world, a trained agent's start state, or a gamma-space from a file."""
 
 from __future__ import annotations
 
@@ -33,10 +33,8 @@ STUDIED = (
     "gamma_min", "gamma_max", "thetas", "steps", "horizon", "policy",
 )  # fmt: skip
 """Settings of the study that a link of this page may hold."""
-AXIS = Parameter("axis", "time", help="What discounts are drawn over.", choices=AXES)
-DATA_IS_GONE = (
-    "The link shows a gamma-space from a file, which stays with the person who opened it: open the file again."
-)
+AXIS = Parameter("axis", "time", help="Horizontal axis of the pictures over discounts.", choices=AXES)
+DATA_IS_GONE = "This link needs your gamma-space file, which a link cannot hold: open the file again."
 
 
 @dataclass(frozen=True, eq=False)
@@ -57,7 +55,7 @@ def open_file(name: str, data: bytes) -> str:
 
 
 def kind_of(values: Values) -> str:
-    """Which of :data:`KINDS` values are about."""
+    """The kind of subject of the values, one of :data:`KINDS`."""
     return next((kind for kind in ("agent", "data") if kind in values), "world")
 
 
@@ -74,7 +72,7 @@ def world_of(values: Values) -> World | None:
 
 
 def view_of(values: Values) -> View:
-    """What a set of values shows.
+    """The view of a set of values.
 
     The discounts always count by the deviation of their error unless a link says otherwise: alpha set by hand and
     alpha by a rule are then of one problem, so that they can be compared.
@@ -127,7 +125,7 @@ def agents() -> tuple[str, ...]:
 
 @cached(16)
 def _agent(name: str) -> tuple[str, Observed]:
-    """The environment of a shipped agent, and what it sees where episodes start."""
+    """The environment of a shipped agent, and its observation at the start of an episode."""
     from app.catalogue import checkpoints  # as above
     from laplace_core.agents.capabilities import HasGammaSpace
     from laplace_core.environments import environment_of
@@ -137,7 +135,7 @@ def _agent(name: str) -> tuple[str, Observed]:
     loaded = checkpoints.checkpoint(name)
     scene, agent = environment_of(loaded.environment), loaded.agent
     if not isinstance(agent, HasGammaSpace):
-        raise InputError(f"{name} has no gamma-space to look at.")
+        raise InputError(f"{name} has no gamma-space: choose a Laplace DQN agent.")
     start = np.eye(len(scene.states))[0] if scene.states else np.array([part.start for part in scene.components])
     return loaded.environment, Observed(agent.gamma_space(start), scene.actions, agent.sensitivities.places)
 

@@ -466,7 +466,7 @@ export interface Scene {
   resolution: Resolution;
   colours: Colours;
   hover: Hover;
-  /** The row that is looked at. */
+  /** The row of the view. */
   at: number;
   /** The view that is kept as A. */
   pinned?: Seen;
@@ -563,7 +563,7 @@ export interface Told {
   plotly?: string;
   /** Whether a server listens. */
   live?: boolean;
-  /** The world as a still picture, in a file of its own. */
+  /** The world as a still picture, in a separate file. */
   still?: string;
   /** The page that a lens is saved as. */
   template?: () => Promise<string>;
@@ -571,7 +571,7 @@ export interface Told {
   kept?: { scene: Pick<Scene, 'zoom' | 'camera'>; focus?: string; pending?: Partial<State> };
 }
 
-/** What the server hears when a control is let go of. */
+/** The report to the server when a control is released. */
 export interface Released {
   state: State;
   preset?: string;
@@ -655,7 +655,7 @@ export interface Stepper {
   to(step: number): void;
   stop(): void;
   readonly step: number;
-  /** Python has moved it, and need not be told. */
+  /** Python has moved it and needs no report. */
   place(step: number): void;
   /** It is dragged over a picture, whose `toStep` knows where a step lies. */
   over(canvas: HTMLCanvasElement): void;
@@ -812,7 +812,7 @@ export interface Made {
   rewards: Float64Array;
   /** The rewards over the discounts again, (G,). */
   back: Float64Array;
-  /** Whether the timeline belongs to another alpha, because this solver answers when alpha is let go of. */
+  /** Whether the timeline belongs to another alpha, because this solver answers when alpha is released. */
   still: boolean;
   /** Standard deviation that the noise makes, and what smoothing adds, (K,). */
   noise?: Float64Array;
@@ -833,7 +833,7 @@ export interface InverseTold {
   id: string;
   revision: number;
   state: InverseState;
-  /** What is said of this alpha. */
+  /** The sentence about this alpha. */
   said: { tone: 'ok' | 'warn' | 'bad' | 'unknown'; sentence: string; state: InverseState };
   /** What the rules of the payload are called. */
   rules: Record<string, { title: string; why: string; formula: string }>;
@@ -861,7 +861,7 @@ export interface InversePanel {
   title: string;
   /** Two lines behind the question mark; the second one is the formula. */
   why: [string, string];
-  /** What is said beside the title. */
+  /** The words beside the title. */
   note?(scene: InverseScene): string;
   /** What the picture shows, in numbers, for those who cannot see it; by default the note. */
   words?(scene: InverseScene): string;

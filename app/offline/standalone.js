@@ -1344,11 +1344,11 @@ var init_maths = __esm({
         on: { normalise: "paper" },
         off: { normalise: "none" },
         isOn: (s) => s.normalise === "paper",
-        help: "Every row is rescaled to probability 1, also where the episode is over."
+        help: "Every row is rescaled to probability 1, even after the end of the episode."
       },
       fold: flag("fold", {
         label: "only T rows, K = T",
-        help: "As many rows are decoded as the horizon has: what comes later is folded into them."
+        help: "Only T rows are decoded, so later rewards are folded into them."
       }),
       mixed: flag("mixed", {
         label: "mixed policies",
@@ -1360,11 +1360,11 @@ var init_maths = __esm({
       }),
       clip: flag("clip", {
         label: "edge clipping",
-        help: "The sensitivities begin at a reward that occurs: half of its probability is lost."
+        help: "The sensitivities begin at a reward that occurs, so half of its probability is lost."
       }),
       constant: flag("constant", {
         label: "constant T",
-        help: "Acting with T at every step, instead of with the time to go."
+        help: "The agent acts with T at every step instead of with the time to go."
       }),
       shift: flag("shift", {
         label: "index shifted by one",
@@ -1668,7 +1668,7 @@ var init_help = __esm({
       name: "world",
       title: "World",
       why: [
-        "The states and actions of the world; numbers are rewards. The state and the action that are looked at are lit up. Click a state to look from there.",
+        "The states and actions of the world; numbers are rewards. The state and the action of this view are highlighted. Click a state to see its timeline.",
         "P(s′, r | s, a)"
       ]
     };
@@ -2251,7 +2251,7 @@ var SLIDERS = [
     "alpha",
     "regularisation α",
     "",
-    "Regularisation of the inverse. What of the singular values comes back: s²/(s²+α²).",
+    "Regularisation of the inverse: it keeps the share s²/(s²+α²) of each singular value s.",
     logarithmic(1e-9, 10)
   ],
   [
@@ -2265,7 +2265,7 @@ var SLIDERS = [
     "slope_share",
     "slope",
     "· trained",
-    "Softer than the trained activation, by a linear map over θ; gamma-space says how far it is off. What is softened over an edge of θ lies in the outermost column, and means move with it.",
+    "Softer than the trained activation, by a linear map over θ; its error is given under gamma-space. Rewards that are softened beyond the range of θ count in the outermost column, which moves means.",
     ({ arrays }) => arrays.places && linear(0.1, 0.05, 18)
   ],
   [
@@ -2279,7 +2279,7 @@ var SLIDERS = [
     "used",
     "steps used",
     "",
-    "Steps of the episode that are over: the time to go is T less these.",
+    "Steps of the episode that are over: the time to go is T minus these.",
     ({ truth, K, dt }) => truth && linear(0, 1, Math.max(0, Math.floor(K * dt) - 1))
   ],
   [
@@ -2402,7 +2402,7 @@ function switchboard(model, wish) {
     element("div", { class: "pair" }, together("As the paper", all(true)), together("All repaired", all(false)))
   );
   for (const [name, each] of Object.entries(SWITCHES)) {
-    const there = names.includes(name), size = element("span", { class: "size" }, there ? " " : "not in this space");
+    const there = names.includes(name), size = element("span", { class: "size" }, there ? " " : "not available here");
     const button = element(
       "button",
       { type: "button", role: "switch", class: "switch", name, title: each.help, disabled: !there },
@@ -2424,7 +2424,7 @@ function switchboard(model, wish) {
     sync: (state) => Object.values(shown).forEach(({ show }) => show(state)),
     sizes(effects2) {
       for (const [name, found] of Object.entries(effects2)) {
-        const moves = name === "constant" ? "" : found.size < 5e-4 ? "moves nothing here" : `moves ${short(found.size, 2)} probability`;
+        const moves = name === "constant" ? "" : found.size < 5e-4 ? "no effect here" : `moves ${short(found.size, 2)} probability`;
         const more = (found.on ?? NaN) - (found.off ?? NaN), told = found.on === void 0 || found.off === void 0 || model.A === 1 ? "" : Math.abs(more) > 1e-6 ? `regret ${short(found.off)} → ${short(found.on)}` : "same choice";
         shown[name].size.textContent = [moves, told].filter(Boolean).join(" · ");
         shown[name].size.classList.toggle("large", more > 1e-6 || found.size >= 0.05 && !(more < -1e-6));
@@ -2461,7 +2461,7 @@ function toolbar(model, wish, told) {
     {
       name: "added",
       "aria-label": "discounts added",
-      title: "Discounts that were never trained, each a mean of its two neighbours. They add no information, and at the same α let more noise through.",
+      title: "Discounts that were never trained, each interpolated between its two neighbours. They add no information, and let more noise through at the same α.",
       onchange: () => wish({ added: +added.value }, true)
     },
     ...["trained discounts", "+ 1 in each gap", "+ 2 in each gap", "+ 3 in each gap"].map(
@@ -2971,7 +2971,7 @@ var gammaPanel = {
   name: "gamma-space",
   title: "Gamma-space",
   why: [
-    "What is learned: for each discount γ, how much future reward of each size θ there is, nearer steps counting more.",
+    "The learned values: for each discount γ, how much future reward of each size θ is expected; nearer steps count more.",
     "Z(γ, θ) = Σ_τ γ^τ P(r_τ ≈ θ)"
   ],
   rows: "gamma",
@@ -3064,7 +3064,7 @@ var tauPanel = {
   name: "tau-space",
   title: "Tau-space",
   why: [
-    "How likely each reward θ is at each future step τ, decoded from gamma-space. A certain reward reads as 1; magenta is below 0.",
+    "The probability of each reward θ at each future step τ, decoded from gamma-space. A certain reward reads as 1; magenta is below 0.",
     "P = V diag(s / (s² + α²)) Uᵀ Z, with γ^τ = U diag(s) Vᵀ; summed over θ ± 2 / slope"
   ],
   rows: "tau",
@@ -3386,7 +3386,7 @@ function judged(model, state, seen) {
     const stays = model.arrays.decoded ? "the timeline of the old settings stays" : "this is the one of Tikhonov";
     return {
       tone: "pending",
-      sentence: `This solver runs on the server, once the control is released: until then ${stays}.`
+      sentence: `This solver runs on the server after you release the control; until then ${stays}.`
     };
   }
   const names = model.header.actions, row = seen.readRow, values = seen.values.map((line2) => line2[row]);
@@ -3454,7 +3454,7 @@ var spectrumPanel = {
   name: "spectrum",
   title: "Filter factors",
   why: [
-    "The singular values of the transform. The bars are the share of each component that alpha keeps; the rest is dropped as noise.",
+    "The singular values of the transform. The bars are the share of each component that alpha keeps; the rest is removed as noise.",
     "f_i = s_i² / (s_i² + α²)"
   ],
   draw(pen, w, h, scene) {
@@ -3471,7 +3471,7 @@ var spectrumPanel = {
     const low = Math.floor(Math.log10(s[count - 1])) - 0.3, high = Math.max(0.6, Math.log10(s[0]) + 0.4), scale = axes(pen, box, {
       x: [0.4, count + 0.6],
       y: [low, high],
-      xTitle: "component; bars: share let through",
+      xTitle: "component; bars: share kept",
       yTitle: "singular value",
       colours,
       xTicks: count <= 8 ? Array.from({ length: count }, (_, i) => i + 1) : void 0,
@@ -3520,7 +3520,7 @@ var kernelPanel = {
   name: "kernel",
   title: "Effective discounting",
   why: [
-    "Grey: the weight that each future step should have in the value. Line: the weight that the inverse at this alpha really gives it.",
+    "Grey: the weight that each future step should have in the value. Line: the weight that it has at this alpha.",
     "w(τ) = Σ_γ c_γ γ^τ against γ^τ [τ < T]"
   ],
   draw(pen, w, h, scene) {
@@ -3579,7 +3579,7 @@ var rewardsPanel = {
   name: "rewards",
   title: "Expected reward and survival",
   why: [
-    "Above: the reward expected at each future step. Below: the chance that the episode goes on until then. With noise, the dark band is two standard deviations and the pale one adds the error of smoothing.",
+    "Above: the reward expected at each future step. Below: the probability that the episode still runs. With noise, the dark band is two standard deviations and the pale one adds the error of smoothing.",
     "E[r_τ] = Σ_θ θ P(τ, θ) ± (2 σ_τ + |bias_τ|)"
   ],
   draw(pen, w, h, scene) {
@@ -3596,7 +3596,7 @@ var rewardsPanel = {
       pen,
       w,
       "Expected reward and survival",
-      hover.tau !== void 0 && hover.tau < seen.n ? `τ ${short(hover.tau * dt)}: ${short(rewards[hover.tau])}, alive ${short(seen.survival[a][hover.tau] / dt)}` : impossible([seen.survival[a]], dt) ? "alive above 1: impossible" : seen.truth ? "grey: true" : simulated ? "red: simulated, ± 2 errors" : followed ? cameNote(scene, followed) : "",
+      hover.tau !== void 0 && hover.tau < seen.n ? `τ ${short(hover.tau * dt)}: ${short(rewards[hover.tau])}, alive ${short(seen.survival[a][hover.tau] / dt)}` : impossible([seen.survival[a]], dt) ? "survival above 1: impossible" : seen.truth ? "grey: true" : simulated ? "red: simulated, ± 2 errors" : followed ? cameNote(scene, followed) : "",
       scene
     );
     const span = 1e-3 * (seen.thetas[seen.H] - seen.thetas[0]), scale = axes(pen, upper, { x, y: rounded(low, high, span), xTicks: [], yTitle: "E[r] (reward)", colours });
@@ -3698,7 +3698,7 @@ var fitPanel = {
   name: "fit",
   title: "Fit to gamma-space",
   why: [
-    "Circles: the value that was learned at each discount. Line: the value that the decoded timeline gives back. Where they differ, alpha smooths too much.",
+    "Circles: the value at each discount. Line: the value that the decoded timeline implies. Where they differ, alpha smooths too much.",
     "(1 − γ) Q(γ) against (1 − γ) Σ_τ γ^τ E[r_τ]"
   ],
   draw(pen, w, h, scene) {

@@ -13,7 +13,7 @@ FOLDER = Path(__file__).resolve().parents[2] / "docs" / "paper"
 
 
 def found() -> list[Found]:
-    """What the results say of every entry, in the order of the catalogue."""
+    """The findings on every entry, in the order of the catalogue."""
     return [_found(entry.name, FOLDER, _stamp(entry)) for entry in ENTRIES]
 
 
@@ -23,7 +23,7 @@ def _found(name: str, folder: Path, stamp: tuple[tuple[int, int], ...]) -> Found
 
 
 def _stamp(entry: Entry) -> tuple[tuple[int, int], ...]:
-    """When each file of an entry was written, and its size; nothing of those that are not there."""
+    """The time and the size of each file of an entry; nothing for missing files."""
     found = []
     for path in entry.files(FOLDER, SHIPPED):
         with suppress(OSError):

@@ -1,4 +1,4 @@
-"""What the link of the page may hold: nothing, for all of it is shown."""
+"""The link of the page holds nothing, because the page always shows everything."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the page shows: a list of the states, and a section for each figure and table of the paper."""
+"""The parts of the page: a list of the states, and a section for each figure and table of the paper."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ _FEW = 12
 
 
 def overview(found: Sequence[Found]) -> None:
-    """The state of each, a line each, which leads to its section."""
+    """The state of each entry, one line each, with a link to its section."""
     rows = "".join(
         f'<li><a href="#paper-{each.entry.name}">{_pill(each.state)}<span><b>{escape(each.entry.place)}</b> '
         f"{escape(each.entry.title)}{escape(_so_far(each))}</span></a></li>"
@@ -30,7 +30,7 @@ def overview(found: Sequence[Found]) -> None:
 
 
 def contents(found: Sequence[Found]) -> None:
-    """What the page has, in the sidebar, which stays in sight."""
+    """The table of contents, in the sidebar."""
     rows = "".join(f'<li><a href="#paper-{each.entry.name}">{escape(each.entry.place)}</a></li>' for each in found)
     st.html(f'<ul class="paper-contents">{rows}</ul>')
 
@@ -65,7 +65,7 @@ def _so_far(found: Found) -> str:
 
 
 def _claims(found: Found) -> str:
-    """What the paper says, and under each claim what our numbers say of it."""
+    """The claims of the paper, and under each one our numbers."""
     if found.trouble is not None:
         return f'<p class="paper-trouble">{escape(found.trouble)}</p>'
     rows = []
@@ -84,7 +84,7 @@ def _picture(found: Found) -> Picture | None:
     try:
         return picture(found)
     except CANNOT_DRAW:
-        st.warning(f"{found.results.path.name} cannot be drawn: it holds something else than results.")
+        st.warning(f"{found.results.path.name} cannot be drawn: the file does not hold results.")
         return None
 
 
@@ -121,7 +121,7 @@ def _take_along(found: Found) -> None:
 
 
 def _content(path: Path) -> bytes:
-    """The file, when it is clicked, or a list of those in a folder; empty if it is gone by then."""
+    """The content of a file, read on the click, or a list of the files in a folder; empty if it no longer exists."""
     try:
         if path.is_dir():
             return b"[" + b",".join(each.read_bytes() for each in sorted(path.glob("*.json"))) + b"]"

@@ -1,4 +1,4 @@
-"""Many races: the button, the progress, the picture of all differences, and ways to the starts that stand out."""
+"""Many races: the button, the progress, the picture of all differences, and buttons for notable starts."""
 
 from __future__ import annotations
 
@@ -29,12 +29,12 @@ def section(control: Control) -> None:
     """A button; then progress; then the picture."""
     values = store.chosen()
     count = int(values.get(COUNT, USUAL_COUNT))
-    st.html('<h2 class="panel-title">from many starts</h2>')
+    st.html('<h2 class="panel-title">The same race from many starts</h2>')
     wish = jobs.field(control, count)
     job = wish.look() if values.get(MANY) == "yes" else None
     if job is None:
         caption, button = st.columns([4.2, 1.2], vertical_alignment="center")
-        words = f"One start says little. This runs the same race from the starts 0 to {count - 1}, without pictures."
+        words = f"One start shows little. Run the same race from the starts 0 to {count - 1}, without pictures."
         offer(wish, f"Race over {count} starts", key="begin field", words=words, place=caption, button_place=button,
               primary=True, then=partial(store.choose, MANY, "yes"))  # fmt: skip
         return
@@ -69,7 +69,7 @@ def _shown(control: Control, races: Races, summary: dict[str, Any]) -> None:
 def _picture(races: Races, summary: dict[str, Any], names: tuple[str, str]) -> None:
     mean, interval = float(summary["difference"]), tuple(summary["interval"])
     figure = figures.differences(races, mean, interval, int(store.chosen().get(START, 0)), colours=COLOURS, names=names)
-    alt = f"Difference of return from {len(races.starts)} starts, on average {mean:.1f}, one dot a start."
+    alt = f"Difference of return from {len(races.starts)} starts, on average {mean:.1f}; one dot for each start."
     same = f"{races.environment} {races.horizon}"
     chart(figure, _KEY, alt, revision=same, on_click=lambda: _clicked(races))
 
@@ -100,7 +100,7 @@ def _facts(control: Control, summary: dict[str, Any]) -> None:
         (f"{left} ahead", f"{summary['worse']:.0%}"),
     ]
     cells = "".join(f"<tr><td>{name}</td><td>{value}</td></tr>" for name, value in rows)
-    hint = "Mean returns; after ± one standard error; the interval by a bootstrap over starts."
+    hint = "Mean returns, ± one standard error; the interval is a bootstrap over starts."
     st.html(f'<table class="race-facts" title="{hint}">{cells}</table>')
 
 
@@ -117,8 +117,8 @@ def _files(control: Control, races: Races) -> None:
     file = f"races_{races.environment}_T_{races.horizon}"
     settings = {"left": control.left_rule, "right": control.right_rule, "gamma": control.gamma}
     with st.container(horizontal=True, gap="small"):
-        columns = "A row a start: start seed, returns, difference, steps."
-        contents = "The same as arrays, and how they came about."
+        columns = "One row for each start: start seed, returns, difference, steps."
+        contents = "The same data as NumPy arrays, with the settings that produced them."
         download("CSV", lambda: races_csv(races, *sides(control)), f"{file}.csv", help=columns)
         download("NPZ", lambda: races_npz(races, settings), f"{file}.npz", help=contents)
     copy_button("Copy as command", _command(control, len(races.starts)), "race command")

@@ -1,4 +1,4 @@
-"""The race of the page: the form, the track under its verdict, and what can be taken along."""
+"""The race of the page: the form, the track under its verdict, and the downloads."""
 
 from __future__ import annotations
 
@@ -29,10 +29,10 @@ _SAME = "the same agent"
 
 
 def choose() -> None:
-    """Which agent."""
+    """Choose the agent."""
     listed = checkpoints.names()
     if listed:
-        key, words = store.show(AGENT, schema.opening()[AGENT]), "A checkpoint opened on the page of trained agents"
+        key, words = store.show(AGENT, schema.opening()[AGENT]), "A checkpoint that you open on the page Trained agents"
         select("Agent", listed, key, checkpoints.title, keep=store.begin_anew, help=f"{words} is listed here, too.")
 
 
@@ -63,7 +63,7 @@ def _keep(key: str) -> None:
 
 
 def _discount(acting: float, key: str) -> None:
-    """Callback: the acting discount is what holds where none is chosen."""
+    """Callback: choose a discount; the acting discount is the default."""
     chosen = st.session_state[key]
     store.choose(AT, None)
     store.choose(key, None if chosen == acting else chosen)
@@ -78,7 +78,7 @@ def _rival(key: str) -> None:
 
 
 def raced(control: Control) -> tuple[Race, bytes] | None:
-    """The race that the page shows; before its end, in its place a button that begins it, or how far it is."""
+    """The race of the page; until it has ended, a button that begins it, or its progress."""
     wish = jobs.racing(control, int(store.chosen().get(START, 0)))
     job = wish.look()
     if job is None:
@@ -123,7 +123,7 @@ def _footer(control: Control, race: Race, at: int) -> None:
                 help="The same episode with gamma-space and tau-space of every step.",
             )  # fmt: skip
         if race.left.frames and race.right.frames:
-            names, moving = races.sides(control), "Both episodes side by side, moving."
+            names, moving = races.sides(control), "Both episodes side by side, as an animated GIF."
             download("GIF", lambda: race_gif(race, names, SECONDS), f"{file}.gif", help=moving)
         contents = "Observations, actions, rewards and values of every step of both episodes."
         download("NPZ", lambda: race_npz(race), f"{file}.npz", help=contents)

@@ -1,4 +1,4 @@
-"""Races, one or many, that are begun and done: shared by all sessions of this server."""
+"""Background jobs of races, one or many; all sessions of this server share them."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the link of the page of races may hold: the agents, the rules, the deadline, the start."""
+"""The parameters that a link of the race page may hold: the agents, the rules, the deadline, the start."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ def _is_rival(values: Values) -> None:
         return
     environment = checkpoints.checkpoint(str(values[AGENT])).environment
     if values[AGAINST] not in rivals(str(values[AGENT]), environment):
-        raise InputError(f"{str(values[AGAINST])[:40]!r} is no other agent of {environment}.")
+        raise InputError(f"{str(values[AGAINST])[:40]!r} is not another agent of {environment}.")
     checkpoints.checkpoint(str(values[AGAINST]))
 
 
@@ -65,7 +65,7 @@ LINK = Schema(
 
 
 def control_of(values: Mapping[str, Any]) -> Control:
-    """The race that a page's values describe.
+    """The race of a page's values.
 
     Raises:
         InputError: an agent that is there no longer.

@@ -1,4 +1,4 @@
-"""Trained agents: what one has learned for an observation, through the same decode, reading and drawing as a world."""
+"""Trained agents: an agent's gamma-space for an observation, decoded, read and drawn in the same way as a world's."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from app.components.waiting import attempt
 from app.components.widgets import left_out, select, upload
 from app.session import store
 from app.session.typed import in_markdown
-from app.view import compute, export, feasible, panels, solver
+from app.view import compute, explain, export, feasible, panels, solver
 from laplace_core import InputError
 from laplace_core.agents.capabilities import HasGammaSpace
 from laplace_core.environments import Environment, environment_of
@@ -46,6 +46,7 @@ def page() -> None:
             rollout_form.beside(rolling, scene)
         if isinstance(loaded.agent, HasGammaSpace):
             _inverse(loaded)
+    explain.guide("agents")
     above = st.container()  # whether or not there is something in it, the lens keeps its place
     if wish is not None and (rolling is None or rolling.going):
         with above:

@@ -10,7 +10,7 @@ from laplace_core.files import documents
 from laplace_core.parameters import Parameter
 
 TITLES = documents.titles()
-PAGE = Parameter("page", next(iter(TITLES), ""), help="The document that is shown.", choices=tuple(TITLES))
+PAGE = Parameter("page", next(iter(TITLES), ""), help="The document to show.", choices=tuple(TITLES))
 LINK = Schema(opening=dict, steps=(Entries(by_name(PAGE)),))
 READABLE = 800  # pixels of a line of text
 

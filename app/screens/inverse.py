@@ -1,4 +1,4 @@
-"""The inverse, studied: alpha dragged, what the rules say of it, and where the decision turns."""
+"""The page Inverse: alpha by dragging, the rules that choose it, and where the choice of action turns."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from app.components.waiting import offer, turn
 from app.inverse import compute, evidence, grids, leaderboard, memory, sidebar, studies, subjects
 from app.inverse.schema import LINK
 from app.session import store
-from app.view import feasible, solver
+from app.view import explain, feasible, solver
 from app.view.compute import horizon_of, is_large
 from laplace_core import InputError
 from laplace_core.inverse.selectors import TYPED
@@ -25,7 +25,7 @@ def page() -> None:
     store.open_page("inverse", LINK)
     with st.sidebar:
         if not sidebar.subject():
-            st.info("There is nothing to look at yet: open a file, or choose another subject.")
+            st.info("Nothing is shown yet: open a file, or choose another subject.")
             return
         try:
             view = subjects.view_of(store.chosen())
@@ -34,6 +34,7 @@ def page() -> None:
             sidebar.refused(str(error))
             return
         sidebar.settings(view, world)
+    explain.guide("inverse")
     store.write_url()
     try:
         with turn(needed=is_large(view)):
@@ -52,7 +53,7 @@ def page() -> None:
 
 
 def _pictures(view: View) -> list[Job]:
-    """Draw all pictures of a view; returns the jobs whose results are not among them yet."""
+    """Draw all pictures of a view; returns the jobs that are still running."""
     shown = compute.shown(view)
     study, key, independent = shown.study, compute.key_of(view), compute.independent(view)
     solver.shows(study.settings, weighting=False)
@@ -92,7 +93,7 @@ def _pictures(view: View) -> list[Job]:
 
 
 def _await(jobs: list[Job]) -> None:
-    """Draw the page anew once one of them is done; a person who does something meanwhile ends this run."""
+    """Redraw the page once one of the jobs is done; any input of the user ends this run."""
     place = st.empty()
     while all(job.going for job in jobs) and not jobs[0].wait(LOOK_EVERY):
         place.empty()  # where Streamlit ends a run that nobody awaits

@@ -9,6 +9,7 @@ from app.components.waiting import attempt
 from app.components.widgets import left_out
 from app.race import field, form, schema
 from app.session import store
+from app.view import explain
 from laplace_core.acting.race import Race
 from laplace_core.trained.races import Control
 
@@ -25,6 +26,7 @@ def page() -> None:
         if control is None:  # a run that was removed meanwhile
             return
         form.form(control)
+    explain.guide("race")
     store.write_url()
     one = form.raced(control)
     if one is not None:
@@ -34,7 +36,7 @@ def page() -> None:
 
 @st.fragment
 def _view(control: Control, one: Race, packed: bytes) -> None:
-    """While the cursor moves nothing else is drawn anew."""
+    """A fragment: while the cursor moves, nothing else is redrawn."""
     store.write_url()
     form.show(control, one, packed)
 

@@ -1,4 +1,4 @@
-"""Training: agents of any algorithm on any environment, each run a process of its own that outlives the page."""
+"""Training: agents of any algorithm on any environment; each run is its own process and outlives the page."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ from app.components.widgets import left_out
 from app.session import store
 from app.train import cards, form, pictures, searches, server
 from app.train.schema import LINK, OPENING
+from app.view import explain
 from laplace_core.supervise.limits import limits
 from laplace_core.training.queue import Run
 
@@ -24,6 +25,7 @@ def page() -> None:
     with st.sidebar:
         form.form()
         left_out(checkpoints.left_out())
+    explain.guide("train")
     going = attempt(lambda: _going(training_runs.queue().runs()))
     if going is not None:
         st.fragment(_view, run_every=LOOK_EVERY if going else None)(going=going)
@@ -41,9 +43,9 @@ def _view(*, going: bool) -> None:
     if any(run.going for run in runs):
         queue.wake()  # another server, that has ended since, may have left them in its queue
     if queue.trouble:
-        st.error(f"The queue stands still for the moment: {queue.trouble}")
+        st.error(f"The queue is paused: {queue.trouble}")
     if not runs:
-        st.info("No run is here yet. A run trains in a process of its own: this page may be closed meanwhile.")
+        st.info("There is no run yet. A run trains in its own process, so you may close this page meanwhile.")
         if not limits().read_only:
             st.button("Train Laplace DQN on CartPole", type="primary", on_click=_first)
         pictures.shipped(str(store.chosen().get("environment", OPENING["environment"])))

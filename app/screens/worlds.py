@@ -55,7 +55,7 @@ def _refuse(error: InputError) -> None:
 
 
 def _pictures(view: View, base: View, watched: learners.Watched | None) -> bool:
-    """All that is computed of a view, but for the search for causes; whether it could be drawn."""
+    """Draw everything of a view except the result of the search for causes; returns whether it could be drawn."""
     try:
         view, coming = feasible.drawn(view)
         compute.study_for(view)

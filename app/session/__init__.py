@@ -1,4 +1,4 @@
-"""What a page remembers: values that were set by hand, the link that holds them, files, and work in the background.
+"""The memory of a page: values that were set by hand, the link that holds them, files, and background jobs.
 
 Nothing here knows a page. The record of a session is used as ``session.part(...)``.
 """

@@ -1,4 +1,4 @@
-"""Python's collector of garbage, kept from what stays for ever.
+"""Garbage collection that skips the objects which stay for ever.
 
 Streamlit would collect in full after every answer (``postScriptGC`` in ``.streamlit/config.toml``). That walks over
 all that the imported packages hold and took four fifths of the server's time. Python collects by itself instead.
@@ -12,6 +12,6 @@ from functools import cache
 
 @cache
 def settle(page: str) -> None:
-    """After the first answer of ``page``, whose modules are loaded by now: no collection looks at them again."""
+    """Exclude the loaded modules from garbage collection, after the first answer of ``page``."""
     gc.collect()
     gc.freeze()

@@ -1,4 +1,4 @@
-"""Whether others are at work: what a page can do later, it does later while they wait."""
+"""Whether other sessions are at work: then a page postpones work that can wait."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Work in the background of a server: its two lines, and whose session a wish is of.
+"""Background jobs of a server: its two queues, and the session of a wish.
 
 How work waits, runs and ends is that of :mod:`laplace_core.supervise.jobs`, which knows no page.
 """
@@ -36,13 +36,13 @@ def is_there(name: str) -> bool:
 
 @cache
 def background() -> Line:
-    """The line of all work that is done in threads of this server."""
+    """The queue of all jobs that run in threads of this server."""
     return Line(2, kept=1, most=limits().jobs_in_line, limit=limits().background_seconds, is_there=is_there)
 
 
 @cache
 def learners() -> Line:
-    """The line of tabular learners, each of which is a process of its own."""
+    """The queue of tabular learners, each of which runs in its own process."""
     given = limits()
     return Line(given.learners, kept=0, most=given.jobs_in_line, limit=given.background_seconds, is_there=is_there)
 

@@ -1,4 +1,4 @@
-"""Who is in front of a browser: a random word that the browser keeps, by which runs are known again as its own.
+"""The owner of training runs: a random word that the browser keeps, and by which it proves that a run is its own.
 
 The word comes with the cookie of a connection. A browser that has none is offered one, which
 :mod:`app.components.owner` hands to it. Runs hold only the digest of it, so that their files give nobody control.
@@ -46,5 +46,5 @@ def take(told: object) -> None:
 
 
 def digest() -> str:
-    """What a run holds of its owner."""
+    """The digest of the owner's word, which the run's folder holds."""
     return hashlib.sha256(word().encode()).hexdigest()

@@ -1,4 +1,4 @@
-"""What this server keeps for one session, a tab of a browser: one record, under one key of Streamlit's.
+"""The record of one session (one tab of a browser), under one key of Streamlit's session state.
 
 Streamlit's other keys are those of widgets. No other module puts anything into ``st.session_state`` under a name of
 its own. What one part of a page has to remember, and nobody else asks for,
@@ -27,7 +27,7 @@ Kind = TypeVar("Kind")
 
 @dataclass
 class PageState:
-    """What is kept of one page while another one is shown.
+    """The state of one page, kept while another one is shown.
 
     Attributes:
         chosen: values set by hand, by name.
@@ -85,9 +85,9 @@ def current() -> Session:
 
 
 def part(kind: type[Kind]) -> Kind:
-    """The one object of a class that this session holds, made without arguments when it is first asked for.
+    """The one object of a class that this session holds; the first call makes it, without arguments.
 
-    The class has to live in a module and not in the script of a page, which Streamlit runs anew every time.
+    The class has to live in a module and not in the script of a page, which Streamlit runs again every time.
     """
     parts = current().parts
     if kind not in parts:

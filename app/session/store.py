@@ -1,4 +1,4 @@
-"""What the person has set on a page: kept in the session, written to and read from the URL.
+"""The values that the user has set on a page: kept in the session, written to and read from the URL.
 
 Only values that were set by hand (or by a link, a remedy, a preset view) are kept; everything else follows the
 world or the agent. So a link holds what matters, and a changed world brings its own defaults along. This module knows
@@ -61,7 +61,7 @@ def apply_changes(changes: Mapping[str, object]) -> None:
 
 
 def replace_all(values: Mapping[str, Any]) -> None:
-    """Look at something else altogether."""
+    """Replace all values."""
     session.current().shown_page.chosen = dict(values)
     _touch()
 
@@ -87,7 +87,7 @@ def undo() -> None:
 
 
 def refresh_sidebar() -> None:
-    """Something that the sidebar shows was changed from the main area: the whole page is to be drawn anew."""
+    """Something that the sidebar shows was changed from the main area: the whole page is to be drawn again."""
     session.current().sidebar_stale = True
     _touch()
 
@@ -97,7 +97,7 @@ def sidebar_is_stale() -> bool:
 
 
 def show(name: str, value: object) -> str:
-    """Put into the widget ``name`` what holds now: the value set by hand, else ``value``. Returns the key."""
+    """Put the present value into the widget ``name``: the value set by hand, else ``value``. Returns the key."""
     return put(name, chosen().get(name, value))
 
 
@@ -136,7 +136,7 @@ def clamp(name: str, last: int) -> None:
     """Put a value that lies beyond the end of what is shown to the end, and say so: only a link can have brought it."""
     asked = chosen().get(name)
     if asked is not None and int(asked) > last:
-        note = f"{name} {asked:,} of the link lies beyond the end: {last:,} is shown."
+        note = f"The link has {name} {asked:,}, which is beyond the end: {last:,} is shown."
         session.current().shown_page.notes.append(note)
         choose(name, last)
         write_url()

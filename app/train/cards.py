@@ -1,4 +1,4 @@
-"""One card a run: how far it is, how good, and what can be done with it."""
+"""One card for each run: its progress, its score, and its buttons."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ _MOST_DOWNLOAD = 200_000_000  # bytes
 
 @dataclass
 class _Cards:
-    """What a session has asked of the cards.
+    """The state of the cards in a session.
 
     Attributes:
         everything: whether all runs have a card.
@@ -54,7 +54,7 @@ class _Cards:
 
 
 def cards(runs: Sequence[Run], looked: Run | None) -> None:
-    """All of them, two in a row."""
+    """Draw all cards, two in a row."""
     shown = runs if session.part(_Cards).everything else runs[:SHOWN]
     for first in range(0, len(shown), 2):
         pairs = zip(st.columns(2, gap="small"), shown[first : first + 2], strict=False)
@@ -104,10 +104,10 @@ def _card(runs: Sequence[Run], run: Run, *, looked: bool) -> None:
         st.html(f'<div class="run-error">{escape(capital(run.error or "it failed."))}</div>')
     with st.container(horizontal=True, gap="small"):
         if not mine:
-            st.caption("Shown only." if limits().read_only else "Started in another browser.")
+            st.caption("Read only." if limits().read_only else "Started in another browser.")
         elif run.state == STOPPING:
             st.button("End at once", key=f"end {run.name}", on_click=_do, args=("end_at_once", run.name),
-                      help="Without waiting for its resume point: it can go on from the one before.")  # fmt: skip
+                      help="Ends it without saving. What it learned since its last resume point is lost.")  # fmt: skip
         elif run.going:
             st.button("Cancel", key=f"cancel {run.name}", on_click=_do, args=("stop", run.name))
         elif run.state in (STOPPED, FAILED):
@@ -127,7 +127,7 @@ def _head(run: Run, title: str, colour: str, *, looked: bool) -> None:
 
 
 def _do(what: str, name: str) -> None:
-    """Callback: something that the queue does with a run."""
+    """Callback: stop, resume or remove a run."""
     try:
         training_runs.change(what, name)
     except InputError as error:
@@ -188,6 +188,6 @@ def _remove(name: str) -> None:
 
 
 def _file(label: str, path: Path, name: str, read: Callable[[Path], bytes] = Path.read_bytes) -> None:
-    """A file of a run to be taken along, if it is there and not too large."""
+    """A download of a file of a run, if it exists and is not too large."""
     if path.is_file() and not path.is_symlink() and path.stat().st_size <= _MOST_DOWNLOAD:
         download(label, lambda: read(path), name, width="stretch", key=f"file {name}")

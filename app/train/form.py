@@ -1,4 +1,4 @@
-"""The sidebar of the page of training: what to train, on what, and how."""
+"""The sidebar of the page Train: the algorithm, the environment and the settings."""
 
 from __future__ import annotations
 
@@ -30,9 +30,9 @@ _SEED, _COUNT = by_name(*LOOP_SCHEMA)["seed"], by_name(*FORM)["count"]
 
 
 def form() -> None:
-    """All of it; a change is kept by hand and shows in the link, the button starts what is set."""
+    """The whole form: a change is kept and shows in the link; the button starts runs with these settings."""
     if limits().read_only:
-        st.info("This server shows runs and starts none.")
+        st.info("This server shows runs but does not start new ones.")
         return
     values = store.chosen()
     key = store.show("algorithm", OPENING["algorithm"])
@@ -67,7 +67,7 @@ def form() -> None:
     if _FORM in session.current().refusals:
         st.error(in_markdown(session.current().refusals[_FORM]))
     if any(name.startswith(TRAIN) for name in values):
-        st.button("Back to the settings that suit it", on_click=_suit, width="stretch")
+        st.button("Reset to the recommended settings", on_click=_suit, width="stretch")
 
 
 def _in_columns(parameters: list[Parameter], shown: LoopSettings) -> None:
@@ -104,13 +104,13 @@ def _change_algorithm(key: str) -> None:
 
 
 def _change_environment(key: str) -> None:
-    """Callback: what suited the old one goes, the seed stays."""
+    """Callback: drop the settings for the old environment; the seed stays."""
     kept = {k: v for k, v in store.chosen().items() if not k.startswith(TRAIN) or k == f"{TRAIN}seed"}
     _replace(kept, environment=st.session_state[key])
 
 
 def _suit() -> None:
-    """Callback: nothing is set by hand any more."""
+    """Callback: reset all settings to the recommended ones."""
     _replace({key: value for key, value in store.chosen().items() if not key.startswith(TRAIN)})
 
 
@@ -120,7 +120,7 @@ def _replace(values: dict[str, Any], **changes: object) -> None:
 
 
 def start() -> None:
-    """Callback: a run for every seed that is asked for."""
+    """Callback: start a run for every seed of the form."""
     session.current().refusals.pop(_FORM, None)
     values, started = dict(store.chosen()), None
     try:
@@ -135,6 +135,6 @@ def start() -> None:
 
 
 def show(name: str) -> None:
-    """Callback: look at a run, beside the newest ones."""
+    """Callback: show a run, with the newest ones."""
     store.choose("run", name)
     store.choose("beside", None)

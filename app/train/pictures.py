@@ -1,4 +1,4 @@
-"""The pictures of runs: the one that is looked at, those beside it, and its discounts."""
+"""The pictures of runs: the one that is shown, those drawn with it, and its discounts."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ def colour_of(runs: Sequence[Run], run: Run) -> str:
 
 
 def shipped_colour(algorithm: str) -> str:
-    """From the end of the colours, which runs have from the beginning."""
+    """The colour of a bundled agent, counted from the end; runs take theirs from the beginning."""
     return action_colour(len(ACTION_COLOURS) - 1 - list(SETTINGS).index(algorithm))
 
 
@@ -58,7 +58,7 @@ def pictures(runs: Sequence[Run], run: Run) -> None:
     mine = training_runs.curves(run)
     first = min(settings.evaluate_every, settings.steps)
     with places[1]:
-        alt = f"How far the values of {label(run)} at the start lie from the observed returns, a line a discount."
+        alt = f"How far the values of {label(run)} at the start are from observed returns, a line for each discount."
         figure = figures.discount_errors(mine, gammas, settings.steps, first)
         chart(figure, "discounts", alt, TALL, revision=run.name)
     if len(gammas) == 1:
@@ -70,7 +70,7 @@ def pictures(runs: Sequence[Run], run: Run) -> None:
 
 
 def shipped(environment: str) -> None:
-    """What ships for an environment, where nothing has been trained yet; nothing if nothing does."""
+    """The curves of bundled agents for an environment on which nothing has been trained yet, if there are any."""
     bands = [
         Band.of(f"{algorithm_title(algorithm)}, {len(curves)} seeds", action_colour(i), curves)
         for i, (algorithm, curves) in enumerate(checkpoints.shipped_curves(environment).items())
@@ -78,9 +78,9 @@ def shipped(environment: str) -> None:
     if not bands:
         return
     title = world_title(environment)
-    alt = f"Evaluations over the steps of training of the agents that ship for {title}: {len(bands)} algorithms."
-    chart(figures.shipped_curves(f"{title}: agents that ship", bands), "shipped", alt, TALL, revision=environment)
-    st.caption("The median of the seeds, shaded from the lowest to the highest. Your own runs are drawn over it.")
+    alt = f"Evaluations over the steps of training of the bundled agents for {title}: {len(bands)} algorithms."
+    chart(figures.shipped_curves(f"{title}: bundled agents", bands), "shipped", alt, TALL, revision=environment)
+    st.caption("Lines: median of the seeds. Shading: lowest to highest seed. Your own runs are drawn on top.")
 
 
 def _beside(same: Sequence[Run], run: Run) -> tuple[list[Run], list[Band]]:
@@ -104,7 +104,7 @@ def _beside(same: Sequence[Run], run: Run) -> tuple[list[Run], list[Band]]:
         left.html(f'<h2 class="panel-title">{escape(label(run))}</h2>')
     if curves:
         right.pills(
-            "Agents that ship", list(curves), selection_mode="multi", key=store.put("ships", ships),
+            "Bundled agents", list(curves), selection_mode="multi", key=store.put("ships", ships),
             format_func=algorithm_title, on_change=_pick, args=("ships",),
         )  # fmt: skip
     explain(words, TRAINING)
@@ -124,5 +124,5 @@ def _picked_runs(others: Sequence[str]) -> list[str]:
 
 
 def _pick(name: str) -> None:
-    """Callback: nothing beside it is a choice as well, not the lack of one."""
+    """Callback: keep the choice of runs; no run at all is also a choice."""
     store.choose(name, ",".join(st.session_state[name][: MOST_AT_ONCE - 1]) or NOTHING)

@@ -1,4 +1,4 @@
-"""The state of the page of training: from a link to the settings of a run, and to the run that is looked at."""
+"""The state of the page Train: from a link to the settings of a run, and to the run that is shown."""
 
 from __future__ import annotations
 
@@ -20,17 +20,17 @@ NOTHING = "none"
 """In a link, in the place of the runs that are drawn beside the one that is looked at."""
 
 FORM = (
-    Parameter("algorithm", OPENING["algorithm"], help="What learns.", kind=str, choices=tuple(SETTINGS)),
-    Parameter("environment", OPENING["environment"], help="What it learns from.", kind=str, choices=ENVIRONMENTS),
-    Parameter("count", 1, 1, MOST_AT_ONCE, "Runs to start, the seed one higher for each."),
-    Parameter("run", None, help="The run that is looked at.", kind=str),
-    Parameter("beside", None, help="Names of the runs that are drawn beside it.", kind=str),
-    Parameter("ships", None, help="Algorithms whose shipped agents are drawn behind it.", kind=str),
+    Parameter("algorithm", OPENING["algorithm"], help="Algorithm that learns.", kind=str, choices=tuple(SETTINGS)),
+    Parameter("environment", OPENING["environment"], help="Environment to learn.", kind=str, choices=ENVIRONMENTS),
+    Parameter("count", 1, 1, MOST_AT_ONCE, "Runs to start; each has the next seed."),
+    Parameter("run", None, help="The run that is shown.", kind=str),
+    Parameter("beside", None, help="Names of the runs that are drawn with it.", kind=str),
+    Parameter("ships", None, help="Algorithms whose bundled agents are drawn behind it.", kind=str),
 )
 
 
 def suited(values: Mapping[str, Any]) -> LoopSettings:
-    """What the settings are where nothing is set by hand."""
+    """The settings when nothing is set by hand."""
     return suited_settings(_word("algorithm", values), _word("environment", values))
 
 
@@ -51,18 +51,18 @@ def _word(name: str, values: Mapping[str, Any]) -> str:
 def _names_runs(entry: str) -> Check:
     def test(values: Values) -> None:
         if not all(RUN_NAME.fullmatch(word) for word in names_in(values.get(entry))):
-            raise InputError(f"{entry} is no name of a run.")
+            raise InputError(f"{entry} is not the name of a run.")
 
     return Check(test, drops=(entry,))
 
 
 def _names_algorithms(values: Values) -> None:
     if not all(word in SETTINGS for word in names_in(values.get("ships"))):
-        raise InputError("ships is no name of an algorithm.")
+        raise InputError("ships is not the name of an algorithm.")
 
 
 def _settings(values: Values) -> dict[str, Parameter]:
-    """What is trained decides what can be set."""
+    """The settings that the algorithm and environment have."""
     return by_name(*(each for each in SETTINGS[_word("algorithm", values)].SCHEMA if each.name != "environment"))
 
 

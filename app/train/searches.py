@@ -20,14 +20,14 @@ COMMITTED = Path(__file__).resolve().parents[2] / "docs" / "searches"
 
 
 def searches() -> None:
-    """The section of the page, closed until somebody asks."""
+    """The section of the page, closed at first."""
     box = st.expander("Searches over settings", key="searches", on_change="rerun")
     if not box.open:
         return
     with box:
         files = attempt(lambda: kept(COMMITTED, training_runs.folder()))
         if not files:
-            st.info("No search is here yet: `laplace search` makes one.")
+            st.info("There is no search yet. The command `laplace search` makes one.")
             return
         path = files[st.selectbox("Search", list(files), key="search")]
         looked = attempt(lambda: _look(path, path.stat().st_mtime_ns))

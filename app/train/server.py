@@ -1,4 +1,4 @@
-"""What this server grants and how much of it is used."""
+"""The limits of this server and their use."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from laplace_core.training.queue import Run
 
 
 class Use(NamedTuple):
-    """One limit: what it is of, how much is used in which unit, and the environment variable that sets it."""
+    """One limit: its subject, how much is used, the unit, and the environment variable that sets it."""
 
     what: str
     used: float
@@ -27,7 +27,7 @@ class Use(NamedTuple):
 
 
 def server(runs: Sequence[Run]) -> None:
-    """The section of the page, closed until somebody asks."""
+    """The section of the page, closed at first."""
     box = st.expander("Server", key="server", on_change="rerun")
     if not box.open:
         return
@@ -65,6 +65,6 @@ def _who() -> str:
     if not limits().owners:
         return "Everybody may stop, resume, download and remove every run (`LAPLACE_OWNERS`)."
     return (
-        "Everybody sees all runs. A run is stopped, resumed, downloaded and removed in the browser that started it, "
-        "which is known again by a cookie; a run from the command line, by everybody (`LAPLACE_OWNERS`)."
+        "Everybody sees all runs. Only the browser that started a run can stop, resume, download or remove it; a "
+        "cookie identifies that browser. A run from the command line has no owner (`LAPLACE_OWNERS`)."
     )

@@ -80,7 +80,7 @@ LARGE = 1_000_000
 
 
 def is_large(view: View) -> bool:
-    """Whether a study takes so much memory and time that no two are to be computed at once; not if it is refused."""
+    """Whether a study is so large that only one is computed at a time; false if it is refused."""
     s, space = view.settings, view.subject.gamma_space
     own = len(view.subject.action_names), s.gammas or 0, s.thetas or 0  # None where a gamma-space has its own
     actions, gammas, thetas = own if space is None else space.values.shape
@@ -89,7 +89,7 @@ def is_large(view: View) -> bool:
 
 
 def horizon_of(view: View) -> float:
-    """The horizon that is asked for; the longest one by default."""
+    """The chosen horizon; the longest one by default."""
     study = study_for(view)
     return float(study.horizons[study.row])
 
@@ -143,7 +143,7 @@ def is_explained(view: View, *, alone: bool = True) -> bool:
 
 
 def verdict_for(view: View, *, explained: bool = True) -> Verdict:
-    """The verdict with its cause, which may take seconds to find; or only what is wrong, without why."""
+    """The verdict with its cause, which may take seconds to find; or without the cause."""
     return _explained(view).verdict if explained else _graded(view)
 
 
@@ -242,7 +242,7 @@ def _bands(learned: Learned, settings: Resolved) -> Bands:
 
 
 def learning_figure(name: str, view: View) -> str:
-    """One of the pictures that only learning has; ``values`` and ``rewards`` only with several seeds."""
+    """A picture of learning; ``values`` and ``rewards`` need several seeds."""
     softness = view.settings.softness if name == "values" else 0.0
     settings = replace(view.settings, deadline="constant", softness=softness)
     learner = view.subject.learner
@@ -287,7 +287,7 @@ MOST_PAYLOAD = 25
 
 
 def lens_payload(view: View, simulated: Simulated | None = None) -> bytes:
-    """What the lens needs of a view: its factors, on whatever of the settings does not move in the browser.
+    """The payload of the lens for a view: the factors of its inverse, for the settings that do not move in the browser.
 
     Raises:
         InputError: it is more than a browser should be sent.
@@ -323,7 +323,7 @@ def _lens_payload(
 
 
 def forget() -> None:
-    """Let go of everything that is cached for views; a large learner leaves a new table behind every moment."""
+    """Clear all caches of views; a large learner makes a new table every moment."""
     for each in list(globals().values()):
         if isinstance(each, Cached) and each.__module__ == __name__:
             each.cache_clear()

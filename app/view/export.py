@@ -1,4 +1,4 @@
-"""Taking a view along: how to read it, the command and the Python that make it, its arrays and tables."""
+"""Exports of a view: how to read it, the command and the Python code that make it, its arrays and tables."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ _TABLES = {
 
 
 def agent_footer(view: View) -> None:
-    """The same for a trained agent, whose gamma-space no command computes anew."""
+    """The same for a trained agent, whose gamma-space no command can compute again."""
     _, words, download = st.columns([3.8, 1, 0.9], vertical_alignment="center")
     explain(words)
     downloads(download, view)
@@ -51,7 +51,7 @@ def downloads(place: DeltaGenerator, view: View) -> None:
         lines = {"tau-space": shown.decoded.tau_space.size, "gamma-space": shown.gamma_space.values.size}
         for title, csv in _TABLES.items():
             if lines.get(title, 0) > MOST_LINES:
-                st.caption(f"CSV: {title} would have {lines[title]:,} lines, more than a spreadsheet opens: take NPZ.")
+                st.caption(f"CSV: {title} would have {lines[title]:,} lines, more than a spreadsheet opens: use NPZ.")
                 continue
             file = f"{name}_{title.replace(' ', '_')}.csv"
             download(f"CSV: {title}", partial(lambda csv: csv(study()), csv), file, width="stretch")

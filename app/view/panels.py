@@ -53,7 +53,7 @@ def pictures(
     simulated: Simulated | None = None, follows: bool = False, story: Mapping[str, Any] | None = None,
     on_story: Callable[[int], None] = lambda step: None, coming: str | None = None,
 ) -> None:  # fmt: skip
-    """Draw the lens; what is let go of in it is set by hand.
+    """Draw the lens; the values of a released control are then set by hand.
 
     Args:
         base: the view that Reset leads to.
@@ -131,7 +131,7 @@ def pictures(
 
 
 def _tone(judged: Verdict) -> str:
-    """How the lens calls a verdict: by its choice, and where that is right by its timeline."""
+    """The tone of a verdict: by its choice, and if that is right by its timeline."""
     if judged.choice == "right":
         return "ok" if judged.timeline == "sound" else str(judged.timeline)
     return TONES[judged.choice]
@@ -150,7 +150,7 @@ def _sentence(judged: Verdict, view: View, *, explained: bool) -> str:
 
 
 def explain(view: View) -> None:
-    """Let the cause be found that the lens does not show yet, once everything else is on the page.
+    """Search for the cause that the lens does not show yet, after everything else is on the page.
 
     What the lens shows counts, not what is known by now: another visitor's search may have ended meanwhile.
     """
@@ -178,7 +178,7 @@ def _graph(view: View) -> Graph | None:
     if view.world is None:
         return None
     s, name = view.settings, view.world.actions[view.action]
-    alt = f"Graph of the world {s.world}, state {s.state} and action {name} lit up."
+    alt = f"Graph of the world {s.world}, state {s.state} and action {name} highlighted."
     return Graph(compute.world_figure(view), alt, f"{s.world} {view.world.n_states}")
 
 
@@ -199,17 +199,17 @@ def remedy(changes: Mapping[str, object], horizon: float) -> None:
 
 
 def artefacts(view: View, coming: str | None = None) -> None:
-    """What in the tau-space of the shown action is not in the world: name, size, a sentence, remedies.
+    """The artefacts in the tau-space of the shown action: name, size, a sentence, remedies.
 
     Args:
         coming: the solver that this view stands in for, which is not offered.
     """
     if view.subject.added:
-        st.caption("Interpolated discounts share the errors of their neighbours: noise is louder than it looks.")
+        st.caption("Interpolated discounts repeat the errors of their neighbours: noise does more than it shows.")
     name = compute.study_for(view).action_names[view.action]
     listed = compute.artefacts_for(view, explained=session.part(_Search).explained)
     others = compute.artefacts_elsewhere(view)
-    st.html(f'<h2 class="panel-title">artefacts in the tau-space of {escape(name)}</h2>')
+    st.html(f'<h2 class="panel-title">Artefacts in the tau-space of {escape(name)}</h2>')
     with st.container(key="artefacts"):
         if not listed:
             st.html(f'<div class="artefact">None found for this action. {escape(others)}</div>')

@@ -1,4 +1,4 @@
-"""The controls of the inverse: solver, rule for alpha, and what both take the noise to be."""
+"""The controls of the inverse: solver, rule for alpha, and the assumed noise."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from laplace_core.study.settings import BY_NAME, Resolved
 
 @dataclass
 class _Shown:
-    """What the page shows, where a rule chose it: alpha set by hand begins there.
+    """The alpha that a rule chose for the page: setting alpha by hand begins there.
 
     Attributes:
         weighting: None where the page has one that does not depend on the rule.
@@ -38,7 +38,7 @@ def shows(settings: Resolved, *, weighting: bool = True) -> None:
 
 
 def solver_and_rule(settings: Resolved) -> None:
-    """Two boxes: the solver, and what chooses its alpha."""
+    """Two boxes: the solver, and the rule that chooses its alpha."""
     s = settings
     select(
         "Solver", list(SOLVER_TITLES), store.show("solver", s.solver), SOLVER_TITLES, keep=_solved,
@@ -48,16 +48,16 @@ def solver_and_rule(settings: Resolved) -> None:
     select(
         "Alpha rule", rules, store.show("selector", s.selector), RULE_TITLES, keep=_ruled,
         disabled=not SOLVERS[s.solver].has_alpha,
-        help="What chooses alpha; drag alpha in a picture to choose it by hand. Discrepancy needs a noise level.",
+        help="Rule that chooses alpha. Drag alpha in a picture to set it by hand. Discrepancy needs a noise level.",
     )  # fmt: skip
 
 
 def noise_and_weights(settings: Resolved) -> None:
-    """The noise that is assumed, how discounts count, and the filter over them."""
+    """The assumed noise, the weights of the discounts, and the filter over them."""
     s = settings
-    field(BY_NAME["noise_level"], s.noise_level, "Noise level that is assumed")
+    field(BY_NAME["noise_level"], s.noise_level, "Assumed noise level")
     select(
-        "Discounts count", ("deviation", "equal"), store.show("weighting", s.weighting),
+        "Weights of the discounts", ("deviation", "equal"), store.show("weighting", s.weighting),
         {"deviation": "by their error", "equal": "alike"}, help=BY_NAME["weighting"].help,
     )  # fmt: skip
 
@@ -73,7 +73,7 @@ def discount_filter(settings: Resolved) -> None:
 
 
 def _solved(key: str) -> None:
-    """Callback of the solver: one that has no alpha takes none from a rule."""
+    """Callback of the solver: a solver without alpha needs no rule."""
     if not SOLVERS[st.session_state[key]].has_alpha and store.chosen().get("selector", TYPED) != TYPED:
         by_hand()
     store.keep(key)

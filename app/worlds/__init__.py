@@ -1,1 +1,1 @@
-"""The page of worlds: tabular worlds, learners of them, and what a person brings along."""
+"""The page Worlds: tabular worlds, their learners, and the user's own worlds, timelines and gamma-spaces."""

@@ -1,4 +1,4 @@
-"""What the Worlds page does to its values: another world, the world as one's own, Reset."""
+"""Changes of the values of the page Worlds: another world, an own copy of the world, Reset."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def go_to(**values: object) -> None:
 
 
 def choose_world(key: str = "world") -> None:
-    """Callback of the world widget: what belonged to the old world is dropped."""
+    """Callback of the world widget: drop the settings of the old world."""
     name = st.session_state[key]
     if name == sources.OWN:
         # A gamma-space from a file has no world to begin with.
@@ -55,7 +55,7 @@ def drop_missing(world: World) -> None:
     chosen = store.chosen()
     for name, members in (("state", world.states), ("action", world.actions)):
         if name in chosen and chosen[name] not in members:
-            st.toast(in_markdown(f"The world has no {name} {chosen.pop(name)!r} any more."))
+            st.toast(in_markdown(f"The world no longer has the {name} {chosen.pop(name)!r}."))
 
 
 def reset() -> None:

@@ -1,4 +1,4 @@
-"""What a person brings along: files to open, the world as a table, a timeline drawn by hand."""
+"""The user's own data: files to open, the world as a table, a timeline drawn by hand."""
 
 from __future__ import annotations
 
@@ -28,8 +28,8 @@ from laplace_core.worlds.timeline import FIRST_TIMELINE, packed_timeline, timeli
 
 MOST_ROWS = 2_000
 _CONTENTS = (
-    "A world file as in the README; arrays gamma_space (actions, discounts, thetas), gammas and thetas; or what "
-    "Download agent saved."
+    "A world file (see Your own world in the Guide); arrays gamma_space (actions, discounts, thetas), gammas, thetas; "
+    "or an agent that was saved by Download agent."
 )
 
 
@@ -112,7 +112,7 @@ def _version(word: str, kind: str) -> str:
 
 
 def _edited(kind: str, word: str, new: str) -> None:
-    """Where the table itself has made a change, note that, and take it over."""
+    """Apply a change that was made in the table itself."""
     if new != word:
         _table(kind).word = new
         store.choose(kind, new)
@@ -121,7 +121,7 @@ def _edited(kind: str, word: str, new: str) -> None:
 
 def _world_table(world: World) -> None:
     word = str(store.chosen()[sources.OWN])
-    st.html('<h2 class="panel-title">the world as a table: every row is one thing that may happen</h2>')
+    st.html('<h2 class="panel-title">The world as a table: each row is one possible outcome of an action</h2>')
     if world.state.size > MOST_ROWS:
         st.caption(f"{world.state.size:,} outcomes are too many for a table: download the file, edit and open it.")
         _download(world)
@@ -142,14 +142,14 @@ def _world_table(world: World) -> None:
     try:
         made = with_rows(base, rows)
     except InputError as error:
-        st.warning(f"Not taken over yet: {in_markdown(error)}")
+        st.warning(f"Not applied yet: {in_markdown(error)}")
         _offer_rescale(right, rows, base)
         return
     _edited(sources.OWN, word, sources.word_of(made))
 
 
 def _offer_rescale(place: DeltaGenerator, rows: list[dict], base: World) -> None:
-    """One click for the commonest slip: probabilities that do not sum to 1."""
+    """A button for the most common mistake: probabilities that do not sum to 1."""
     try:
         made = with_rows(base, rescaled(rows))
     except InputError:
@@ -158,7 +158,7 @@ def _offer_rescale(place: DeltaGenerator, rows: list[dict], base: World) -> None
 
 
 def _take_over(word: str) -> None:
-    """Callback: show these rows, even where they make the world that is shown already."""
+    """Callback: show these rows, even if they make the same world."""
     _table(sources.OWN).word = None
     store.choose(sources.OWN, word)
 
@@ -169,16 +169,16 @@ def _download(world: World) -> None:
 
 def _timeline_table(world: World) -> None:
     word = str(store.chosen()[sources.TIMELINE])
-    st.html('<h2 class="panel-title">your timeline: at future step tau, this reward comes with this probability</h2>')
+    st.html('<h2 class="panel-title">Your timeline: each row is a reward with its future step and probability</h2>')
     key = _version(word, sources.TIMELINE)
     base, rest = timeline_rows_of(_table(sources.TIMELINE).base)
     table, beside = st.columns([3, 1.2])
     with beside:
         _download(world)
-        words = {"zero": "pays 0 and goes on", "ended": "has ended the episode"}
-        chosen_rest = st.radio("What is left of a step's probability", list(words), list(words).index(rest),
+        words = {"zero": "pays 0 and continues", "ended": "ends the episode"}
+        chosen_rest = st.radio("The remaining probability of a step", list(words), list(words).index(rest),
                                format_func=words.get, key=f"{key} rest")  # fmt: skip
-        st.caption("Each action is a line of its own; a row more is typed at the foot of the table.")
+        st.caption("One row for each possible reward. Add rows at the bottom of the table.")
     with table:
         rows = st.data_editor(
             as_cells(base), key=key, num_rows="dynamic", height=230, width="stretch", hide_index=True,
@@ -192,6 +192,6 @@ def _timeline_table(world: World) -> None:
     try:
         timeline_world(rows, chosen_rest)
     except InputError as error:
-        beside.warning(f"Not taken over yet: {in_markdown(error)}")
+        beside.warning(f"Not applied yet: {in_markdown(error)}")
         return
     _edited(sources.TIMELINE, word, packed_timeline([from_cells(row) for row in rows], chosen_rest))

@@ -1,4 +1,4 @@
-"""A view pinned as A beside the present one, B, and where they differ."""
+"""A view pinned as A compared with the present one, B."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ _UNSAID = ("pin", "edit", "compare", "look", "run", "own", "timeline")
 
 
 def pin(*, keep: bool = True) -> None:
-    """Keep what is seen as A; whatever changes then is B, beside it. Or let A go."""
+    """Pin the present view as A, to be compared with later ones (B); or unpin A."""
     query = {"world": world_name(), **query_of(store.without("pin", "edit"))}
     store.choose("pin", pack(json.dumps(query)) if keep else None)
 
@@ -56,17 +56,17 @@ def _state(view: View) -> dict[str, Any] | None:
 
 
 def pinning(view: View) -> Pin:
-    """What the lens has to know of A."""
+    """The data about A that the lens needs."""
     pinned = "pin" in store.chosen()
     return Pin(pinned, _state(view) if pinned else None, lambda keep: pin(keep=keep))
 
 
 def _differs(pinned: dict[str, Any]) -> str:
-    """In words, what was set otherwise in A and in B."""
+    """The settings that differ between A and B, in words."""
     a, b = ({**query_of(values), "world": str(values.get("world"))} for values in (pinned, store.chosen()))
     names = list(dict.fromkeys(name for name in (*a, *b) if a.get(name) != b.get(name) and name not in _UNSAID))
     if not names:
-        return '<div class="artefact">Nothing is set otherwise yet.</div>'
+        return '<div class="artefact">A and B have the same settings.</div>'
     settings = [
         f"{which}: " + ", ".join(f"{name} {values.get(name, 'by default')[:24]}" for name in names[:5])
         for which, values in (("A", a), ("B", b))
@@ -81,14 +81,14 @@ def comparison(view: View) -> None:
     try:
         values, pinned = _pinned()
         if pinned is None:
-            st.info("A was learned, and is learned again from its seed; it stands here in a moment.")
+            st.info("A is being learned again from its seed and will appear here soon.")
             return
         compute.study_for(pinned)
     except InputError as error:
-        st.warning(f"A cannot be shown any more: {in_markdown(error)}")
+        st.warning(f"A can no longer be shown: {in_markdown(error)}")
         return
     title, choice, away = st.columns([3.2, 1, 0.7], vertical_alignment="center")
-    title.html(f'<h2 class="panel-title">A, pinned, against B, what you see above</h2>{_differs(values)}')
+    title.html(f'<h2 class="panel-title">A (pinned) compared with B (the view above)</h2>{_differs(values)}')
     with choice:
         key = store.show("compare", "tau-space")
         st.segmented_control("Space", ("tau-space", "gamma-space"), key=key, on_change=store.keep, args=(key,),

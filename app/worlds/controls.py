@@ -1,4 +1,4 @@
-"""Groups of widgets. Each shows what holds now and keeps what the person sets."""
+"""Groups of widgets. Each shows the present value and keeps the value that the user sets."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ _TITLES = {
     "acting_gamma": "Acting gamma",
     "policy": "Target policy",
 }
-WORDS = {"shared": "shared: one policy", "per_gamma": "per gamma: each its own"}
+WORDS = {"shared": "shared: one policy", "per_gamma": "per gamma: one policy for each"}
 _MOST_NAMES = 1000
 
 
@@ -84,7 +84,7 @@ def grid_group(settings: Resolved, *, decided: bool = False) -> None:
         _fields(settings, "steps", "time_step")
         return
     if decided:
-        st.caption(f"{settings.gammas} discounts, policy {settings.policy}: decided when the agent learned.")
+        st.caption(f"{settings.gammas} discounts, policy {settings.policy}: fixed when the agent learned.")
     else:
         _fields(settings, "policy")
         _fields(settings, "acting_gamma")

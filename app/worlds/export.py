@@ -1,4 +1,4 @@
-"""Taking a view of a world along: its loss, the command and the Python that make it, its arrays and tables."""
+"""Exports of a view of a world: its loss, the command and the Python code that make it, its arrays and tables."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def _loss(view: View) -> str:
     length = f"{whole} step" + ("s" if whole > 1 else "")
     free = " (without the noise)" if view.settings.noise else ""
     constant = " with T at every step" if view.settings.deadline == "constant" else ""
-    return f"Acting by these values{free}{constant} for an episode of {length} loses {loss:.3g} against the best."
+    return f"An episode of {length} by these values{free}{constant} loses {loss:.3g} against the best."
 
 
 def _copying(place: DeltaGenerator, view: View) -> None:
@@ -52,6 +52,6 @@ def _copying(place: DeltaGenerator, view: View) -> None:
         copy_button("Copy as Python", view.to_python(from_file=brought), "python")
         if view.learner is not None:
             mean = " The command shows the first learner, not the mean of all." if view.learner.index is None else ""
-            st.caption(f"Both read {in_markdown(file)}: Download agent saves it.{mean}")
+            st.caption(f"Both read {in_markdown(file)}: the button Download agent saves it.{mean}")
         elif world_name() in sources.BROUGHT:
             st.caption(f"Both read {in_markdown(file)}, so download or keep that file beside them.")

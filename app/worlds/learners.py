@@ -1,4 +1,4 @@
-"""Learners at work, a few at a time on a server: which a session has begun or looks at."""
+"""Running learners, a few at a time on a server: those that a session has begun or shows."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def learning(key: str, world: World, settings: LearnSettings, *, slot: str, link
     Args:
         key: of what it learns.
         slot: of the session, see :class:`laplace_core.supervise.jobs.Wish`.
-        linked: whether a link asks for it, so that it starts by itself if it is short.
+        linked: whether it comes from a link, so that it starts automatically if it is short.
     """
     work, lower = Work(key, world, settings), "lower the number of episodes or of learners"
     by_itself = BY_ITSELF if linked else 0.0
@@ -32,17 +32,17 @@ def learning(key: str, world: World, settings: LearnSettings, *, slot: str, link
 
 
 def forget(wish: Wish[Work]) -> None:
-    """Drop a run that is at its end, so that it may begin anew."""
+    """Drop a run that has ended, so that it can begin again."""
     session.part(Runs).forget(wish)
 
 
 def watch(wish: Wish[Work]) -> Watched | None:
-    """The run of a wish, if this session has begun or seen it, or its link asks for it."""
+    """The run of a wish, if this session has begun or seen it, or its link holds it."""
     return session.part(Runs).watch(wish)
 
 
 def at_work() -> bool:
-    """Whether a run that this session has begun or looked at is going on."""
+    """Whether a run that this session has begun or shown is still running."""
     return session.part(Runs).at_work()
 
 

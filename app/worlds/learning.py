@@ -1,4 +1,4 @@
-"""Learning in front of the person: its settings, its progress, and the pictures that only learning has."""
+"""Learning while the user watches: its settings, its progress, and the pictures of learning."""
 
 from __future__ import annotations
 
@@ -35,10 +35,10 @@ _SHOWN = {
     "starts": "Start",
     "rate_first": "First rate",
     "rate_half": "Rate half-life",
-    "rate_floor": "Least rate",
+    "rate_floor": "Smallest rate",
     "epsilon_first": "First epsilon",
     "epsilon_half": "Epsilon half-life",
-    "epsilon_floor": "Least epsilon",
+    "epsilon_floor": "Smallest epsilon",
     "peers": "Also learn the four other codes of the return",
 }
 
@@ -48,15 +48,15 @@ LEARN_DEFAULTS = resolve_learning(LearnSettings(), load_world("two_branch"))
 
 
 def source_group(world: World) -> None:
-    """Exact or learned; and how it is learned."""
+    """The choice of exact or learned, and the settings of learning."""
     key = store.show("source", "exact")
     st.segmented_control("Gamma-space", ("exact", "learned"), key=key, on_change=store.keep, args=(key,), required=True,
-                         help="Solved exactly, or learned from sampled episodes in front of you.")  # fmt: skip
+                         help="Exact: solved. Learned: from sampled episodes, while you watch.")  # fmt: skip
     if store.chosen().get("source") != "learned":
         return
     if "agent" in store.chosen():
         st.caption(f"Learned before, in {agent_title(str(store.chosen()['agent']))}.")
-        st.button("Learn anew instead", on_click=store.choose, args=("agent", None), width="stretch")
+        st.button("Learn again instead", on_click=store.choose, args=("agent", None), width="stretch")
         return
     wanted = attempt(lambda: learning_of(world))
     shown = wanted or LEARN_DEFAULTS  # what was set by hand is shown, and can be set right
@@ -117,7 +117,7 @@ def _begin(world: World) -> None:
 
 
 def current(world: World) -> tuple[Learned | None, Watched | None]:
-    """What was learned, or is being learned, for what the page shows; nothing under an exact gamma-space."""
+    """The learner of the view, finished or running; none for an exact gamma-space."""
     values = store.chosen()
     if values.get("source") != "learned":
         return None, None
@@ -126,7 +126,7 @@ def current(world: World) -> tuple[Learned | None, Watched | None]:
         if learned is not None:
             return learned, None
         store.choose("agent", None)
-        st.toast("The agent learned another world, and was closed.")
+        st.toast("The agent was closed, because it learned another world.")
     try:
         wanted = learning_of(world)
     except InputError:  # said where the settings are
@@ -139,13 +139,13 @@ def current(world: World) -> tuple[Learned | None, Watched | None]:
 
 
 def _opened(values: Values, world: World) -> Learned | None:
-    """What the agent of a view has learned, if it learned this world."""
+    """The learned values of the agent of a view, if it learned this world."""
     learned = tabular.agent(str(values["agent"]))
     return about(learned, world) if fits(learned, world) else None
 
 
 def learned_in(values: Values, world: World) -> tuple[Learned | None, bool]:
-    """What was learned for a pinned view, and whether it is still to come.
+    """The learned values of a pinned view, and whether they are still being learned.
 
     A run that is not here any more is learned again, from its seed, if that is short.
 
@@ -162,7 +162,7 @@ def learned_in(values: Values, world: World) -> tuple[Learned | None, bool]:
         return None, False
     watched = learners.watch(wish)
     if watched is None:
-        raise InputError(wish.notice or f"to learn it again takes about {duration(wish.estimate())}: unpin it first.")
+        raise InputError(wish.notice or f"learning it again takes about {duration(wish.estimate())}: unpin it.")
     learned = watched.learned()
     if learned is None and not watched.running:
         raise InputError("its learning ended before anything was learned.")
@@ -170,7 +170,7 @@ def learned_in(values: Values, world: World) -> tuple[Learned | None, bool]:
 
 
 def strip(view: View, watched: Watched | None) -> None:
-    """Between the verdict and the pictures: how far learning is."""
+    """Between the verdict and the pictures: the progress of learning."""
     if store.chosen().get("source") != "learned":
         return
     with st.container(key="learning_strip"):
@@ -208,7 +208,7 @@ def _cost(wish: Wish[Work] | None) -> str:
 
 
 def _cancel(watched: Watched, wish: Wish[Work] | None) -> None:
-    """Callback: stop; a link no longer asks for the whole run."""
+    """Callback: stop learning; the link no longer holds the run."""
     if wish is not None:
         watched.cancel(wish)
     store.choose("run", None)
@@ -217,7 +217,7 @@ def _cancel(watched: Watched, wish: Wish[Work] | None) -> None:
 def _progress(view: View, watched: Watched | None) -> None:
     if watched is None:
         if view.learned is None:
-            st.info(f"Nothing is learned with these settings yet: the pictures are exact. {_cost(_present(view))}")
+            st.info(f"Nothing is learned yet with these settings: the pictures are exact. {_cost(_present(view))}")
         else:
             st.caption(words.learned(view.learned))
         return
@@ -226,7 +226,7 @@ def _progress(view: View, watched: Watched | None) -> None:
         return
     progress = watched.progress()
     if progress is None and not watched.running:
-        st.info("Cancelled before anything was learned: the pictures are exact.")
+        st.info("Cancelled before anything was learned: the pictures show the exact solution.")
         return
     if progress is None:
         st.progress(0.0, place_in_line(watched.before))
@@ -248,19 +248,19 @@ def pictures(view: View) -> None:
         return
     name = view.subject.action_names[view.action]
     left, middle, right = st.columns(3, gap="small")
-    _picture("curve", view, "Error of the learned gamma-space and return over episodes, a line a seed.", left)
+    _picture("curve", view, "Error of the learned gamma-space and return over episodes, one line for each seed.", left)
     alt = f"Probability of each reward after {name} over future steps: the range over all seeds, the truth dotted."
     _picture("probabilities", view, alt, middle)
     with right:
         if view.learned.peers is None:
-            st.html('<h2 class="panel-title">return: four codes and the truth</h2>')
+            st.html('<h2 class="panel-title">Return: four codes and the truth</h2>')
             st.caption(
                 "Categorical, quantile, expectile and plain Q can learn from the same transitions; they stand here "
                 "beside the true return then."
             )
             st.button("Learn them too", on_click=_with_peers, args=(view.world,))
         else:
-            alt = f"Cumulated distribution of the return after {name}: four codes and the true one."
+            alt = f"Cumulative distribution of the return after {name}: four codes and the true one."
             _picture("returns", view, alt, right)
     if len(view.learned.basis) > 1:
         _over_seeds(view, name)
@@ -269,7 +269,7 @@ def pictures(view: View) -> None:
 def _over_seeds(view: View, name: str) -> None:
     """What the learners agree on beside the probabilities: values and choices, rewards and survival."""
     left, right = st.columns([1.4, 1], gap="small")
-    alt = "Value of each action over the horizon: the range over all seeds, and which share of them chooses each."
+    alt = "Value of each action over the horizon: the range over all seeds, and how many seeds choose it."
     _picture("values", view, alt, left)
     alt = f"Expected reward and survival of {name} over future steps: the range over all seeds."
     _picture("rewards", view, alt, right)

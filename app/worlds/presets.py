@@ -1,4 +1,4 @@
-"""Views worth seeing, one click away; some need another world."""
+"""Example views, one click away; some need another world."""
 
 from __future__ import annotations
 

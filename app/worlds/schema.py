@@ -1,4 +1,4 @@
-"""What the link of the Worlds page may hold, and the view that is pinned in it."""
+"""The parameters that a link of the page Worlds may hold, and the pinned view in it."""
 
 from __future__ import annotations
 
@@ -24,10 +24,10 @@ OPENING = {"world": sources.FIRST_WORLD, "normalise": "paper"}
 """The paper's Fig. 4c: what a visitor without a link sees."""
 
 WORLD = (
-    Parameter("world", OPENING["world"], help="What is looked at.", kind=str),
+    Parameter("world", OPENING["world"], help="What the page shows.", kind=str),
     Parameter(sources.OWN, None, help="Your own world, packed.", kind=str),
     Parameter(sources.TIMELINE, None, help="Your own timeline, packed.", kind=str),
-    Parameter(sources.DATA, None, help="Your own gamma-space, by the digest of its file.", kind=str),
+    Parameter(sources.DATA, None, help="Your own gamma-space, named by the digest of its file.", kind=str),
 )
 """What decides which other entries there are."""
 
@@ -35,13 +35,13 @@ VIEW = (
     ACTION,
     LOOK,
     Parameter(
-        "compare", "tau-space", help="Which space A and B are compared in.", choices=("tau-space", "gamma-space")
+        "compare", "tau-space", help="Space in which A and B are compared.", choices=("tau-space", "gamma-space")
     ),
     Parameter("source", "exact", help="Whether gamma-space is exact or learned.", choices=("exact", "learned")),
     Parameter("agent", None, help="An agent that learned before.", kind=str),
-    Parameter("run", None, help="The run of learning that is looked at.", kind=str),
+    Parameter("run", None, help="The run of learning that is shown.", kind=str),
     Parameter("learner", "mean", help="The learner shown, or the mean of all.", choices=("mean", *"01234567")),
-    Parameter("edit", "no", help="Whether the world is open as a table.", choices=("no", "yes")),
+    Parameter("edit", "no", help="Whether the world is shown as a table.", choices=("no", "yes")),
     STORY,
 )
 """How it is looked at, beside the settings of the study."""
@@ -52,7 +52,7 @@ PIN = Parameter("pin", None, help="The view pinned as A, packed.", kind=str)
 def _is_listed(values: Values) -> None:
     world = str(values["world"])
     if world not in (*sources.WORLDS, *sources.BROUGHT) or (world in sources.BROUGHT and world not in values):
-        raise InputError(f"The link asks for an unknown world, {world[:40]!r}; this is the opening view instead.")
+        raise InputError(f"The link asks for an unknown world, {world[:40]!r}; the opening view is shown instead.")
 
 
 def _was_brought_whole(values: Values) -> None:
@@ -155,5 +155,5 @@ def unpinned(word: str) -> Values:
         raise InputError("the link holds no pinned view; copy it again in full.") from None
     values, notes = PINNED.read(query)
     if notes:
-        raise InputError(f"the pinned view does not hold: {notes[0]}")
+        raise InputError(f"the pinned view is not valid: {notes[0]}")
     return values

@@ -1,4 +1,4 @@
-"""The sidebar of the pages that show a world: what is looked at, and how it was learned."""
+"""The sidebar of the pages that show a world: the subject, and how it was learned."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from laplace_core import InputError
 
 
 def groups() -> bool:
-    """All groups of controls; False if what is set by hand makes no view, which is said."""
+    """All groups of controls; False if the settings make no view, and then an error is shown."""
     controls.world_group()
     try:
         world = sources.world_of(store.chosen())

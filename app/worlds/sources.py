@@ -1,4 +1,4 @@
-"""What can be looked at: the listed worlds, and what a person brings along."""
+"""The subjects of the page: the listed worlds, and the user's own worlds, timelines and gamma-spaces."""
 
 from __future__ import annotations
 
@@ -25,12 +25,8 @@ WORLDS = (*PRESETS, *(f"gym:{name}" for name in TOY_TEXT))
 FIRST_WORLD = "two_branch"
 OWN, TIMELINE, DATA = "own", "timeline", "data"
 BROUGHT = (OWN, TIMELINE, DATA)
-DATA_IS_GONE = (
-    "The link shows a gamma-space from a file, which stays with the person who opened it: open the file again."
-)
-WORLD_IS_GONE = (
-    "The link shows a world that is too large for a link and stays with the person who opened it: open its file again."
-)
+DATA_IS_GONE = "This link needs your gamma-space file, which a link cannot hold: open the file again."
+WORLD_IS_GONE = "This link needs your world file, which is too large for a link: open the file again."
 _DIGEST = re.compile(r"[0-9a-f]{12}")  # no packed word is one: all of those begin with eN
 LEARN = "l."
 """Prefix of the settings of learning, in the session and in the URL."""
@@ -42,7 +38,7 @@ def _timeline(word: str) -> World:
 
 
 def word_of(world: World) -> str:
-    """What the values hold of a world of one's own: all of it, packed; a very large one by its digest.
+    """The form of an own world in the values: all of it, packed; only the digest of a very large one.
 
     A link does not hold that one, but this session keeps it, in place of the last one.
     """
@@ -110,7 +106,7 @@ def world_values(world: World) -> dict[str, Any]:
 
 
 def view_of(values: Values, learned: Learned | None = None) -> View:
-    """What a set of values shows: exact, or as it was learned.
+    """The view of a set of values: exact or learned.
 
     Raises:
         InputError: values that do not fit each other.
@@ -142,5 +138,5 @@ def view_of(values: Values, learned: Learned | None = None) -> View:
 
 
 def file_name(world: World) -> str:
-    """What the file of a world that somebody brought or edited is called."""
+    """The file name of a world that the user opened or edited."""
     return f"{plain_name(world)}.json"

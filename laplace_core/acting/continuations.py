@@ -90,11 +90,11 @@ def continue_from(
         InputError: arguments out of range.
     """
     if not 0 <= step < len(rollout):
-        raise InputError(f"step {step} is none of this episode's {len(rollout)}.")
+        raise InputError(f"step {step} does not exist: this episode has the steps 0 to {len(rollout) - 1}.")
     if not (1 <= count <= MOST and 1 <= steps <= MOST):
         raise InputError(f"count and steps must be from 1 to {MOST:,}.")
     if action is not None and not 0 <= action < agent.n_actions:
-        raise InputError(f"action {action} is none of this environment's {agent.n_actions}.")
+        raise InputError(f"action {action} does not exist: the actions are 0 to {agent.n_actions - 1}.")
     first = int(rollout.actions[step]) if action is None else action
     steps = steps_known(agent, rollout, step, steps, own=own)
     judge = _judge(agent, rollout, options) if own else lambda seen, time: agent.action_values(seen, agent.acting_head)

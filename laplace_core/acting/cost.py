@@ -1,4 +1,4 @@
-"""How long acting takes on this machine, measured on a few steps before any work is begun.
+"""The time of acting on this machine, measured on a few steps before the work begins.
 
 Episodes may end before their deadline, and most do: what is estimated from full lengths is an upper bound.
 """
@@ -101,7 +101,7 @@ _NOTHING = StepCost(0.0, 0.0, 0.0)
 def cost_of(
     agent: Agent, environment: str, rule: str = "greedy", horizon: int | None = None, *, pictures: bool = False
 ) -> StepCost:  # fmt: skip
-    """The same, measured once; nothing for a rule that does not suit the agent, which the work itself refuses."""
+    """The same, measured once and cached; zero for a rule that does not suit the agent, which the work refuses."""
     known, key = _known.setdefault(agent, {}), (environment, rule, pictures)
     if key not in known:
         try:

@@ -1,4 +1,4 @@
-"""Deadlines that make sense for an agent in its environment, and the discount that stands in for one."""
+"""Useful deadlines for an agent in its environment, and the discount that corresponds to a deadline."""
 
 from __future__ import annotations
 
@@ -24,20 +24,20 @@ def rules_of_race(agent: Agent) -> tuple[str, ...]:
 
 @cache
 def suited_steps(environment: str) -> int | None:
-    """How long the timeline of a tabular world is that suits it; None of any other environment."""
+    """The recommended length of the timeline of a tabular world; None for any other environment."""
     if environment in GYMNASIUM_ENVIRONMENTS:
         return None
     return resolve(Settings(world=environment), load_world(environment)).steps
 
 
 def longest_horizon(agent: Agent, environment: str) -> int:
-    """Where an episode ends at the latest; in a tabular world, some times the length that suits it."""
+    """The latest end of an episode; in a tabular world, a multiple of the recommended length."""
     limit, suited = length_of(agent, environment, None), suited_steps(environment)
     return limit if suited is None else min(limit, 4 * suited)
 
 
 def usual_horizon(agent: Agent, environment: str) -> int:
-    """The deadline of a race that nobody has chosen one for."""
+    """The default deadline of a race."""
     return min(suited_steps(environment) or USUAL, longest_horizon(agent, environment))
 
 

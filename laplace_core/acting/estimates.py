@@ -1,4 +1,4 @@
-"""Seconds that acting takes on this machine, before any of it is begun: what a step costs, times the steps.
+"""Estimated seconds of acting on this machine: the time of a step, times the number of steps.
 
 Every episode counts at its full length: these are upper bounds.
 """
@@ -24,13 +24,13 @@ def of_rollout(agent: Agent, environment: str, rule: str, horizon: int | None, *
 
 
 def of_continuations(agent: Agent, rollout: Rollout, step: int, count: int, *, steps: int, own: bool) -> float:
-    """So many continuations of a state, of so many steps; the episode until there is stepped through for each."""
+    """Continuations of a state; each one first repeats the episode up to that state."""
     cost = cost_of(agent, rollout.environment, _rule_after(rollout, own=own), rollout.horizon)
     return step * count * cost.step + steps * cost.of(count)
 
 
 def of_outcomes(agent: Agent, rollout: Rollout, episodes: int, *, steps: int, own: bool) -> float:
-    """What follows many states of so many episodes: each is acted, and then so many steps beyond its states."""
+    """The rewards after many states of several episodes: each episode is acted beyond its last state."""
     cost = cost_of(agent, rollout.environment, _rule_after(rollout, own=own), rollout.horizon)
     return episodes * 2 * steps * cost.of()
 
@@ -50,7 +50,7 @@ def of_returns(agents: Sequence[Agent], rollout: Rollout, step: int) -> float:
 def of_races(
     environment: str, entrants: Sequence[Entrant], horizon: int, count: int = 1, *, pictures: bool = False
 ) -> float:  # fmt: skip
-    """Races from so many starts: groups of episodes run side by side, first of one side and then of the other."""
+    """Races from many starts: groups of episodes run side by side, first of one side and then of the other."""
     groups = [min(AT_ONCE, count - first) for first in range(0, count, AT_ONCE)]
     costs = [cost_of(one.agent, environment, one.rule, horizon, pictures=pictures) for one in entrants]
     return sum(horizon * cost.of(together) for cost in costs for together in groups)

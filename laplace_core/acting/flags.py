@@ -1,4 +1,4 @@
-"""Which artefacts each step of a rollout has, in the tau-space of the action that was taken."""
+"""The artefacts of each step of a rollout, in the tau-space of the action that was taken."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Pictures of an episode: small JPEG files, as many as were asked for, and an animation of them.
+"""Pictures of an episode: small JPEG files, and an animation of them.
 
 Needs pillow, and for most environments pygame: both come with the application, neither with the library.
 """
@@ -33,7 +33,7 @@ def encoded(picture: np.ndarray, height: int = HEIGHT) -> bytes:
 
 
 def picture_of(env: gymnasium.Env) -> bytes | None:
-    """What an environment looks like now; None if it draws none.
+    """The present picture of an environment; None if it draws none.
 
     Raises:
         InputError: what it draws with is not installed.
@@ -44,7 +44,7 @@ def picture_of(env: gymnasium.Env) -> bytes | None:
     try:
         return encoded(np.asarray(env.render()))
     except gymnasium.error.DependencyNotInstalled:
-        raise InputError("pictures need pygame, which is not installed: ask for none.") from None
+        raise InputError("pictures need pygame, which is not installed: roll out without pictures.") from None
 
 
 def animation(pictures: Sequence[bytes], seconds: float, most: int = 500) -> bytes:

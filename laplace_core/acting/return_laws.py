@@ -105,7 +105,7 @@ def has_return_law(agent: Agent) -> bool:
 
 
 def says_more_than_a_mean(agent: Agent) -> bool:
-    """Whether it predicts the spread of the return, and not only its mean."""
+    """Whether the agent predicts the spread of the return, not only its mean."""
     if isinstance(agent, HasReturnDistribution):
         return agent.return_distribution(np.zeros(agent.n_observations))[0].shape[1] > 1
     return isinstance(agent, HasGammaSpace)
@@ -131,7 +131,7 @@ def return_laws(
         kind = MEAN if locations.shape[1] == 1 else LEARNED
         return [ReturnLaw(kind, gamma, locations[action], masses[action]) for action in actions]
     if not isinstance(agent, HasGammaSpace):
-        raise InputError("this agent predicts the mean of its return, and no distribution.")
+        raise InputError("this agent predicts only the mean of its return, not its distribution.")
     space, steps = agent.gamma_space(observation), steps_until_cut(gamma)
     tau_space = decode(space.differences[list(actions)], space.gammas, steps, alpha)
     rewards, discounts = space.bin_values, gamma ** np.arange(steps)

@@ -210,7 +210,7 @@ def nearest_head(agent: Agent, rule: str, gamma: float | None) -> tuple[int | No
     if gamma is None:
         return None, None
     if rule != "greedy" or not isinstance(agent, HasDiscounts):
-        raise InputError("a discount can be chosen for the rule 'greedy' of an agent with many discounts only.")
+        raise InputError("a discount can be chosen only for the rule 'greedy' of an agent with many discounts.")
     if not 0.0 < gamma < 1.0:
         raise InputError(f"the discount is {gamma}; it must lie between 0 and 1.")
     head = int(np.abs(agent.gammas - gamma).argmin())

@@ -46,7 +46,7 @@ class Options:
         stretch: time constant of a fading deadline over the time to go.
         head: another one than the acting head to be greedy at.
         solver, selector: of the inverse, as in :class:`laplace_core.study.settings.Settings`; a selector other than
-            ``typed`` chooses alpha anew for every observation, in place of ``alpha``.
+            ``typed`` chooses alpha again for every observation, in place of ``alpha``.
         noise_level: standard deviation of (1 - gamma) Q; None where it is not known.
     """
 
@@ -243,12 +243,12 @@ def rules_of(agent: Agent) -> tuple[str, ...]:
 
 
 def title_of(rule: str) -> str:
-    """What a form calls a rule; one that is not in the list, such as random actions, goes by its name."""
+    """The title of a rule in a form; a rule that is not in the list, such as random actions, keeps its name."""
     return (RULES[rule].title if rule in RULES else "") or rule
 
 
 def words_of(rule: str) -> str:
-    """What a sentence calls a rule."""
+    """The name of a rule in a sentence."""
     return (RULES[rule].words if rule in RULES else "") or rule
 
 
@@ -267,11 +267,11 @@ def check_rule_options(rule: str, given: Iterable[str]) -> None:
         if name not in RULES[rule].options:
             takers = " and ".join(taker for taker, other in RULES.items() if name in other.options)
             option = "alpha by name" if name == "selector" else name.replace("_", "-")
-            raise InputError(f"--{option} changes nothing under the rule {rule[:40]!r}: it is of {takers}.")
+            raise InputError(f"--{option} changes nothing under the rule {rule[:40]!r}: it is for {takers}.")
 
 
 def options_for(rule: str, given: Mapping[str, Any]) -> dict[str, Any]:
-    """Those of the options that a rule uses; none of a rule that does not exist."""
+    """The options that a rule uses; none for a rule that does not exist."""
     return {name: value for name, value in given.items() if rule in RULES and name in RULES[rule].options}
 
 

@@ -1,4 +1,4 @@
-"""Decoded timelines against simulated ones: expected reward, survival, how far tau-space is off, and calibration.
+"""Decoded timelines against simulated ones: expected reward, survival, the error of tau-space, and calibration.
 
 Rewards are seen through the agent's own activation: what it learned is E f_h(r), and a threshold that a reward meets
 exactly is passed by half of it. Everything is decoded with whole steps and without rescaling.

@@ -40,7 +40,7 @@ class Batch:
     weights: Tensor
 
     def split(self, count: int) -> list[Batch]:
-        """So many batches, which the rows are shared out to in order."""
+        """The rows split in order into this number of batches."""
         return [Batch(*parts) for parts in zip(*(getattr(self, name).chunk(count) for name in _FIELDS), strict=True)]
 
 
@@ -91,10 +91,10 @@ class Agent(ABC, Generic[Chosen]):
     @classmethod
     @abstractmethod
     def network_numbers(cls, settings: Chosen, observation: int, actions: int) -> int:
-        """How many weights that network has, counted without building it."""
+        """The number of weights of the network, counted without building it."""
 
     def prepare(self, batch: Batch) -> tuple[Tensor, ...]:
-        """What losses need and may compute for a whole round of updates at once: tensors with a row a transition."""
+        """Tensors that the losses of a whole round of updates share, with one row for each transition."""
         return ()
 
     @abstractmethod
@@ -154,7 +154,7 @@ class Agent(ABC, Generic[Chosen]):
         return loss, each
 
     def _update(self, batch: Batch, prepared: list[Tensor], progress: float) -> np.ndarray:
-        """One of a round: the loss of every transition, ``(B,)``."""
+        """One update of a round: the loss of every transition, ``(B,)``."""
         s = self.settings
         losses = self.losses(batch, *prepared)
         # The gradient of the weighted mean is known: handing it over spares the engine the operations of the mean.

@@ -73,7 +73,7 @@ class LaplaceAgent(Agent[LaplaceSettings]):
 
     @torch.no_grad()
     def targets(self, batch: Batch) -> Tensor:
-        """What the scaled outputs are moved to, ``(B, G, C)``; the equation is that of :mod:`.parametrisations`."""
+        """Targets of the scaled outputs, ``(B, G, C)``; the equation is in :mod:`.parametrisations`."""
         gammas, code = self._gammas, self.code
         actions = self.following(batch.next_observations).expand(-1, len(gammas))
         later = code.scaled(self.target(batch.next_observations, actions=actions))
@@ -147,13 +147,13 @@ class LaplaceAgent(Agent[LaplaceSettings]):
 
     def _at(self, inputs: Tensor, gammas: np.ndarray) -> Tensor:
         if not isinstance(self.target, networks.DiscountInput):
-            raise InputError("a trunk knows only the discounts of its own grid: train 'network' or 'multiplexer'.")
+            raise InputError("a trunk has values only at its trained discounts: train 'network' or 'multiplexer'.")
         if gammas.ndim != 1 or not gammas.size or not np.all(np.diff([0.0, *gammas, 1.0]) > 0):
             raise InputError("discounts must increase and lie between 0 and 1, both excluded.")
         return self.target.at(inputs, tuple(gammas.tolist()))
 
     def gamma_space(self, observation: np.ndarray, gammas: np.ndarray | None = None) -> GammaSpace:
-        """What the agent has learned for one observation ``(O,)``, to be decoded: what it acts on, open ends too."""
+        """The learned gamma-space of one observation ``(O,)``, with the open ends that the agent acts on."""
         values, constant = self.gamma_spaces(np.asarray(observation)[None], gammas)
         gammas = self.gammas if gammas is None else np.asarray(gammas)
         return GammaSpace(values[0], constant[0], gammas, self.thetas, open_ends=True)

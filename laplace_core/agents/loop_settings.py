@@ -22,8 +22,8 @@ from laplace_core.parameters import Schema, choice, parse_named, schema_of, sett
 class LoopSettings:
     """The settings that every algorithm has."""
 
-    environment: str = choice("CartPole-v1", ENVIRONMENTS, "What is trained on.")
-    seed: int = setting(0, 0, 10**6, "Decides everything random: the same seed gives the same metrics.")
+    environment: str = choice("CartPole-v1", ENVIRONMENTS, "Environment of the training.")
+    seed: int = setting(0, 0, 10**6, "Seed of everything random: the same seed gives the same metrics.")
     steps: int = setting(60_000, 1, 10**9, "Transitions to learn from.")
     envs: int = setting(4, 1, 64, "Environments stepped side by side, where experience is shared.")
     buffer: int = setting(50_000, 100, 10**6, "Transitions that the replay buffer keeps.")
@@ -40,17 +40,17 @@ class LoopSettings:
     )
     epsilon_first: float = setting(1.0, 0, 1, "Chance of a random action at the start.")
     epsilon_final: float = setting(0.05, 0, 1, "Chance of a random action after exploration has faded.")
-    exploration: float = setting(0.2, 0, 1, "Fraction of the steps over which that chance falls, linearly.")
+    exploration: float = setting(0.2, 0, 1, "Fraction of the steps over which exploration falls linearly.")
     hidden: int = setting(256, 1, 1024, "Units in each of the two hidden layers.")
     double: bool = switch("The online network chooses the next action, the target network values it.", default=True)
     dueling: bool = switch("Separate streams for the state and for the advantage of each action.", default=False)
     n_step: int = setting(1, 1, 20, "Rewards in a target before it bootstraps.")
     prioritised: bool = switch("Replay transitions in proportion to a power of their last loss.", default=False)
-    priority_exponent: float = setting(0.6, 0, 1, "That power; 0 is uniform.")
+    priority_exponent: float = setting(0.6, 0, 1, "Power of the loss in prioritised replay; 0 is uniform.")
     priority_correction: float = setting(0.4, 0, 1, "Importance correction at the start; it rises to 1 at the end.")
     gradient_clip: float = setting(10.0, 1e-6, 1e6, "Largest norm of a gradient.")
     evaluate_every: int = setting(5_000, 1, 10**9, "Transitions between two evaluations.")
-    evaluate_episodes: int = setting(20, 1, 1000, "Episodes in each of them.")
+    evaluate_episodes: int = setting(20, 1, 1000, "Episodes in each evaluation.")
     checkpoint_every: int = setting(10_000, 1, 10**9, "Transitions between two resume points.")
     threads: int = setting(1, 1, 64, "Threads of torch; another number may change the last digits.")
 
@@ -101,7 +101,7 @@ class LoopSettings:
 
     @property
     def own_experience(self) -> bool:
-        """Whether every discount learns from a buffer of its own."""
+        """Whether every discount learns from its own buffer."""
         return False
 
     @property
@@ -144,4 +144,4 @@ LOOP_SCHEMA = schema_of(LoopSettings)
 
 def exploring_heads() -> Any:
     """A setting of the algorithms that value many discounts or times to go."""
-    return setting(0.2, 0, 1, "Fraction of episodes that a random discount or time to go behaves in.")
+    return setting(0.2, 0, 1, "Fraction of episodes that are acted with a random discount or time to go.")

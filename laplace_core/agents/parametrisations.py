@@ -1,4 +1,4 @@
-"""What the outputs of a Laplace network mean, and the loss that moves them to a target.
+"""The meaning of the outputs of a Laplace network, and the loss that moves them to a target.
 
 All four work on values scaled by (1 - gamma), so that one target serves them all,
 

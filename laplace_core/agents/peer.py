@@ -1,4 +1,4 @@
-"""What the peers share: one discount, one network, and a distribution of the return that is moved to its target.
+"""The base of the peers: one discount, one network, and a distribution of the return that moves to its target.
 
 The next state gives a distribution of r + gamma Z(s', a*), as locations and masses, and the loss moves the outputs of
 (s, a) towards it. An algorithm is four short answers: what its outputs are before training, their mean, the
@@ -49,7 +49,7 @@ class Peer(Agent[Chosen]):
 
     @property
     def scale(self) -> float:
-        """What an output of the last layer is multiplied by.
+        """The factor of the outputs of the last layer.
 
         Outputs in units of reward are so many times a reward a step, 1 / (1 - gamma), which is of order one: a network
         that begins at 0 would take long to reach returns of hundreds by steps of the size of the learning rate.

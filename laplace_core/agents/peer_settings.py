@@ -40,8 +40,8 @@ class C51Settings(DqnSettings):
     """Settings of C51."""
 
     atoms: int = setting(51, 2, 1000, "Number of returns that carry probability.")
-    v_min: float = setting(-100.0, -1e6, 1e6, "Smallest of them, in discounted reward.")
-    v_max: float = setting(100.0, -1e6, 1e6, "Largest of them, in discounted reward.")
+    v_min: float = setting(-100.0, -1e6, 1e6, "Smallest of these returns, in discounted reward.")
+    v_max: float = setting(100.0, -1e6, 1e6, "Largest of these returns, in discounted reward.")
 
     ALGORITHM: ClassVar[str] = "c51"
     TITLE: ClassVar[str] = "C51"

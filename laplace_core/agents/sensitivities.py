@@ -38,7 +38,7 @@ class Sensitivities:
         self.bin_values = bin_values(self.thetas, open_ends=True)
 
     def _place(self, rewards: Tensor) -> Tensor:
-        """Where rewards lie on the axis of the activation, in their shape and precision."""
+        """Rewards on the axis of the activation, in their shape and precision."""
         if self._spacing == "uniform":
             return rewards
         if self._spacing == "asinh":

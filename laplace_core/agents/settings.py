@@ -1,4 +1,4 @@
-"""Every choice behind a trained agent, as one frozen, typed object per algorithm.
+"""The settings of a trained agent, as one frozen, typed object per algorithm.
 
 The command line, the settings files, the run folders and the checkpoints all read and write these through the one
 schema of each class.

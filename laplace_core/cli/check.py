@@ -116,5 +116,5 @@ def _report(world: str, result: Consistency, source: str, action_names: tuple[st
     if blamed.size:
         lines.append(f"to blame      gamma {', '.join(f'{gamma:.4g}' for gamma in blamed[:5])}")
     else:
-        lines.append("to blame      no discount alone: the values disagree as a whole, as those of mixed policies do")
+        lines.append("to blame      no single discount: the values disagree as a whole, as those of mixed policies do")
     return "\n".join(lines)

@@ -27,7 +27,7 @@ def add_report(verbs: argparse._SubParsersAction[argparse.ArgumentParser]) -> No
     detectors.add_argument("--check", action="store_true", help="end with status 1 where a share is below .97")
     detectors.set_defaults(run=_detectors)
 
-    verdicts = kinds.add_parser("verdicts", help="what verdicts say against an independent judge")
+    verdicts = kinds.add_parser("verdicts", help="verdicts against those of an independent judge")
     verdicts.add_argument("--cases", default="2000", metavar="N", help="random views (default: 2000)")
     verdicts.add_argument("--seed", default="0", metavar="N", help="seed of the views (default: 0)")
     verdicts.add_argument("--jobs", default="1", metavar="N", help="processes at a time (default: 1)")
@@ -82,7 +82,7 @@ def add_report(verbs: argparse._SubParsersAction[argparse.ArgumentParser]) -> No
     horizon.add_argument("--json", action="store_true", help="print JSON")
     horizon.set_defaults(run=_horizon)
 
-    interpolation = kinds.add_parser("interpolation", help="how far discounts put between those trained are off")
+    interpolation = kinds.add_parser("interpolation", help="errors of values at discounts between the trained ones")
     interpolation.add_argument("checkpoint", metavar="CHECKPOINT", help="an agent with values at many discounts")
     interpolation.add_argument("--seed", default="0", metavar="N", help="start seed of the episode (default: 0)")
     interpolation.add_argument("--json", action="store_true", help="print JSON")
@@ -109,8 +109,8 @@ def add_report(verbs: argparse._SubParsersAction[argparse.ArgumentParser]) -> No
 
 
 INVERSE_REPORTS = {
-    "inverse-certificates": ("certificates", 1000, "certified decisions: how many are claimed, and how many are wrong"),
-    "inverse-consistency": ("alarms", 1000, "alarms of the test of consistency, on spaces that are and that are not"),
+    "inverse-certificates": ("certificates", 1000, "certified decisions: how many there are, how many are wrong"),
+    "inverse-consistency": ("alarms", 1000, "alarms of the test of consistency, true and false ones"),
     "inverse-bumps": ("bumps", 2000, "probabilities of bumps against how often they are real"),
     "inverse-feasible": ("timelines", 5, "feasible timelines against Tikhonov with its best alpha, on every preset"),
     "inverse-agents": ("agent_states", 20, "timelines of trained agents' states against simulated continuations"),

@@ -1,4 +1,4 @@
-"""What the verbs that decode have in common: a state of a world or of a file, and the settings of its study."""
+"""The shared part of the verbs that decode: a state of a world or of a file, and the settings of its study."""
 
 from __future__ import annotations
 

@@ -20,7 +20,7 @@ PAPER_GAMMAS = (0.01, 0.108, 0.206, 0.304, 0.402, 0.5, 0.55, 0.6, 0.65, 0.7, 0.7
 GAMMA_SPACINGS = ("inverse-log", "log", "linear", "paper")
 THETA_SPACINGS = ("uniform", "gaussian", "asinh")
 THETA_SCALE_HELP = (
-    "Of gaussian spacing the standard deviation, of asinh where it turns logarithmic, in reward; 0 suits the range."
+    "Standard deviation of gaussian spacing, or the reward where asinh turns logarithmic; 0 follows the range."
 )
 
 

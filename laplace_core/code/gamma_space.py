@@ -13,7 +13,7 @@ from laplace_core.errors import InputError
 
 @dataclass(frozen=True, eq=False)
 class GammaSpace:
-    """What was learned for one state: Q[a, g, h] and the constant channel Q[a, g].
+    """The values of one state: Q[a, g, h] and the constant channel Q[a, g].
 
     Between neighbouring sensitivities lie H-1 bins, at whose midpoints rewards count (paper, Eq. 9). With open ends
     what lies below the first and above the last sensitivity counts as well, at those sensitivities: B = H+1 bins.
@@ -57,12 +57,12 @@ class GammaSpace:
 
     @property
     def bin_values(self) -> np.ndarray:
-        """What a reward in each bin counts as, ``(B,)``, in units of reward."""
+        """The reward that stands for each bin, ``(B,)``, in units of reward."""
         return bin_values(self.thetas, self.open_ends)
 
     @property
     def bin_edges(self) -> np.ndarray:
-        """Where bins end, ``(B+1,)``; open ends, which have no edge, are drawn as wide as their neighbours."""
+        """The edges of the bins, ``(B+1,)``; open ends, which have no edge, are drawn as wide as their neighbours."""
         return bin_edges(self.thetas, self.open_ends)
 
 

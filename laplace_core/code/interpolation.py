@@ -67,7 +67,7 @@ def with_added(space: GammaSpace, count: int) -> GammaSpace:
 
 
 def left_out(values: np.ndarray, gammas: np.ndarray) -> np.ndarray:
-    """What interpolation misses where a learned discount is left out: (1 - gamma) of the error.
+    """The error of interpolation at each learned discount that is left out: (1 - gamma) times the error.
 
     The gap is then twice as wide, so this is more than what is missed inside a gap.
 

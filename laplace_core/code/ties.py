@@ -1,4 +1,4 @@
-"""One rule for ties, wherever an action is chosen, and one floor for what is rounding and no data."""
+"""One rule for ties in all choices of actions, and one floor below which a number is only rounding."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ float64, which the products and solves of one study never lose, in Python or in 
 
 
 def tie_size(best: np.ndarray | float, scale: np.ndarray | float) -> np.ndarray:
-    """How far apart two values may be and still be equal, in the shape of ``best``.
+    """The largest difference of two values that count as equal, in the shape of ``best``.
 
     Args:
         best: the better value.

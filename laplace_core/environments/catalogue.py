@@ -35,11 +35,11 @@ class Environment:
         title: what it is about, in one line.
         components: the numbers of an observation, in order; empty for a tabular world.
         actions: what the actions are called, in order.
-        states: of a tabular world, what they are called; empty for all else.
+        states: names of the states of a tabular world; empty for other environments.
         time_limit: steps after which an episode is truncated; None if it never is.
         chance: whether the same action in the same state may lead to different things.
         inner: attributes that are all of its inner state besides its random numbers and its time. None where there is
-            more to it: a run that is gone on with begins its episodes anew there.
+            more to it: a run that is gone on with begins its episodes again there.
         seconds: that a step lasts in life; by default as many as the eye can follow.
         remark: what a race to a deadline should be read with; empty for nothing.
         module: the module that registers it with gymnasium when it is imported; empty for gymnasium's own.
@@ -133,7 +133,7 @@ def environment_of(name: str) -> Environment:
         InputError: a name that is not on it.
     """
     if name not in ENVIRONMENTS:
-        raise InputError(f"environment {str(name)[:40]!r} is none of {', '.join(ENVIRONMENTS)}.")
+        raise InputError(f"environment {str(name)[:40]!r} is not one of {', '.join(ENVIRONMENTS)}.")
     if name in GYMNASIUM:
         return GYMNASIUM[name]
     world = load_world(name)

@@ -1,6 +1,6 @@
 """The environments that agents are trained in, stepped side by side, and their inner state for a resume point.
 
-Which there are, and what is known of each, stands in :mod:`laplace_core.environments`.
+The list of environments is in :mod:`laplace_core.environments`.
 
 gymnasium resets an environment on the step AFTER its episode ended and ignores that step's action. Such a step is no
 transition: :class:`Environments` marks it, and hands out the true final observation of an episode before it.
@@ -70,14 +70,14 @@ def make(name: str, *, pictures: bool = False, limited: bool = True) -> gymnasiu
         most = (limited and listed.time_limit) or -1  # gymnasium's word for no limit
         return gymnasium.make(name, disable_env_checker=True, max_episode_steps=most, **drawing)
     except gymnasium.error.DependencyNotInstalled:
-        how = "see what its package asks for" if listed.module else "pip install 'gymnasium[box2d]'"
+        how = "see the instructions of its package" if listed.module else "pip install 'gymnasium[box2d]'"
         raise InputError(f"{name} needs packages that are not installed: {how}.") from None
     except ModuleNotFoundError as missing:
         raise InputError(f"{name} needs a package that is not installed: {missing.name}.") from None
 
 
 def _draws(name: str) -> bool:
-    """Whether an environment of gymnasium makes pictures; those that say nothing of it make none."""
+    """Whether an environment of gymnasium makes pictures; one that does not declare it makes none."""
     entry = gymnasium.spec(name).entry_point
     creator = load_env_creator(entry) if isinstance(entry, str) else entry
     metadata = getattr(creator, "metadata", None)

@@ -1,1 +1,1 @@
-"""What goes to and fro between a browser and what answers it: links, states with their payloads, reports of widgets."""
+"""The exchange between a browser and the server: links, states with their payloads, reports of widgets."""

@@ -1,4 +1,4 @@
-"""Whether what a widget reports was set by a person, or is an echo of what the server did.
+"""Whether the value that a widget reports was set by the user, or is an echo of a change by the server.
 
 A browser reports all its widgets with each event, as it has them. One that the server has changed or replaced since
 (a remedy, Back, another world) comes back with what it showed before, and looks as if somebody had touched it.
@@ -13,7 +13,7 @@ from typing import Any
 
 @dataclass(frozen=True)
 class Shown:
-    """What a widget shows now, and what it showed before the server changed it (None where a person changed it)."""
+    """The value that a widget shows, and the one before the server changed it (None if the user changed it)."""
 
     now: Any = None
     before: Any = None
@@ -24,7 +24,7 @@ class Shown:
 
 
 def is_echo(value: object, shown: Shown, *, by_hand: bool, others: bool) -> bool:
-    """Whether a reported value is an echo, which is dropped; all else is kept as set by hand.
+    """Whether a reported value is an echo, which is dropped; other values are kept as set by hand.
 
     ======================  ===========  =============  ========  ==================================================
     it reports              by hand      others report  it is     because
@@ -48,7 +48,7 @@ def is_echo(value: object, shown: Shown, *, by_hand: bool, others: bool) -> bool
 
 
 def touches(reports: Mapping[str, Any], widgets: Mapping[str, Shown], chosen: Mapping[str, Any]) -> dict[str, Any]:
-    """Of the reports of one event, by widget, those that a person made.
+    """The reports of one event, by widget, that the user made.
 
     Args:
         widgets: what each of them shows.

@@ -21,7 +21,7 @@ Values = dict[str, Any]
 Known = Mapping[str, Parameter]
 
 LEFT_OUT = "Left out of the link: "
-_UNKNOWN = "The link has an entry {!r} that means nothing here."
+_UNKNOWN = "The link has an entry {!r} that this page does not know."
 LONGEST = 7_000
 """Characters of a link's values; proxies and chat programs cut much longer ones off."""
 _MOST_QUOTED = 40  # characters of a name that a note repeats
@@ -102,7 +102,7 @@ def check_of(name: str, test: Callable[[str], object], drops: tuple[str, ...] = 
 
 @dataclass(frozen=True)
 class Schema:
-    """What the link of a page may hold.
+    """The entries that the link of a page may hold.
 
     Attributes:
         opening: the values of the page without a link.

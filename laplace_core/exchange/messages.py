@@ -1,4 +1,4 @@
-"""What an in-browser component is sent: a small JSON with every answer, and a payload once.
+"""Messages to a component in the browser: a small JSON with every answer, and each payload once.
 
 What is seen has two owners, the server and the hand in the browser, and this is how they keep from undoing each other:
 
@@ -8,11 +8,11 @@ What is seen has two owners, the server and the hand in the browser, and this is
    the payload with its next message. Streamlit keeps only the last answer that the server has not read yet, so this
    one repeats the released state of rule 3.
 2. **Revisions.** A message has a revision. A component takes over the state of a message only if the revision differs
-   from that of the last message; else the state on its screen stays, which a hand may have changed since.
-3. **Releases.** When a hand lets go, the browser reports the state. Python takes it over (:meth:`Channel.release`) and
-   does not raise the revision for it: the browser has it already. A state that Python itself sets (a remedy, Back,
-   another step) differs from what was released or sent last, and raises the revision.
-4. **Mounting anew.** A component may be taken off a page and put back with its last message. The lens
+   from that of the last message; otherwise it keeps the state on its screen, which the user may have changed since.
+3. **Releases.** When a control is released, the browser reports the state. Python takes it over
+   (:meth:`Channel.release`) and does not raise the revision for it: the browser has it already. A state that Python
+   itself sets (a remedy, Back, another step) differs from what was released or sent last, and raises the revision.
+4. **Mounting again.** A component may be taken off a page and put back with its last message. The lens
    therefore remembers in the browser the last released state with its payload and revision (``released`` in
    ``lens/entry.js``), so that its message need not change with a release (:meth:`Channel.show`). The message
    of a cursor always holds the step that Python knows (:meth:`Channel.place`); a step that it does not know yet is
@@ -30,13 +30,13 @@ _DIGITS = 16
 
 
 def name_of(data: bytes) -> str:
-    """What the browser knows a payload by."""
+    """The name of a payload in the browser."""
     return hashlib.sha256(data).hexdigest()[:_DIGITS]
 
 
 @dataclass
 class Channel:
-    """What Python knows of one component in one browser; the rule is that of :mod:`laplace_core.exchange.messages`.
+    """Python's record of one component in one browser, by the protocol of :mod:`laplace_core.exchange.messages`.
 
     Attributes:
         revision: of the last message.
@@ -69,7 +69,7 @@ class Channel:
         self.payload, self.sent, self.released = payload, step, None
 
     def release(self, state: object) -> None:
-        """A hand has let go at this state."""
+        """A control was released at this state."""
         self.released = state
 
     def answered(self, answer: Mapping[str, Any], most: int) -> bool:

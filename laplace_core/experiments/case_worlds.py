@@ -99,7 +99,7 @@ def _chain(rng: np.random.Generator) -> World:
 
 
 def _tree(rng: np.random.Generator) -> World:
-    """Two actions a state, each to a subtree of its own, which may end early; leaves pay."""
+    """Two actions in each state, each to its own subtree, which may end early; leaves pay."""
     depth, rewards, rows, names = int(rng.integers(2, 5)), _rewards(rng), [], ["s0"]
     frontier = [(0, 0)]
     while frontier:

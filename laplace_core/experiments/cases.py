@@ -41,7 +41,7 @@ Switch = Callable[[np.random.Generator, World, ResolvedForWorld], dict[str, Any]
 
 @dataclass(frozen=True, eq=False)
 class Case:
-    """One world, one state-action pair and the settings it is looked at with.
+    """One world, one state-action pair and the settings of its study.
 
     Attributes:
         base: the settings without any switch, resolved.

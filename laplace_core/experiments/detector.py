@@ -136,7 +136,7 @@ DEMANDED = 0.97
 
 
 def falls_short(counted: Mapping[str, Any]) -> bool:
-    """Whether precision or recall of one artefact, from :meth:`Score.as_dict`, is below what is demanded."""
+    """Whether precision or recall of one artefact, from :meth:`Score.as_dict`, is below its goal."""
     return any(counted[name] is not None and counted[name] < DEMANDED for name in ("precision", "recall"))
 
 

@@ -1,4 +1,4 @@
-"""How far interpolated discounts are off, and what they do to the decoded timeline.
+"""The error of interpolated discounts, and their effect on the decoded timeline.
 
 First on a trained network: every discount but the outermost two is left out in turn, drawn from its neighbours and
 compared with the network's own, at every step of one greedy episode and for every action. Then on worlds that are known

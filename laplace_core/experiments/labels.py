@@ -194,7 +194,7 @@ class Effects:
         return float((self.rows(wide).sum(axis=-1) - self.rows(s).sum(axis=-1)).max())
 
     def unit(self, reward: float, thetas: np.ndarray | None = None) -> np.ndarray:
-        """What one sure reward leaves at the midpoints, ``(H-1,)``: the sigmoid as a hyperbolic tangent."""
+        """Probability of one certain reward at the midpoints, ``(H-1,)``: the sigmoid as a hyperbolic tangent."""
         thetas = grids(self.settings)[1] if thetas is None else thetas
         return -np.diff(0.5 * (1.0 + np.tanh(0.5 * self.settings.slope * (reward - thetas))))
 
@@ -303,7 +303,7 @@ class Effects:
 
 @dataclass(frozen=True)
 class Label:
-    """How the report brings one artefact about, and how it knows that it is there.
+    """The ground truth of one artefact: the switch that causes it, and the measure of its effect.
 
     Attributes:
         effect: the change that turning the artefact off makes, in the unit of the artefact's size.

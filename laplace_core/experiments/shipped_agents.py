@@ -1,4 +1,4 @@
-"""The agents of a folder that ship, as whoever shows them asks for them; what is damaged is left out.
+"""The bundled agents of a folder; damaged files are left out.
 
 A folder is looked at once: :func:`forget` is for one whose files were changed meanwhile.
 """
@@ -33,7 +33,7 @@ def _damaged(folder: Path) -> dict[str, str]:
 
 
 def left_out(folder: Path) -> tuple[str, ...]:
-    """What cannot be used of the files, a sentence each."""
+    """A sentence about each damaged file."""
     return tuple(_damaged(folder).values())
 
 
@@ -99,6 +99,6 @@ def names_for(folder: Path, environment: str) -> list[str]:
 
 
 def forget() -> None:
-    """Look at all folders anew."""
+    """Look at all folders again."""
     for each in (names, _damaged, _load, curves):
         each.cache_clear()

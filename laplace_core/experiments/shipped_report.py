@@ -55,7 +55,7 @@ def _row(folder: Path, entry: dict[str, Any]) -> dict[str, Any]:
             "lowest": [float(each[len(each) // 2 :].min()) for each in evaluations],
         }
     except (KeyError, TypeError, ValueError, IndexError):
-        raise InputError(f"manifest.json tells too little of {path.name}: ship it again.") from None
+        raise InputError(f"manifest.json lacks entries about {path.name}: ship it again.") from None
 
 
 def _text(row: dict[str, Any]) -> str:

@@ -1,4 +1,4 @@
-"""How well, how fast and how surely an algorithm learns an environment: the same settings, several seeds."""
+"""Score, speed and reliability of an algorithm on an environment: the same settings, several seeds."""
 
 from __future__ import annotations
 
@@ -106,7 +106,7 @@ def seconds_behind(events: list[dict[str, Any]]) -> list[float]:
     """Seconds of training behind each event, over all times that the run was gone on with."""
     behind, last, seconds = 0.0, 0.0, []
     for event in events:
-        if event["seconds"] < last:  # the clock began anew
+        if event["seconds"] < last:  # the clock began again
             behind += last
         last = event["seconds"]
         seconds.append(behind + last)

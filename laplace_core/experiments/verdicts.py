@@ -207,7 +207,7 @@ def _words(changes: Mapping[str, Any]) -> str:
 
 
 def rows_of(examined: list[Examined]) -> list[dict[str, Any]]:
-    """One row a criterion: how often it held, of how many, the share with its interval, and what is demanded."""
+    """One row a criterion: how often it held, of how many, the share with its interval, and the goal."""
     counts = Counter(pair for one in examined for pair in one.counts)
     rows = []
     for name, (words, demanded) in CRITERIA.items():

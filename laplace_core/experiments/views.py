@@ -258,7 +258,7 @@ def _layers(rng: np.random.Generator) -> tuple[World, int]:
 
 
 def _tree(rng: np.random.Generator) -> tuple[World, int]:
-    """Each action leads to a subtree of its own, which may end early; leaves pay."""
+    """Each action leads to its own subtree, which may end early; leaves pay."""
     depth, rewards, rows, count = int(rng.integers(2, 5)), _rewards(rng), [], 1
     actions = int(rng.integers(2, 4 if depth < 4 else 3))
     frontier = [(0, 0)]

@@ -32,7 +32,7 @@ def comparison(difference: Difference) -> dict[str, Figure]:
 
 
 def thinning(difference: Difference) -> str:
-    """What a cell of the maps shows, for people to read; empty where it is a single value."""
+    """A sentence about the cells of the maps; empty if a cell is a single value."""
     high, wide = _block(difference.a.shape)
     if (high, wide) == (1, 1):
         return ""

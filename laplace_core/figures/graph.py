@@ -21,7 +21,7 @@ Places = dict[int, tuple[float, float]]
 
 
 def world_graph(world: World, state: int, action: int, policy: np.ndarray) -> Figure:
-    """The states near ``state``, the outcomes of ``action`` lit up, those of the policy elsewhere in grey."""
+    """The states near ``state``, the outcomes of ``action`` highlighted, those of the policy elsewhere in grey."""
     positions = world.positions if world.n_states <= _GRID_MAX else None
     gridded = positions is not None
     drawn = list(range(world.n_states)) if gridded else _nearby(world, state)
@@ -48,7 +48,7 @@ def world_graph(world: World, state: int, action: int, policy: np.ndarray) -> Fi
     corners = [*places.values(), *_ends_of(edges)]
     (x_low, y_low), (x_high, y_high) = np.min(corners, axis=0), np.max(corners, axis=0)
     return build(
-        "World" if not hidden else f"World ({hidden:,} states further off not drawn)",
+        "World" if not hidden else f"World ({hidden:,} distant states are not drawn)",
         [*edges, *_nodes(world, drawn, places, state, action=action, gridded=gridded)],
         margin={"l": 6, "r": 6, "t": 30, "b": 6},
         showlegend=False,
@@ -223,7 +223,7 @@ def _nodes(world: World, drawn: list[int], places: Places, state: int, *, action
         "mode": "markers" if crowded else "markers+text",
         "text": [in_plotly(name if len(name) <= 14 else name[:13] + "…") for name in names],
         "customdata": [[s, in_plotly(name)] for s, name in zip(drawn, names, strict=True)],
-        "hovertemplate": "%{customdata[1]}<br>click to look from here<extra></extra>",
+        "hovertemplate": "%{customdata[1]}<br>click to see its timeline<extra></extra>",
         "marker": {
             "size": size,
             "color": [action_colour(action) if s == state else "#c9ced6" for s in drawn],

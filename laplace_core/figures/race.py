@@ -52,7 +52,7 @@ def differences(
     zero = {"type": "line", "x0": 0, "x1": 0, "yref": "paper", "y0": 0, "y1": 1,
             "line": {"color": NEUTRAL, "width": 1.2, "dash": "dot"}}  # fmt: skip
     return build(
-        "difference of return, a dot a start",
+        "difference of return, one dot for each start",
         traces,
         margin={"t": 54},
         shapes=[zero],
@@ -63,7 +63,7 @@ def differences(
 
 
 def piles(x: np.ndarray) -> tuple[np.ndarray, int]:
-    """How high each dot lies, ``(N,)``, from 1: its rank among those of its bin; and the highest."""
+    """The height of each dot, ``(N,)``, from 1: its rank among those of its bin; and the largest height."""
     low, high = float(x.min()), float(x.max())
     width = (high - low) / _BINS or 1.0
     bins = np.minimum(((x - low) / width).astype(int), _BINS - 1)

@@ -75,7 +75,7 @@ def history(study: optuna.Study) -> Figure:
 
 
 def importances(study: optuna.Study) -> Figure | None:
-    """How much of the difference between trials each setting accounts for; None where the trials are too few.
+    """The share of the variance between trials that each setting explains; None if there are too few trials.
 
     By PED-ANOVA (Watanabe et al., IJCAI 2023), Optuna's own measure.
     """

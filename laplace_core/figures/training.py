@@ -24,7 +24,7 @@ _SHADES = ("#4f6bdc", "#2a9d8f", "#e0a030", "#d1495b")
 
 @dataclass(frozen=True, eq=False)
 class Line:
-    """One run as it is drawn."""
+    """One run in a figure."""
 
     name: str
     colour: str

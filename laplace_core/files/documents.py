@@ -1,4 +1,4 @@
-"""The pages of ``docs/`` as Markdown that needs no Sphinx: what they include stands in its place, pictures are parts.
+"""The pages of ``docs/`` as Markdown that needs no Sphinx: includes are replaced by their text, pictures are parts.
 
 ``docs/index.md`` lists the pages, in their order; ``make docs`` builds HTML of the same files.
 """
@@ -13,7 +13,7 @@ from pathlib import Path
 FOLDER = Path(__file__).resolve().parents[2] / "docs"
 """Where the pages are; a package that is installed without its documents has none."""
 BUILT = "*`make docs` builds this part from the code.*"
-"""What stands in place of a part that only Sphinx can make."""
+"""The text in place of a part that only Sphinx can make."""
 _DIRECTIVE = re.compile(r"^```\{([\w-]+)\} ?(.*)\n((?:.*\n)*?)```$", re.M)
 _PICTURE = re.compile(r"^!\[([^]]*)\]\(([^)\s]+)\)$", re.M)
 _LINK = re.compile(r"\]\(([\w./-]+)\.md(#[\w-]*)?\)")

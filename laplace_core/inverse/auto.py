@@ -110,7 +110,7 @@ def auto_alpha(sweep: Sweep) -> float:
         log_alpha = float(summed(numbers, networks["tikhonov"][weighting]) @ sums[sweep.target][weighting])
     else:
         known = ", ".join((*networks, *sums))
-        raise InputError(f"alpha auto is for the solvers {known}, not for {sweep.target}.")
+        raise InputError(f"alpha auto works for the solvers {known}, not for {sweep.target}: choose another rule.")
     return float(np.clip(np.exp(log_alpha), sweep.alphas[0], sweep.alphas[-1]))
 
 

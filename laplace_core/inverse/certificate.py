@@ -197,4 +197,4 @@ def _check(
     if not 0.0 < confidence < 1.0:
         raise InputError(f"confidence is {confidence:g}; it must lie between 0 and 1.")
     if layers < 1:
-        raise InputError(f"layers is {layers}; at least 1 is needed.")
+        raise InputError(f"layers is {layers}; it must be at least 1.")

@@ -198,7 +198,7 @@ def sweep_of(
         alphas: increasing; default :func:`sweep_alphas`.
         noise: ``(G,)``, standard deviation of the error of one sensitivity's value at each discount, in the units of
             the masses; None where its size is not known. That of ``problem.deviations`` may be relative.
-        each_bin: whether every bin has an alpha of its own.
+        each_bin: whether every bin has its own alpha.
 
     Raises:
         InputError: no such solver, or noise that does not fit.

@@ -154,7 +154,7 @@ def check_seeds(
     _, actions, bins, discounts = masses.shape
     least = LEAST_DEVIATION * float(masses.std(axis=0, ddof=1).max())
     if least <= ROUNDING * np.abs(masses).max():
-        raise InputError("the seeds do not differ, so that they show no noise: give a noise level.")
+        raise InputError("all seeds have the same values, so they show no noise: give a noise level.")
     flat = masses.reshape(n, actions, bins * discounts)
     roots = np.array([_root(shrunk_covariance(flat[:, a], least)) for a in range(actions)])
     deviations = constant.std(axis=0, ddof=1) / np.sqrt(n)

@@ -134,9 +134,9 @@ class NeuralInverse:
                 f"with {train_command()}."
             )
         if problem.time_step != 1.0:
-            raise InputError("the neural inverse knows whole steps only: leave time-step at 1.")
+            raise InputError("the neural inverse works only with a time step of 1: set time-step to 1.")
         if not problem.starts_alive:
-            raise InputError("the neural inverse is for states that are not terminal: choose another solver.")
+            raise InputError("the neural inverse does not work for terminal states: choose another solver.")
         masses = self.timeline(problem.masses, noise_of(problem))[..., : problem.steps, :]
         residual = problem.masses - problem.transform @ masses
         return Solution(masses, residual, np.full(problem.masses.shape[:-2], np.nan), masses == 0.0)
@@ -226,7 +226,7 @@ def read_network(path: str | Path) -> NeuralInverse:
         if array.shape != shape or array.dtype != np.float32:
             raise InputError(f"the tensor {key!r} in {name} must be float32 of shape {list(shape)}.")
         if not np.all(np.abs(array) <= _LARGEST_WEIGHT):  # also false for nan
-            raise InputError(f"the tensor {key!r} in {name} has a weight that no training gives.")
+            raise InputError(f"the tensor {key!r} in {name} has a weight that is too large or not a number.")
     weights = {key: array.astype(np.float64) for key, array in arrays.items()}
     return NeuralInverse(gammas, steps, weights, _trained(about["trained"], name))
 

@@ -11,7 +11,7 @@ from laplace_core.inverse.feasible import feasible
 from laplace_core.inverse.problem import problem_of
 
 ROWS = 40
-"""Exact steps; what comes later is in windows."""
+"""Exact steps; later ones are in windows."""
 
 
 def projected(gamma_space: GammaSpace, deviations: np.ndarray | None = None, rows: int = ROWS) -> GammaSpace:

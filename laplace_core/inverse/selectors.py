@@ -252,7 +252,7 @@ def choose_alpha(
         solver: one of ``SOLVERS``; for one that is not linear the rules look at Tikhonov, whose penalty it shares.
         rule: one of ``SELECTORS``, or ``auto``.
         noise: ``(G,)``, standard deviation of the error of one sensitivity's value at each discount.
-        each_bin: whether every bin has an alpha of its own.
+        each_bin: whether every bin has its own alpha.
         alphas: those to try, increasing.
 
     Raises:

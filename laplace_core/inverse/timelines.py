@@ -2,7 +2,7 @@
 
 An episode lasts for ever, ends with a constant chance, after a certain number of steps, or around it. While it lasts,
 its reward has a distribution that stays, changes from phase to phase, alternates or drifts; single steps may differ,
-and the last step may pay something of its own. A timeline is a mixture of up to three such episodes.
+and the last step may pay an extra reward. A timeline is a mixture of up to three such episodes.
 """
 
 from __future__ import annotations

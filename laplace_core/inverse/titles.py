@@ -1,4 +1,4 @@
-"""What solvers and rules for alpha are called on pages, by their names in ``SOLVERS`` and ``ALPHA_CHOICES``."""
+"""Titles of solvers and rules for alpha on pages, by their names in ``SOLVERS`` and ``ALPHA_CHOICES``."""
 
 from __future__ import annotations
 

@@ -1,1 +1,1 @@
-"""What a browser needs in order to draw, packed as bytes: of a study, of an episode, of a race."""
+"""Data for a browser to draw, packed as bytes: a study, an episode, a race."""

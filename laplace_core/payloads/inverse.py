@@ -1,4 +1,4 @@
-"""What the page of the inverse needs of one action of a study: all that a drag of alpha moves, packed for the browser.
+"""The payload of the page Inverse for one action of a study: everything that a drag of alpha moves.
 
 The library makes every array. The browser filters components by alpha and multiplies; what alpha does not move comes as
 it is drawn.
@@ -188,7 +188,7 @@ _FLOATS, _COUNTS = ("truth", "decoded"), ("choices", "true_choice")
 
 
 def _packed(header: dict[str, Any], arrays: dict[str, np.ndarray]) -> bytes:
-    """In doubles, but for what is only looked at (single floats) and actions (two bytes)."""
+    """In doubles, except arrays that are only drawn (single floats) and actions (two bytes)."""
     kinds = {name: "f4" if name in _FLOATS else "u2" if name in _COUNTS else "f8" for name in arrays}
     header["arrays"], data = packed_blocks(
         (name, kinds[name], np.ascontiguousarray(array, dtype=f"<{kinds[name]}").tobytes(), list(array.shape))

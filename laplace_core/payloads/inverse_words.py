@@ -1,4 +1,4 @@
-"""What rules and solvers are called on the page of the inverse, and the sentence that judges an alpha."""
+"""The words of rules and solvers on the page Inverse, and the sentence that judges an alpha."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from laplace_core.study.pipeline import problem_for
 
 @dataclass(frozen=True)
 class Said:
-    """What is said of a state; ``tone`` is ok, warn, bad or unknown."""
+    """The sentence about a state; ``tone`` is ok, warn, bad or unknown."""
 
     tone: str
     sentence: str
@@ -37,25 +37,25 @@ class Rule:
 
 
 _WHY: Mapping[str, tuple[str, str]] = {
-    "gcv": ("Cross-validation: how well a value that is left out would be predicted.",
+    "gcv": ("Generalised cross-validation: how well values that are left out would be predicted.",
                 "|r|²/n ÷ ((G − d)/G)²"),
-    "rgcv": ("GCV that also counts how much of the noise is fitted.", "GCV · (.9 + .1 tr(A²)/G)"),
-    "loo": ("The error at each discount when it is predicted without itself.",
+    "rgcv": ("GCV with an extra penalty for fitted noise.", "GCV · (.9 + .1 tr(A²)/G)"),
+    "loo": ("The error at each discount when the other discounts predict it.",
                 "mean of (r_g / (1 − A_gg))²"),
     "aic": ("Misfit against degrees of freedom, corrected for small samples.",
                 "n log(|r|²/n) + 2kn/(n − k − 1)"),
-    "bic": ("As AIC, at a higher price for each degree of freedom.",
+    "bic": ("As AIC, with a larger penalty for each degree of freedom.",
                 "n log(|r|²/n) + log(n) kn/(n − k − 2)"),
     "lcurve": ("The sharpest bend of the L-curve.", "minus its curvature, in logarithms"),
     "corner": ("The point nearest to the lower left corner of the L-curve.",
                    "distance, each axis scaled to its span"),
-    "discrepancy": ("The largest alpha whose misfit is no more than what the noise makes.",
+    "discrepancy": ("The largest alpha whose misfit is no larger than the noise explains.",
                         "|r|² / expected |noise|² ≤ 1"),
     "ncp": ("How far the residual is from white noise along the discounts.",
                 "distance of its cumulative periodogram from a line"),
-    "quasiopt": ("Where the timeline changes least from one alpha to the next.",
+    "quasiopt": ("The alpha around which the timeline changes least.",
                      "|x(α_i+1) − x(α_i)|"),
-    "fitted": ("What a small network says that was fitted to random worlds; automatic takes it.",
+    "fitted": ("The answer of a small network that was fitted to random worlds. It is the default.",
                    "|log α − log α_fitted|"),
 }  # fmt: skip
 """By the names of ``SELECTORS``: what the rule makes small, and its formula."""
@@ -68,7 +68,7 @@ FAR = 1.5
 
 NO_NOISE = "Give a noise level to test whether any timeline has these values."
 TESTING = "Whether any timeline has these values is being tested."
-OFFERED = "Whether any timeline has these values takes a longer test, which is below."
+OFFERED = "The test of whether any timeline has these values takes longer: its button is below."
 
 
 def said(study: Study, found: Swept, course: Course, evidence: Evidence | None, *, lacking: str = NO_NOISE) -> Said:
@@ -84,7 +84,7 @@ def said(study: Study, found: Swept, course: Course, evidence: Evidence | None, 
     edge = record.edge if record.rule != TYPED else "none"
     if edge != "none":
         end = "smallest" if edge == "lower" else "largest"
-        parts.append(f"It is the {end} alpha of the sweep that the rule could take: the optimum may lie beyond it.")
+        parts.append(f"It is the {end} alpha of the sweep that the rule may choose: the optimum may lie beyond it.")
         tone = "warn"
     if course.best is not None and course.time_error is not None:
         here = int(np.argmin(np.abs(np.log(course.alphas / s.alpha))))
@@ -134,7 +134,7 @@ def _choice(study: Study, found: Swept) -> str:
 
 
 def chosen_over(study: Study, actions: np.ndarray) -> str:
-    """Which action is chosen from which deadline on, of the choices ``(K,)`` for each of them."""
+    """The chosen action and the first deadline of each run of equal choices ``(K,)``."""
     stretches = turns(actions)
     names = [study.action_names[action] for _, action in stretches]
     if len(names) == 1:

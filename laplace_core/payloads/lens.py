@@ -1,4 +1,4 @@
-"""What the lens needs of a study, once per world, grid and policy: packed for the browser, in double precision.
+"""The payload of the lens for a study, sent once per world, grid and policy, in double precision.
 
 Everything that is inverted stays in doubles; single floats would ruin a small alpha before the product. The truth is
 only looked at and is packed in single floats.
@@ -69,7 +69,7 @@ LEVELS = 65_535
 
 @dataclass(frozen=True, eq=False)
 class Simulated:
-    """What continuations from the observation came to that begin with an action: the truth where there is no world."""
+    """Simulated continuations of the observation that begin with an action: the truth if there is no world."""
 
     action: int
     outcome: Empirical
@@ -78,7 +78,7 @@ class Simulated:
 _DECODES = ("noise", "noise_seed", "shift", "fold", "slope_share", "slope", "mixed", "clip", "paper_grid")
 """Entries of the state of a lens that change what is decoded, beside alpha."""
 _READS = ("normalise", "softness", "value_gamma", "horizon", "used", "constant")
-"""Those that change the values of all horizons; they count where every horizon has an inverse of its own."""
+"""Those that change the values of all horizons; they count if every horizon has its own inverse."""
 
 
 def follows(settings: Resolved) -> bool:
@@ -232,7 +232,7 @@ def decoded_for(settings: Resolved) -> dict[str, Any]:
 
 
 def _decoded(shown: Study) -> dict[str, np.ndarray]:
-    """What the server has decoded, before rows are rescaled, and under ``fold`` the values of all horizons."""
+    """The timeline that the server has decoded, before rescaling, and under ``fold`` the values of all horizons."""
     s = shown.settings
     made = shown.decoded
     if s.normalise != "none":

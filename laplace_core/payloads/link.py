@@ -1,4 +1,4 @@
-"""What a link may hold of a lens: the settings of a study that can be drawn, the action, and how it is looked at."""
+"""The entries of a lens in a link: the settings of a study that can be drawn, the action, and the look."""
 
 from __future__ import annotations
 

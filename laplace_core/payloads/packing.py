@@ -1,4 +1,4 @@
-"""How a header and blocks of numbers become one text of bytes, which a browser reads without copying it."""
+"""A header and blocks of numbers as one string of bytes, which a browser reads without copying it."""
 
 from __future__ import annotations
 

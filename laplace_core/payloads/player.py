@@ -1,4 +1,4 @@
-"""What the player needs of a rollout, once: packed small, so that scrubbing needs the server no more.
+"""The payload of the player, sent once for a rollout and packed small, so that scrubbing needs no server.
 
 The differences of gamma-space are only looked at while the hand moves; at rest the lens gets the exact ones. They are
 rounded to 16 bits: at every discount in steps of a 32,767th of the largest difference of the episode there, so that

@@ -1,4 +1,4 @@
-"""What the race track needs of a race, once: numbers as JSON, pictures as they are."""
+"""The payload of the race track, sent once for a race: numbers as JSON, pictures unchanged."""
 
 from __future__ import annotations
 

@@ -84,7 +84,7 @@ def check_convention(values: np.ndarray, constant: np.ndarray | None, gammas: np
 
 
 class _Facts:
-    """What is broken in values ``(A, G, H)`` with increasing gammas, far beyond their errors."""
+    """The violated properties of values ``(A, G, H)`` with increasing gammas, far beyond their errors."""
 
     def __init__(self, values: np.ndarray, constant: np.ndarray | None, sizes: np.ndarray):
         self.values, self.constant, self.sizes = values, constant, sizes
@@ -194,7 +194,7 @@ def _errors(values: np.ndarray, sizes: np.ndarray) -> np.ndarray:
 
 
 def _score(values: np.ndarray, constant: np.ndarray | None, sizes: np.ndarray) -> float:
-    """How much of all facts is broken, policies being one, in probability."""
+    """The total violation of all properties, in probability; mixed policies count as one."""
     q = values * sizes[:, None]
     broken = np.maximum(np.diff(q, axis=2), 0.0).sum(axis=2).mean() + np.maximum(q - 1.0, 0.0).mean()
     broken += np.maximum(-np.diff(values, axis=1) * sizes[1:, None], 0.0).sum(axis=1).mean()
@@ -229,7 +229,7 @@ def _listed(order: tuple[int, ...]) -> str:
 
 
 def order_of_axes(shape: tuple[int, ...], gammas: int, thetas: int) -> str | None:
-    """What the axes of a misshapen gamma-space seem to be, in words; None where its shape does not show it."""
+    """The likely order of the axes of a misshapen gamma-space, in words; None if its shape does not show it."""
     for order in permutations(range(len(shape))) if len(shape) in (2, 3) else ():
         if tuple(shape[axis] for axis in order)[-2:] == (gammas, thetas):
             names = _AXES[-len(shape) :]

@@ -1,4 +1,4 @@
-"""What one state comes to at many alphas: which action is chosen at each horizon, and how far off the timeline is."""
+"""One state at many alphas: the action that is chosen at each horizon, and the error of the timeline."""
 
 from __future__ import annotations
 
@@ -82,7 +82,7 @@ def turns(chosen: np.ndarray) -> list[tuple[int, int]]:
 
 
 class Errors(NamedTuple):
-    """How far a study is from its truth; all None without one.
+    """The distances of a study from its truth; all None without a truth.
 
     Attributes:
         relative_error, distance, variation: of :mod:`laplace_core.inverse.distances`, mean over the actions.
@@ -128,7 +128,7 @@ def ranking(study: Study, rule: str = "auto") -> Iterator[Ranked]:
 
 
 def errors_of(study: Study) -> Errors:
-    """How far a study is from its truth."""
+    """The distances of a study from its truth."""
     truth, decoded = study.truth, study.decoded
     if truth is None:
         return Errors()

@@ -138,7 +138,7 @@ def episode_regret(
 
 
 def constant_horizon_values(world: World, actions: np.ndarray, gamma: float) -> np.ndarray:
-    """What an episode of T steps collects if every step is acted as if all T were left, ``(T, S)``.
+    """The value of an episode of T steps in which every step is acted as if all T were left, ``(T, S)``.
 
     Row T - 1 belongs to the rule ``actions[T - 1]`` kept throughout; horizons with the same rule share their work.
     """
@@ -173,7 +173,7 @@ def episode_regret_of(
 
 
 def constant_horizon_loss(world: World, settings: ResolvedForWorld) -> tuple[np.ndarray, np.ndarray]:
-    """What an episode of T steps loses by acting with T throughout instead of by the time to go, ``(T, S)``.
+    """The loss of an episode of T steps that is acted with T throughout instead of the time to go, ``(T, S)``.
 
     Returns:
         the loss, negative where wrong values make the constant T the better one, and the value of the best episode.

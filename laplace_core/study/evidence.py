@@ -1,4 +1,4 @@
-"""What follows from the size of the noise alone, whatever alpha is: whether a timeline has the values, and what is
+"""Conclusions from the size of the noise alone, for every alpha: whether a timeline has the values, and what is
 certainly best."""
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ USUAL_NOISE = 1e-3
 
 @dataclass(frozen=True)
 class Evidence:
-    """What the noise allows to say.
+    """The conclusions that the noise allows.
 
     Attributes:
         p_value: of the test whether any feasible timeline has these values.
@@ -84,7 +84,7 @@ REAL = 0.5
 
 
 def tested(p_value: float) -> str:
-    """What the test of the values found, in a sentence."""
+    """The result of the test of the values, in a sentence."""
     if p_value > LEVEL:
         return f"Some timeline may well have these values (p = {p_value:.2g})."
     return f"No feasible timeline has these values (p = {p_value:.2g}): they are no transform of one process."
@@ -101,7 +101,7 @@ class Pair:
 
 @dataclass(frozen=True)
 class Belief:
-    """What of a view can be believed, where the size of its noise is known.
+    """The reliable parts of a view, if the size of its noise is known.
 
     Attributes:
         p_value: of the test whether any feasible timeline has the values of all actions.
@@ -124,7 +124,7 @@ class Belief:
 
     @property
     def sentence(self) -> str:
-        """What a verdict adds: the test, whether the choice is certain, and the pair that is resolved worst."""
+        """The sentence for the verdict: the test, whether the choice is certain, and the worst resolved pair."""
         parts = [tested(self.p_value)]
         if self.difference is not None and self.spread is not None and self.difference < CERTAIN * self.spread:
             parts.append(
@@ -143,7 +143,7 @@ class Belief:
 
     @property
     def artefacts(self) -> list[Artefact]:
-        """What the noise makes of the picture, as entries of the list of artefacts."""
+        """The effects of the noise on the picture, as entries of the list of artefacts."""
         found = []
         if self.p_value <= LEVEL:
             at = ", ".join(f"{gamma:.3g}" for gamma in self.blamed[:3])
@@ -200,7 +200,7 @@ def work_to_believe(study: Study) -> float:
 
 
 def believe(study: Study, row: int, action: int) -> Belief | None:
-    """What of a view can be believed; None where the size of its noise is not known.
+    """The reliable parts of a view; None if the size of its noise is not known.
 
     Args:
         row: of the horizon, ``study.horizons[row]``.
@@ -222,7 +222,7 @@ def believe(study: Study, row: int, action: int) -> Belief | None:
 def _difference(
     study: Study, row: int, deviations: np.ndarray, *, independent: bool
 ) -> tuple[float, float] | tuple[None, None]:
-    """By how much the best two values differ, and the standard deviation of it.
+    """The difference of the best two values, and its standard deviation.
 
     V_T is a sum of weights over the discounts times the expected reward there, whose error is the reward gain times
     that of one value; errors of two actions are independent.

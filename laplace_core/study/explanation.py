@@ -24,7 +24,7 @@ class Explanation:
 
 
 def trials_of(study: Study, row: int, action: int) -> Trials | None:
-    """What single changes make of a view; None without a world, where nothing can be tried."""
+    """The trials of single changes of a view; None without a world, where nothing can be tried."""
     return Trials(study, row, action) if isinstance(study, WorldStudy) else None
 
 

@@ -1,4 +1,4 @@
-"""How good a view is, in numbers: its choice, its values and its timeline, each graded by itself.
+"""Grades of a view, in numbers: its choice, its values and its timeline, each graded separately.
 
 A view is a study and one of its horizons. Grades do not say why something is wrong: :mod:`laplace_core.study.trials`
 searches for the cause by running the view again under other settings, and :mod:`laplace_core.study.verdict` words it.

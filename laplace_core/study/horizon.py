@@ -25,7 +25,7 @@ def expected_rewards(tau_space: np.ndarray, midpoints: np.ndarray) -> np.ndarray
 def deadline_weights(
     horizon: float | np.ndarray, steps: int, softness: float = 0.0, time_step: float = 1.0
 ) -> np.ndarray:
-    """How much each row counts under a deadline, in [0, 1]: ``(steps,)``, or ``(n, steps)`` of horizons ``(n, 1)``.
+    """The weight of each row under a deadline, in [0, 1]: ``(steps,)``, or ``(n, steps)`` of horizons ``(n, 1)``.
 
     sigmoid((T - 1/2 - tau) / width) with width = softness * T; softness 0 is the hard deadline, tau < T - 1/2,
     and a row right on it counts half.

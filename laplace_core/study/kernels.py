@@ -35,7 +35,7 @@ def weights_of(study: Study, target: np.ndarray) -> np.ndarray:
 
 
 def discount_kernel_of(study: Study) -> np.ndarray:
-    """What alpha and T really weigh each future step with, ``(K,)``."""
+    """The effective weight of each future step at this alpha and T, ``(K,)``."""
     s = study.settings
     return discount_kernel(study.gamma_space.gammas, weights_of(study, target_of(study)), s.steps, s.time_step)
 

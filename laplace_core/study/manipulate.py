@@ -137,7 +137,7 @@ def transformed(
 
 @dataclass(frozen=True)
 class Loss:
-    """What a round trip from gamma-space to a timeline and back changes, of one action.
+    """The change of one action's values in a round trip from gamma-space to a timeline and back.
 
     Attributes:
         relative: norm of the difference of all masses over the discounts, by their own norm.
@@ -169,7 +169,7 @@ def round_trip_losses(gamma_space: GammaSpace, masses: np.ndarray, time_step: fl
 def values_of(
     masses: np.ndarray, thetas: np.ndarray, gamma: float, *, softness: float = 0.0, time_step: float = 1.0
 ) -> tuple[np.ndarray, np.ndarray]:
-    """What a timeline ``(A, K, H+1)`` is worth for every horizon, and the action that is chosen for each.
+    """The values of a timeline ``(A, K, H+1)`` for every horizon, and the action that is chosen for each.
 
     Returns:
         Values ``(A, K)`` in units of reward, and actions, int ``(K,)``; the last column is the whole timeline.

@@ -116,7 +116,7 @@ def save_study(study: Study, path: str | Path) -> None:
 
 
 def npz_bytes(study: Study) -> bytes:
-    """What :func:`save_study` writes, for a download that needs no file."""
+    """The bytes that :func:`save_study` writes, for a download that needs no file."""
     file = io.BytesIO()
     np.savez_compressed(file, **study_arrays(study))
     return file.getvalue()
@@ -128,7 +128,7 @@ def read_gamma_space(
     """A gamma-space from an ``.npz`` with ``gamma_space``, ``gammas`` and ``thetas``.
 
     ``gamma_space`` is ``(A, G, H)``, or ``(G, H)`` for one action, or ``(S, A, G, H)`` with ``state`` as an
-    index. Without a ``constant_channel`` ``(A, G)`` the tail at the lowest sensitivity stands in for it: it
+    index. Without a ``constant_channel`` ``(A, G)`` the tail at the lowest sensitivity is used instead: it
     is the same thing as long as no reward lies below that sensitivity. ``open_ends`` 1 says that what lies beyond the
     sensitivities counts, and ``places`` where these lie on the activation, as :class:`GammaSpace` has it. Values that
     are clearly those of another convention are refused (:mod:`laplace_core.study.conventions`).
@@ -149,7 +149,7 @@ def read_gamma_space(
     gammas, thetas, values = arrays["gammas"], arrays["thetas"], arrays["gamma_space"]
     check_gammas(gammas)
     if gammas.size < 2:
-        raise InputError("'gammas' must hold at least 2 discounts, or there is nothing to decode.")
+        raise InputError("'gammas' must hold at least 2 discounts, or nothing can be decoded.")
     check_thetas(thetas)
     for grid, most in _MOST.items():
         if arrays[grid].size > most:
@@ -170,7 +170,7 @@ def read_gamma_space(
     check_shapes(values, constant, gammas, thetas)
     if values.ndim == 4:
         index = _state_index(state, len(values))
-        values = values[index].copy()  # the other states are let go
+        values = values[index].copy()  # the memory of the other states is freed
         constant = None if constant is None else constant[index].copy()
     elif state not in (None, "0"):
         raise InputError(f"state {state[:40]!r} does not exist: this gamma-space holds a single state, 0.")
@@ -199,7 +199,7 @@ def _state_index(state: str | None, count: int) -> int:
 
 
 def states_of(source: str | Path | bytes | BinaryIO, name: str | None = None) -> int:
-    """How many states a gamma-space file holds: S of ``(S, A, G, H)``, else 1. Only a header is read.
+    """The number of states in a gamma-space file: S of ``(S, A, G, H)``, else 1. Only a header is read.
 
     Raises:
         InputError: as :func:`read_gamma_space`, as far as the header of ``gamma_space`` shows it.

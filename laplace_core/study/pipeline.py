@@ -56,7 +56,7 @@ from laplace_core.worlds import World
 
 AnyResolved = TypeVar("AnyResolved", bound=Resolved)
 MAX_FOLDED = 200_000_000
-"""Numbers that the inverses of all horizons may be together, where each has one of its own: two or three seconds."""
+"""Most numbers of the inverses of all horizons together, if each has its own: two or three seconds."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -105,12 +105,12 @@ class Truth(Decoded):
 
 @dataclass(frozen=True, eq=False)
 class Study:
-    """One state, looked at through one choice of settings; a :class:`WorldStudy` where there is a world to look at.
+    """One state under one choice of settings; a :class:`WorldStudy` if there is a world.
 
     ``midpoints`` are what each column of the tau-space counts as: the bin values of the gamma-space, ``(B,)``.
     ``learned`` is the learned reward-indicator basis, ``(A, G, V)``, that was decoded in place of the exact one;
     ``policy`` is the one that was given in place of the target policy of the settings. ``automatic`` says how a rule
-    chose the alpha that stands in the settings; None where it was typed.
+    chose the alpha of the settings; None if it was typed.
     """
 
     settings: Resolved
@@ -175,7 +175,7 @@ class Study:
         """
         for name, index, count in (("row", row, len(self.horizons)), ("action", action, len(self.action_names))):
             if index is not None and not 0 <= index < count:
-                raise InputError(f"{name} {index} is not there: this study has {count}, from 0 to {count - 1}.")
+                raise InputError(f"{name} {index} does not exist: this study has {count}, numbered 0 to {count - 1}.")
 
     @property
     def taus(self) -> np.ndarray:
@@ -291,7 +291,7 @@ def clipped_sensitivities(settings: ResolvedForWorld, world: World, timeline: np
 
 
 def rows_decoded(settings: Resolved, row: int | None) -> int:
-    """How many rows the inverse has: all K, or under ``fold`` as many as the horizon of a row."""
+    """The number of rows of the inverse: all K, or under ``fold`` as many as the horizon of a row."""
     return row + 1 if settings.fold and row is not None else settings.steps
 
 
@@ -464,7 +464,7 @@ def read_study(gamma_space: GammaSpace, settings: Resolved) -> Decoded:
 
 
 def folded_values(rewards_at: Callable[[int], np.ndarray], settings: Resolved) -> np.ndarray:
-    """V_T, ``(..., K)``, where every horizon has an inverse of its own.
+    """V_T, ``(..., K)``, if every horizon has its own inverse.
 
     Args:
         rewards_at: E[r_tau], ``(..., K)``, decoded for the horizon of a row.
@@ -478,7 +478,7 @@ def folded_values(rewards_at: Callable[[int], np.ndarray], settings: Resolved) -
 
 
 def work_of_fold(settings: Resolved, discounts: int, columns: int) -> int:
-    """Numbers that the inverses of all horizons are together, where each has one of its own; 0 where all share one.
+    """Numbers of the inverses of all horizons together, if each has its own; 0 if all share one.
 
     Args:
         columns: how many columns each of them decodes.

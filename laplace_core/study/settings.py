@@ -1,7 +1,7 @@
 """Every choice that leads from a world to a tau-space, as one frozen, typed object.
 
-A setting stands in one place, as a field of :class:`Settings`; the command line, the URL of the app and the saved files
-all read and write it by what stands there. None means "what suits the world" and is filled in by :func:`resolve`.
+A setting is defined once, as a field of :class:`Settings`; the command line, the URL of the app and the saved files
+all use this definition. None means "the default for the world", which :func:`resolve` fills in.
 """
 
 from __future__ import annotations
@@ -71,13 +71,13 @@ class Settings:
 
     world: str = "two_branch"
     params: tuple[tuple[str, object], ...] = ()
-    state: str | None = text("State to look from, by name or index (default: the likeliest start).")
+    state: str | None = text("State of the view, by name or index (default: the most likely start).")
     gammas: int | None = _setting(None, 2, 500, "Number of discounts.")
-    spacing: str | None = _choice("inverse-log", GAMMA_SPACINGS, "How the discounts are spaced.")
+    spacing: str | None = _choice("inverse-log", GAMMA_SPACINGS, "Spacing of the discounts.")
     gamma_min: float | None = _setting(0.01, *DISCOUNT_RANGE, "Smallest discount.")
     gamma_max: float | None = _setting(0.99, *DISCOUNT_RANGE, "Largest discount.")
     thetas: int | None = _setting(150, 2, 2000, "Number of reward sensitivities.")
-    theta_spacing: str | None = _choice("uniform", THETA_SPACINGS, "How the sensitivities are spaced.")
+    theta_spacing: str | None = _choice("uniform", THETA_SPACINGS, "Spacing of the sensitivities.")
     theta_min: float | None = _setting(None, -1e10, 1e10, "Smallest sensitivity, in reward.")
     theta_max: float | None = _setting(None, -1e10, 1e10, "Largest sensitivity, in reward.")
     theta_scale: float | None = _setting(None, 0, 1e10, THETA_SCALE_HELP)
@@ -87,33 +87,35 @@ class Settings:
     time_step: float | None = _setting(
         1.0, 1e-3, 1, "Time from one row of tau-space to the next, in steps of the world."
     )
-    normalise: str | None = _choice("none", NORMALISATIONS, "What is done to the rows of tau-space.")
-    policy: str | None = _choice("shared", TARGET_POLICIES, "Whose policy every discount evaluates.")
+    normalise: str | None = _choice("none", NORMALISATIONS, "Scaling of the rows of tau-space.")
+    policy: str | None = _choice("shared", TARGET_POLICIES, "Policy that every discount evaluates.")
     acting_gamma: float | None = _setting(
         0.99, *DISCOUNT_RANGE, "Discount of the policy and of the values over the horizon."
     )
     softness: float | None = _setting(
         0.0, 0, 10, "Width of the deadline, as a fraction of the horizon; 0 is a hard one."
     )
-    deadline: str | None = _choice("time_to_go", DEADLINES, "The T that an episode is acted with at each step.")
-    solver: str | None = _choice("tikhonov", tuple(SOLVERS), "How the transform is inverted.")
+    deadline: str | None = _choice(
+        "time_to_go", DEADLINES, "T at each step of an episode: the time to go, or constant."
+    )
+    solver: str | None = _choice("tikhonov", tuple(SOLVERS), "Solver that inverts the transform.")
     selector: str | None = _choice(
-        "typed", ALPHA_CHOICES, "Rule that chooses alpha, as --alpha NAME does; typed: none."
+        "typed", ALPHA_CHOICES, "Rule that chooses alpha, as --alpha NAME does; 'typed' uses the number of --alpha."
     )
     noise_level: float | None = _setting(
         None,
         1e-12,
         1,
-        "Random error that gamma-space is taken to have: standard deviation of (1 - gamma) Q. Discrepancy needs it.",
+        "Assumed random error of gamma-space: standard deviation of (1 - gamma) Q. The rule discrepancy needs it.",
     )
     noise_levels: str | None = text(
-        "The same at each discount, by commas, as the seeds of a learner show it; in place of --noise-level.",
+        "The same for each discount, separated by commas, in place of --noise-level.",
         levels_in,
     )
     weighting: str | None = _choice(
         None, WEIGHTINGS,
-        "How discounts count: alike, or divided by the deviation of their error, 1/(1-gamma), which is the default "
-        "where a rule chooses alpha or --noise-level is given.",
+        "Weights of the discounts in the fit: equal, or by the deviation of their error, 1/(1-gamma). The second is "
+        "the default if a rule chooses alpha or a noise level is given.",
     )  # fmt: skip
     filter: str | None = _choice("none", DISCOUNT_FILTERS, "Filter over the discounts before the inverse.")
     filter_window: int | None = _setting(5, 1, 499, "Discounts in a window of --filter savgol, an odd number.")
@@ -121,9 +123,9 @@ class Settings:
     noise: float | None = _setting(
         0.0, 0, 1, "Random error of gamma-space: standard deviation of (1 - gamma) Q, a probability."
     )
-    noise_seed: int | None = _setting(0, 0, 2**31 - 1, "Seed of that error.")
+    noise_seed: int | None = _setting(0, 0, 2**31 - 1, "Seed of the noise in gamma-space.")
     horizon: float | None = _setting(None, 1e-3, 2000, "Deadline T, in steps of the world (default: the longest).")
-    used: float | None = _setting(0.0, 0, 2000, "Steps of the episode that are over: T less these are left.")
+    used: float | None = _setting(0.0, 0, 2000, "Steps of the episode that are over; the time to go is T minus these.")
     value_gamma: float | None = _setting(None, *DISCOUNT_RANGE, "Discount of the values (default: the acting gamma).")
     fold: bool | None = _switch("Decode only as many rows as the horizon has (K = T).", default=False)
     shift: bool | None = _switch("Decode each discount by the row of the next one, an index error.", default=False)
@@ -448,7 +450,7 @@ def _weighting(values: Mapping[str, Any]) -> str:
 
 
 def _nearest_horizon(values: Mapping[str, Any]) -> float | None:
-    """The horizon of a row that is nearest to the one that is asked for."""
+    """The horizon of the row that is nearest to the chosen one."""
     if values["horizon"] is None:
         return None
     horizons = row_horizons(values["steps"], values["time_step"])

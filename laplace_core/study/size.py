@@ -1,4 +1,4 @@
-"""How large a study may be, in numbers of its largest array: one bound for a process."""
+"""The limit of a study's size, in numbers of its largest array: one limit for a process."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""One state at many alphas: what each of them fits, what the selectors say, and how far it is from the truth."""
+"""One state at many alphas: the fit of each, the curves of the selectors, and the distance from the truth."""
 
 from __future__ import annotations
 
@@ -54,7 +54,7 @@ class AlphaSweep:
 
 
 def time_distance(decoded: np.ndarray, true: np.ndarray, time_step: float = 1.0) -> np.ndarray:
-    """How far probability has to be carried along time from one tau-space to another, ``(..., K, B)`` to ``(...)``.
+    """The distance over which probability moves along time from one tau-space to another, ``(..., K, B)`` to ``(...)``.
 
     The area between the sums up to each row, of every bin, added up over the bins: the W1 distance over time where both
     hold as much in a bin. What one of them lacks counts as carried to the end of the rows. In steps times probability.

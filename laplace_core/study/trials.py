@@ -65,16 +65,16 @@ MOST_WORK = 3e10
 """Products that a search may cost before it is left out: half a minute if it comes to the worst."""
 
 WHY = {
-    "repeated reward": "Rows with little or nothing in them are rescaled to probability 1, and a residue of an earlier "
-    "reward counts as a certain one.",
-    "conditional rewards": "Rows given survival say what comes if the episode still runs; summed as they are, they "
-    "count rewards after its end as if it always ran.",
+    "repeated reward": "Rows that are nearly empty are rescaled to probability 1, and a residue of an earlier reward "
+    "counts as a certain reward.",
+    "conditional rewards": "Rows given survival hold the rewards if the episode still runs; adding them up counts "
+    "rewards after its end as if it always ran.",
     "early end": "One action ends the episode before the deadline, and what the inverse leaves in the rows after "
     "its end counts as reward; with steps of reward 0 in their place it does not.",
     "mixed policies": "Each discount follows its own greedy policy, so that the values over gamma are no transform of "
     "any single process.",
-    "noise amplification": "Gamma-space carries random error, and the inverse divides it by small singular values.",
-    "soft deadline": "The soft deadline counts part of what comes after T and leaves out part of what comes before.",
+    "noise amplification": "Gamma-space has random errors, and the inverse divides them by small singular values.",
+    "soft deadline": "The soft deadline counts part of the rewards after T and leaves out part of those before T.",
     "edge clipping": "A reward at the edge of the sensitivities, or beyond it, leaves part of its probability outside "
     "the picture.",
     "reward quantisation": "The slope is so steep that no two sensitivities overlap, and every reward is rounded to a "
@@ -89,11 +89,11 @@ WHY = {
     "negative mass": "So small an alpha lets the inverse ring around sharp events.",
     "unconstrained inverse": "Nothing keeps a linear inverse from probabilities below 0 or from a survival above 1; a "
     "solver that knows one of these limits comes nearer to the truth with the same values.",
-    "only T rows": "Only as many rows are decoded as the horizon has, and the inverse puts into them what comes later.",
+    "only T rows": "Only T rows are decoded, and the inverse puts later rewards into them.",
     "shifted index": "Each discount is decoded by the row of the next one, so that no time has its own place.",
     "discount of the values": "The values are read at another discount than the one that the best action is for.",
     "constant horizon": "The agent still acts as if all of T were left, and aims at rewards that come after the end.",
-    "discount grid": "These discounts do not tell the steps apart that matter here; others do.",
+    "discount grid": "These discounts do not distinguish the steps that matter here; others do.",
     "not learned yet": "With the exact values of this world the same settings are right: the learner does not hold "
     "these values yet.",
 }  # fmt: skip
@@ -221,7 +221,7 @@ class Trials:
         if s.fold:
             yield Remedy("Decode all rows", {"fold": False}, "only T rows")
         if s.shift:
-            yield Remedy("Undo the shift of the index", {"shift": False}, "shifted index")
+            yield Remedy("Undo the index shift", {"shift": False}, "shifted index")
         if s.value_gamma != s.acting_gamma:
             label = f"Read values at the acting gamma {s.acting_gamma:g}"
             yield Remedy(label, {"value_gamma": s.acting_gamma}, "discount of the values")
@@ -252,7 +252,7 @@ class Trials:
         if self.study.learned is not None:
             return ()
         if s.paper_grid:
-            return (Remedy("Leave the paper's grid", {"paper_grid": False}, "discount grid"),)
+            return (Remedy("Choose another grid than the paper's", {"paper_grid": False}, "discount grid"),)
         changes: list[dict[str, Any]] = [{"spacing": other} for other in GAMMA_SPACINGS if other != s.spacing]
         labels = [f"Space the discounts as {each['spacing']}" for each in changes]
         if s.spacing != "paper":

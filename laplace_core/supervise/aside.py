@@ -1,4 +1,4 @@
-"""One process of low priority beside a server, which makes calls one after another for many that ask.
+"""One process of low priority beside a server, which makes calls one after another for many sessions.
 
 Whoever asks wants only the latest call: an earlier one that nobody else wants is dropped, or given up if it runs and
 others wait. Small calls go before large ones. The process starts with the first call, ends after a while without one,
@@ -102,7 +102,7 @@ class Aside(Generic[Key, Result]):
                 self._thread.start()
 
     def is_over(self, key: Key, wait: float = 0.0) -> bool:
-        """Whether a call neither waits nor runs any more.
+        """Whether a call no longer waits or runs.
 
         Args:
             wait: seconds to give it.
@@ -205,7 +205,7 @@ class _Process:
             raise _Died from None
 
     def answer(self, seconds: float) -> Any:
-        """What the function returned.
+        """The result of the function.
 
         Raises:
             queue.Empty: it did not within so many seconds.

@@ -32,7 +32,7 @@ RELOAD = 2.0
 TICK = 1.0
 """Seconds between two looks at which sessions are there."""
 WAITING, RUNNING, DONE, REFUSED, ENDED = "waiting", "running", "done", "refused", "ended"
-FULL = "the line of this server is full; try again in a moment."
+FULL = "the queue of this server is full; try again soon."
 
 
 def duration(seconds: float) -> str:
@@ -84,7 +84,7 @@ class Job(Generic[Result]):
 
     @property
     def gone(self) -> bool:
-        """Whether it ended without a result: it has to be begun anew."""
+        """Whether it ended without a result: it has to begin again."""
         return self.state == ENDED or (self.state in (WAITING, RUNNING) and self._ending.is_set())
 
     @property
@@ -139,7 +139,7 @@ class Job(Generic[Result]):
                 self.end()
 
     def wanted(self) -> bool:
-        """Whether a session that wants it is there, or was a moment ago."""
+        """Whether a session that wants it is open, or was a moment ago."""
         with self._line.lock:
             now = self._line.clock()
             self._wanted |= {name: now for name in self._wanted if self._line.is_there(name)}
@@ -184,7 +184,7 @@ class Job(Generic[Result]):
         self.done, self.of = done, of
 
     def withdrawn(self) -> None:
-        """It waits no more, and never ran."""
+        """Whether it was withdrawn from the queue before it ran."""
         self._finish(ENDED)
 
     def _finish(self, state: str) -> None:
@@ -194,7 +194,7 @@ class Job(Generic[Result]):
 
 
 class Usage(NamedTuple):
-    """What is used of a line: jobs that run, jobs that wait, and how many may wait."""
+    """The use of a queue: jobs that run, jobs that wait, and how many may wait."""
 
     running: int
     waiting: int
@@ -205,7 +205,7 @@ class Line:
     """Jobs that wait, and threads that do them: the shortest first, and none is passed for ever.
 
     A job's turn is the time at which it was asked for and the seconds that it takes: what waits for as long as it
-    takes goes before everything that is asked for from then on. A session has one long job running at a time.
+    takes goes before everything that is added from then on. A session has one long job running at a time.
 
     Args:
         threads: at most; ``kept`` of them do short jobs only.
@@ -262,7 +262,7 @@ class Line:
                 self._drop_unwanted()
 
     def usage(self) -> Usage:
-        """What is used of it."""
+        """Its present use."""
         with self._changed:
             return Usage(len(self._running), len(self._waiting), self._most)
 
@@ -412,7 +412,7 @@ class Kind(Generic[Result]):
 
 @dataclass
 class Asked:
-    """What one session has asked for.
+    """The jobs that one session wants.
 
     Attributes:
         name: of the session.
@@ -436,7 +436,7 @@ class Asked:
 
 @dataclass(frozen=True)
 class Task(Generic[Result]):
-    """Work that can be asked for, whoever wants it; its fields are those of a :class:`Wish`."""
+    """Work that any session can wish for; its fields are those of a :class:`Wish`."""
 
     key: Hashable
     make: Callable[[Progress], Result]
@@ -475,7 +475,7 @@ class Wish(Generic[Result]):
 
     @property
     def asked(self) -> Asked:
-        """What the session that this code runs for has asked for."""
+        """The jobs that the session of this code wants."""
         raise NotImplementedError
 
     def look(self) -> Job[Result] | None:

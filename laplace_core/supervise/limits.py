@@ -1,4 +1,4 @@
-"""What one server may spend: limits that its owner sets by environment variables, read once.
+"""The limits of a server, which its owner sets by environment variables; read once.
 
 Each is a field of :class:`Limits`, stated as any other setting; its variable is ``LAPLACE_`` and its name in capitals,
 such as ``LAPLACE_MEMORY=2000``.
@@ -19,7 +19,7 @@ from laplace_core.supervise.memory import return_large
 
 @dataclass(frozen=True)
 class Limits:
-    """Limits of a server; a person alone needs none of them changed."""
+    """Limits of a server; a single user can keep the defaults."""
 
     memory: int = setting(
         1_000, 50, 1_000_000, "Megabytes that all caches, opened files and results of the server may hold together."

@@ -14,7 +14,7 @@ from laplace_core.errors import InputError
 
 LOCK = ".lock"
 PATIENCE = 2.0
-"""Seconds that a process waits for the lock: whoever only looks whether it is free has it for a moment."""
+"""Seconds that a process waits for the lock: a process that only tests whether it is free holds it for a moment."""
 
 
 def lock_of(folder: Path) -> FileLock:
@@ -39,7 +39,7 @@ def take(folder: Path) -> FileLock | None:
 
 
 def is_taken(folder: Path) -> bool:
-    """Whether a process has the lock; where it cannot be looked at, nobody has it that this process could meet."""
+    """Whether a process has the lock; false if the lock file cannot be read."""
     lock = lock_of(folder)
     try:
         if not (folder / LOCK).is_file():

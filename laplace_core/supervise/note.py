@@ -48,7 +48,7 @@ def read_process(folder: Path) -> Process | None:
 def _started_in_0_2(word: str) -> float:
     """The time in a note of version 0.2, whose processes may still run: the boot's name and clock ticks since then.
 
-    0, which is no process's time, if the machine has been started anew or the note is of another system.
+    0, which is no process's time, if the machine has been started again or the note is of another system.
     """
     with suppress(OSError, ValueError, OverflowError):
         boot, ticks = word.split()

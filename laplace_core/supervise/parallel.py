@@ -95,7 +95,7 @@ def _in_processes(
             with warnings.catch_warnings(action="ignore", category=UserWarning):  # that jobs are given up is wanted
                 results.close()
             raise
-        except TerminatedWorkerError as error:  # all that were under way are lost with it, and begin anew
+        except TerminatedWorkerError as error:  # all that were under way are lost with it, and begin again
             tries += 1
             if tries == TRIES:
                 by = re.search(r"SIG[A-Z0-9]+", str(error))  # joblib lists exit statuses, such as SIGKILL(-9)
@@ -177,7 +177,7 @@ def _on_cluster(
     except (ConnectionError, ValueError, RuntimeError) as error:
         raise InputError(f"there is no Ray cluster at {cluster[:80]}: {str(error).splitlines()[0][:200]}.") from None
     try:
-        # A task whose worker or node is lost is begun anew elsewhere; what the function raises is not tried again.
+        # A task whose worker or node is lost is begun again elsewhere; what the function raises is not tried again.
         # Ray takes functions alone; ours may be a partial of one.
         task = ray.remote(num_cpus=1, max_retries=TRIES, retry_exceptions=False)(lambda argument: function(argument))
         waiting = {task.remote(argument): i for i, argument in enumerate(arguments)}

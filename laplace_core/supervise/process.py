@@ -27,7 +27,7 @@ _SAME = 2.0
 
 @cache
 def here() -> str:
-    """The place within which numbers of processes mean the same: a container has numbers of its own."""
+    """The namespace of process numbers: every container has its own."""
     with contextlib.suppress(OSError, AttributeError):
         boot = Path("/proc/sys/kernel/random/boot_id").read_text(encoding="ascii").strip()
         return f"{boot} {os.readlink('/proc/self/ns/pid')}"
@@ -54,12 +54,12 @@ class Process:
 
     @property
     def near(self) -> bool:
-        """Whether it can be seen and ended from here; of one in another container nothing is known."""
+        """Whether it can be seen and ended from here; not if it is in another container."""
         return self.place == here()
 
     @property
     def alive(self) -> bool:
-        """Whether it runs here; a zombie, which its parent has not waited for yet, does not."""
+        """Whether it runs here; a zombie, for which its parent has not waited yet, does not."""
         return self._running_process() is not None
 
     def _running_process(self) -> psutil.Process | None:

@@ -1,4 +1,4 @@
-"""A process at work in a folder of its own: its start, its note there, its end and the reason for it."""
+"""A process at work in its own folder: its start, its note there, its end and the reason for it."""
 
 from __future__ import annotations
 
@@ -117,5 +117,5 @@ def end_in(folder: Path, status: int | None = None) -> End:
 
 
 def command(*words: str) -> list[str]:
-    """The words that start this library's command line in a process of its own."""
+    """The words that start this library's command line in a separate process."""
     return [sys.executable, "-m", "laplace_core", *words]

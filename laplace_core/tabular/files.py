@@ -212,7 +212,7 @@ def _check_ranges(
     if "categorical" in tensors:
         masses = tensors["categorical"]
         if masses.min() < -1e-4 or np.abs(masses.sum(axis=-1) - 1.0).max() > 1e-3:
-            raise InputError("the tensor 'categorical' holds rows that are no probabilities.")
+            raise InputError("the tensor 'categorical' holds rows that are not probabilities.")
         # Quantiles step by a share of the bounds' distance, expectiles may jump past their target by as much again.
         room = 4.0 * (largest + high - low) / (1.0 - settings.peer_gamma)
         for name in ("quantile", "expectile"):

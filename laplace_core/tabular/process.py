@@ -1,4 +1,4 @@
-"""Learning in a process of its own, to be watched from a page: no thread, no shell, and an end within a second.
+"""Learning in a separate process that a page can watch: no thread, no shell, and an end within a second.
 
 The process is the command ``learn``; what passes between the two are files in one folder: the world where it is no
 preset, lines of progress, and a snapshot that is always whole.
@@ -89,7 +89,7 @@ class Run:
 
     @property
     def error(self) -> str | None:
-        """One sentence if the process ended by itself without finishing."""
+        """One sentence if the process ended without finishing and without being stopped."""
         end = self._worker.end
         if end is None or end.status == 0 or self._cancelled:
             return None

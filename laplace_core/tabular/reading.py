@@ -230,7 +230,7 @@ def _true_return(world: World, state: int, action: int, acting_gamma: float, *, 
 
 
 def bounds_of(world: World, learning: ResolvedLearning) -> tuple[float, float]:
-    """What the peers' atoms span: bounds of the return under the policy that is best at the acting gamma."""
+    """The range of the peers' atoms: bounds of the return under the policy that is best at the acting gamma."""
     return return_bounds(world, _best_policy(world, learning.acting_gamma), learning.peer_gamma)
 
 

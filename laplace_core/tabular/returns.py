@@ -49,7 +49,7 @@ def independent_steps_return(
 ) -> tuple[np.ndarray, np.ndarray]:
     """The law of sum_tau discounts[tau] r_tau IF the rewards of different steps were independent.
 
-    A tau-space holds the marginals of the steps and not how they hang together, so that the true law of the return
+    A tau-space holds the marginals of the steps and not their dependence, so that the true law of the return
     does not follow from it. Masses below 0 are repaired as in :func:`.marginals.marginals`, which keeps the means of
     the steps, and what a row lacks to 1 pays nothing. One step after the other is added exactly; where that makes more
     than ``most`` locations, all is done on a grid instead, which keeps the mean of the whole and its variance within a

@@ -1,6 +1,6 @@
 """How an agent learns: every choice as one frozen, typed object, with the defaults that suit a world.
 
-A setting stands in one place, as a field of :class:`LearnSettings`; the command line, the app and the saved files read
+A setting is defined once, as a field of :class:`LearnSettings`; the command line, the app and the saved files read
 and write it by what stands there. None means "what suits the world" and is filled in by :func:`resolve_learning`.
 """
 
@@ -39,17 +39,17 @@ class LearnSettings:
     """
 
     episodes: int | None = _setting(None, 1, 1_000_000, "Episodes of each learner.")
-    seeds: int | None = _setting(1, 1, 8, "Independent learners, one seed each; they are drawn as bands.")
+    seeds: int | None = _setting(1, 1, 8, "Independent learners, one seed each; bands show their range.")
     seed: int | None = _setting(0, 0, 2**31 - 1, "Seed of the first learner; the next ones count up from it.")
-    policy: str | None = _choice("shared", TARGET_POLICIES, "Whose greedy policy every discount learns.")
+    policy: str | None = _choice("shared", TARGET_POLICIES, "Greedy policy that every discount learns.")
     rate_first: float | None = _setting(1.0, 0, 1, "Learning rate of the first visit of a state and action.")
     rate_half: float | None = _setting(None, 1e-3, CONSTANT, "Visits after which the learning rate has halved.")
     rate_floor: float | None = _setting(0.0, 0, 1, "Smallest learning rate.")
     epsilon_first: float | None = _setting(1.0, 0, 1, "Chance of a random action in the first episode.")
     epsilon_half: float | None = _setting(None, 1e-3, CONSTANT, "Episodes after which that chance has halved.")
     epsilon_floor: float | None = _setting(None, 0, 1, "Smallest chance of a random action.")
-    max_steps: int | None = _setting(None, 1, 100_000, "An episode is cut after so many steps.")
-    starts: str | None = _choice(None, ("world", "everywhere"), "Start where the world does, or everywhere.")
+    max_steps: int | None = _setting(None, 1, 100_000, "An episode is stopped after this number of steps.")
+    starts: str | None = _choice(None, ("world", "everywhere"), "Start states: those of the world, or all states.")
     gammas: int | None = like(Settings, "gammas")
     spacing: str | None = like(Settings, "spacing")
     gamma_min: float | None = like(Settings, "gamma_min")
@@ -64,7 +64,7 @@ class LearnSettings:
     expectiles: int | None = _setting(11, 1, 101, "Expectiles of the expectile code, an odd number.")
     # Its step has the size of the rate however small the error is: a rate that stays high, as suits a world without
     # chance, would never let it settle.
-    quantile_half: float | None = _setting(30.0, 1e-3, CONSTANT, "As rate-half, for the quantile code alone.")
+    quantile_half: float | None = _setting(30.0, 1e-3, CONSTANT, "As rate-half, but for the quantile code.")
 
     def __post_init__(self) -> None:
         for parameter in LEARN_SCHEMA:

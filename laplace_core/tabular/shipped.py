@@ -1,4 +1,4 @@
-"""The agents of a folder that ship and learned a tabular world, as whoever shows them asks for them.
+"""The bundled agents of a folder that learned a tabular world.
 
 A folder is looked at once: :func:`forget` is for one whose files were changed meanwhile.
 """
@@ -45,6 +45,6 @@ def load(folder: Path, name: str) -> Learned:
 
 
 def forget() -> None:
-    """Look at all folders anew."""
+    """Look at all folders again."""
     names.cache_clear()
     _load.cache_clear()

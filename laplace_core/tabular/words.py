@@ -1,4 +1,4 @@
-"""How far learning is, and what was learned, in words."""
+"""The progress and the result of learning, in words."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from laplace_core.tabular.model import Learned
 
 
 def learned(learned: Learned) -> str:
-    """How what is shown was learned."""
+    """How the shown values were learned."""
     shown = learned.settings
     who = f"each of {shown.seeds} learners" if shown.seeds > 1 else "one learner"
     return f"Learned in {_done(learned)} episodes by {who}, policy {shown.policy}."

@@ -1,4 +1,4 @@
-"""Learners as jobs: each in a process of its own, watched through its files, and what was learned is kept in memory.
+"""Learners as jobs: each in a separate process, watched through its files; the result is kept in memory.
 
 A run belongs to what it learns and not to a session: a page that is loaded again finds it at work.
 """
@@ -46,7 +46,7 @@ def _room() -> Path:
 
 
 class Work:
-    """What one job does: it starts a process, looks at it until it ends, and keeps what it has learned.
+    """The work of one job: it starts a process, watches it until it ends, and keeps the learned values.
 
     That counts in the memory of the server for its caches, and leaves with what was used least recently there.
     """
@@ -113,7 +113,7 @@ class Work:
 
     @property
     def lost(self) -> bool:
-        """Whether what was learned had to make room."""
+        """Whether the learned values were dropped to free memory."""
         return self._run is None and self._has_learned and self._place not in _learned
 
 
@@ -158,14 +158,14 @@ class Watched:
 
     @property
     def error(self) -> str | None:
-        """One sentence if it ended by itself without finishing."""
+        """One sentence if it ended without finishing and without being stopped."""
         if self._job.why:
             return f"{self._job.why}; what was learned until then stays."
         return self._job.refusal
 
     @property
     def lost(self) -> bool:
-        """Whether what was learned had to make room, so that it has to be learned anew."""
+        """Whether the learned values were dropped to free memory, so that they must be learned again."""
         return self._work is not None and not self.running and self._work.lost
 
     def progress(self) -> dict[str, Any] | None:
@@ -191,7 +191,7 @@ class Runs:
     watched: dict[str, Watched] = field(default_factory=dict)
 
     def watch(self, wish: Wish[Work]) -> Watched | None:
-        """The run of a wish, if this session has begun or seen it, or its link asks for it."""
+        """The run of a wish, if this session has begun or seen it, or its link holds it."""
         mine, key = self.watched, str(wish.key)
         job = wish.look() if key in mine or wish.by_itself else None
         if job is not None:
@@ -206,10 +206,10 @@ class Runs:
         return mine.get(key)
 
     def forget(self, wish: Wish[Work]) -> None:
-        """Drop a run that is at its end, so that it may begin anew."""
+        """Drop a run that is at its end, so that it may begin again."""
         wish.kind.drop(wish.key)
         self.watched.pop(str(wish.key), None)
 
     def at_work(self) -> bool:
-        """Whether one of them is going on."""
+        """Whether one of them is running."""
         return any(run.running for run in self.watched.values())

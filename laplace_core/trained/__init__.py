@@ -1,1 +1,1 @@
-"""What is asked of trained agents: observations, rollouts, races, returns, truth by simulation; and its words."""
+"""Jobs with trained agents: observations, rollouts, races, returns, truth by simulation; and their words."""

@@ -1,4 +1,4 @@
-"""What a trained agent sees of one observation: the observation, its gamma-space, and one view of it."""
+"""A trained agent and one observation: the observation, its gamma-space, and a view of it."""
 
 from __future__ import annotations
 
@@ -57,7 +57,7 @@ def observe(
     """
     agent = loaded.agent
     if not isinstance(agent, HasGammaSpace):
-        raise InputError(f"{titled(loaded)} has no gamma-space to look at.")
+        raise InputError(f"{titled(loaded)} has no gamma-space: choose a Laplace DQN agent.")
     return Observed(
         with_added(agent.gamma_space(np.array(observation)), added), action_names, agent.sensitivities.places, added
     )
@@ -66,7 +66,7 @@ def observe(
 def view_of(
     loaded: Loaded, scene: Environment, values: Mapping[str, Any], observation: tuple[float, ...] | None = None
 ) -> View:
-    """What the page shows.
+    """The view of the page.
 
     Args:
         observation: in place of the one that the values describe.

@@ -22,7 +22,7 @@ HORIZON, START, LEFT, GAMMA, RIGHT, AT, MANY, COUNT = (
     "d.T", "d.start", "d.left", "d.gamma", "d.right", "d.at", "d.many", "d.starts",
 )  # fmt: skip
 USUAL_COUNT = 100
-_STOPPED = "Both episodes are stopped after so many steps."
+_STOPPED = "Both episodes are stopped after this number of steps."
 _HELD_OUT = "No agent was trained or chosen on any of these starts."
 _RIGHT_HELP = "The rule by which the agent acts for the time to go."
 _STOPS = (1, 2, 3, 4, 5, 6, 8, 10, 15, 20, 25, 30, 40, 50, 60, 80, 100, 125, 150, 200, 250, 300, 400, 500, 700, 1000)
@@ -30,7 +30,7 @@ _STOPS = (1, 2, 3, 4, 5, 6, 8, 10, 15, 20, 25, 30, 40, 50, 60, 80, 100, 125, 150
 
 @dataclass(frozen=True)
 class Control:
-    """Who races by what rule to which deadline; ``gamma`` is the discount of a greedy left side."""
+    """The agents, rules and deadline of a race; ``gamma`` is the discount of a greedy left side."""
 
     left: Loaded
     left_rule: str
@@ -56,17 +56,19 @@ def horizons(loaded: Loaded, shown: int) -> list[int]:
 
 
 def parameters(loaded: Loaded, other: Loaded | None = None) -> dict[str, Parameter]:
-    """What a link may hold besides the agents."""
+    """The entries of a link in addition to the agents."""
     left, played = rules_of_race((other or loaded).agent), (loaded.agent, loaded.environment)
     return by_name(
         Parameter(HORIZON, usual_horizon(*played), 1, longest_horizon(*played), _STOPPED),
-        Parameter(START, 0, 0, MOST_START, f"Both sides begin from it. {_HELD_OUT}"),
-        Parameter(LEFT, None, help="The rule that the right side is compared with.", kind=str, choices=left),
-        Parameter(GAMMA, None, 1e-6, 0.999999, "It takes the best action at this discount.", float),
+        Parameter(START, 0, 0, MOST_START, f"Number of the start of both sides. {_HELD_OUT}"),
+        Parameter(
+            LEFT, None, help="Rule of the left side, with which the right side is compared.", kind=str, choices=left
+        ),
+        Parameter(GAMMA, None, 1e-6, 0.999999, "The left side takes the best action at this discount.", float),
         Parameter(RIGHT, None, help=_RIGHT_HELP, kind=str, choices=rules_of_race(loaded.agent)),
-        Parameter(AT, None, 0, 10_000, "Steps that are over under the cursor.", int),
-        Parameter(MANY, "no", help="Whether many starts are raced over.", choices=("no", "yes")),
-        Parameter(COUNT, USUAL_COUNT, 2, MOST_RACES, "From start 0 on; more starts make the interval narrower."),
+        Parameter(AT, None, 0, 10_000, "Number of steps before the cursor.", int),
+        Parameter(MANY, "no", help="Whether the race runs from many starts.", choices=("no", "yes")),
+        Parameter(COUNT, USUAL_COUNT, 2, MOST_RACES, "Number of starts; more make the interval narrower."),
     )
 
 
@@ -121,7 +123,7 @@ def sides(control: Control) -> tuple[str, str]:
 
 
 def alike(control: Control) -> bool:
-    """Whether both sides are one and the same."""
+    """Whether both sides are the same."""
     same = control.left is control.right and control.left_rule == control.right_rule
     return same and control.gamma is None
 
@@ -153,13 +155,13 @@ def field_verdict(summary: Mapping[str, Any], control: Control) -> tuple[str, st
         return "level", f"{count} both have the same return from every start."
     means = f"{count}: {left} {summary['left']:.1f}, {right} {summary['right']:.1f} on average"
     if low <= 0.0 <= high:
-        return "level", f"{means}. The interval of the difference covers 0: these starts do not tell which is better."
+        return "level", f"{means}. The interval of the difference covers 0: these starts do not show which is better."
     leader, tone = (right, "ahead") if mean > 0 else (left, "behind")
     return tone, f"{means}. {capital(leader)} is ahead by {abs(mean):.1f} ({_range(low, high)})."
 
 
 def _range(low: float, high: float) -> str:
-    """The interval of a lead, whoever leads."""
+    """The interval of a lead, of either side."""
     return f"95% {min(abs(low), abs(high)):.1f} to {max(abs(low), abs(high)):.1f}"
 
 

@@ -46,27 +46,27 @@ def beside(loaded: Loaded, same: Sequence[Loaded]) -> list[Loaded]:
 
 
 def _same(one: Loaded, other: Loaded) -> bool:
-    """Whether a run or a file is what ships."""
+    """Whether a run or a file is a bundled agent."""
     return one is other or (one.settings == other.settings and one.step == other.step)
 
 
 def offer(loaded: Loaded, step: int, name: str) -> str:
-    """What would be simulated; ``name`` is the first action's."""
-    times = f"{COUNT} times" if vector.chance(loaded.environment) else "once, because nothing here is by chance"
+    """The simulation that is offered, in words; ``name`` is that of the first action."""
+    times = f"{COUNT} times" if vector.chance(loaded.environment) else "once, because nothing here is random"
     return f"As learned. Simulated: {name} at step {step}, then each agent's own greedy policy, {times}."
 
 
 def summary(observed: Sequence[SimulatedReturns], step: int, name: str) -> str:
-    """What was simulated."""
+    """The finished simulation, in words."""
     most, count = max(observed, key=lambda one: one.missing), len(observed[0].returns)
-    times = f"{count} times" if count > 1 else "once, because nothing here is by chance"
+    times = f"{count} times" if count > 1 else "once, because nothing here is random"
     cut = f"the cut at {most.steps} steps leaves out at most {most.missing:.2g}" if most.missing else "all ended"
     return f"{name.capitalize()} at step {step}, then each agent's own greedy policy, {times}; {cut}. Shaded: W1."
 
 
 @cached(128)
 def law_of(loaded: Loaded, observation: tuple[float, ...], action: int, alpha: float) -> ReturnLaw:
-    """What an agent says of one return."""
+    """The distribution that an agent predicts for one return."""
     return return_laws(loaded.agent, np.array(observation), [action], alpha)[0]
 
 
@@ -81,14 +81,15 @@ def notes(
     agents: Sequence[Loaded], laws: Sequence[ReturnLaw], observation: tuple[float, ...], *, action: int,
     alphas: Sequence[float],
 ) -> str:  # fmt: skip
-    """What the table's numbers mean, and why a stand-in's mean is not the agent's value."""
-    words = ["All in discounted reward; ± is one standard error; by chance: W1 of as many draws from their own law."]
+    """The meaning of the numbers of the table, and why the mean of an approximate law is not the agent's value."""
+    words = ["All in discounted reward; ± is one standard error; by chance: W1 of as many draws from the learned law."]
     for each, law, alpha in zip(agents, laws, alphas, strict=True):
         if law.kind == INDEPENDENT:
             value = each.agent.action_values(np.array(observation)[None], each.agent.acting_head)[0, action]
             words.append(
-                f"{each.settings.TITLE} knows the rewards of each step and not how they hang together: its law is a "
-                f"stand-in, whose mean is what the inverse at α {alpha:g} leaves of its value {value:.4g}."
+                f"{each.settings.TITLE} knows the rewards of each step, but not how they depend on each other: its law "
+                f"assumes independent steps. The agent's value is {value:.4g}; the mean of the law is lower or higher "
+                f"by the error of the inverse at α {alpha:g}."
             )
             break
     return " ".join(words)

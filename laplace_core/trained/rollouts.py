@@ -35,7 +35,7 @@ PARAMETERS = by_name(
     Parameter(HORIZON, None, 1, MOST_STEPS, "Deadline T of the episode, in steps.", int),
     Parameter(GAMMA, None, 1e-6, 0.999999, "Discount to be greedy at.", float),
     Parameter(AT, 0, 0, MOST_STEPS, "Step under the cursor."),
-    Parameter(AFTER, "values", help="Control of what is simulated from there.", choices=("values", "rule")),
+    Parameter(AFTER, "values", help="Policy of the simulation from that step.", choices=("values", "rule")),
 )
 
 
@@ -64,11 +64,11 @@ class RolledOut:
 
 
 def parameters(agent: Agent[Any]) -> dict[str, Parameter]:
-    """What a link may say of a rollout of this agent."""
+    """The entries of a link for a rollout of this agent."""
     rules = tuple(titles_of(agent))
     own = Parameter(RULE, rules[0], help="Control rule.", kind=str, choices=rules)
     kept = {name: one for name, one in PARAMETERS.items() if name != GAMMA or isinstance(agent, HasDiscounts)}
-    shown = Parameter(ACTION, TAKEN, help="Action that is shown of an agent without a lens.", kind=str)
+    shown = Parameter(ACTION, TAKEN, help="Action that is shown for an agent without a lens.", kind=str)
     return kept | {RULE: own, ACTION: shown}
 
 
@@ -100,7 +100,7 @@ def observation_at(rollout: Rollout, step: int) -> tuple[float, ...]:
 
 
 def followed(rollout: Rollout, step: int) -> dict[str, Any]:
-    """What the lens draws on the timeline: rewards from a step on, the action there, and how it went on.
+    """The observations that the lens draws on the timeline: rewards from a step on, the action there, and the end.
 
     ``over`` is how many steps were left if the episode then was over, None if it was truncated.
     """
@@ -110,7 +110,7 @@ def followed(rollout: Rollout, step: int) -> dict[str, Any]:
 
 
 def marks_of(flags: Flags, alpha: float) -> dict[str, Any]:
-    """What the player draws: names, and at every step which of them are there, a bit each."""
+    """The marks of the player: names, and at every step a bit for each name that applies."""
     marks = flags.marks @ (1 << np.arange(len(flags.names)))
     return {"alpha": alpha, "names": list(flags.names), "marks": marks.astype(int).tolist()}
 

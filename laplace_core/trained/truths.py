@@ -22,7 +22,7 @@ COUNT, EPISODES, EACH, STEPS = 100, 20, 10, 200
 
 
 def truth(loaded: Loaded, rollout: Rollout, step: int, action: int, *, own: bool) -> Task[Continuations | Outcomes]:
-    """What follows, of this state and first action where there is chance, else of many states.
+    """Simulated continuations of this state and first action; of many states if the environment is deterministic.
 
     Args:
         own: under the rollout's own rule.
@@ -50,7 +50,7 @@ def truth(loaded: Loaded, rollout: Rollout, step: int, action: int, *, own: bool
 
 
 def titles(rollout: Rollout) -> dict[str, str]:
-    """What the two controls of a simulation are called: that of the values, and that of the rollout."""
+    """Titles of the two policies of a simulation: that of the values, and that of the rollout."""
     rule = title_of(rollout.rule).split(" (")[0].removeprefix("for T: ")
     if rollout.gamma:
         rule = f"greedy at γ {rollout.gamma:.4g}"
@@ -58,7 +58,7 @@ def titles(rollout: Rollout) -> dict[str, str]:
 
 
 def words(view: View, loaded: Loaded, rollout: Rollout, step: int, *, own: bool) -> str:
-    """What is simulated, or was; then what it says where tau-space predicts something else.
+    """The simulation in words, with a warning if tau-space predicts another policy.
 
     Args:
         own: under the rollout's own rule.
@@ -70,15 +70,15 @@ def words(view: View, loaded: Loaded, rollout: Rollout, step: int, *, own: bool)
         action = view.subject.action_names[view.action]
         words = f"{COUNT} continuations of {steps} steps, {limit}: {action}, then {then}."
     else:
-        words = f"{loaded.environment} has no chance in it: what followed is all that can follow from here. "
+        words = f"{loaded.environment} is deterministic: only the observed rewards can follow from here. "
         words += f"For calibration, {EACH} states of each of {EPISODES} episodes, {then}."
     if own:
-        words += f" Tau-space predicts greedy at γ {rollout.acting_gamma:.4g}: this is another process."
+        words += f" Tau-space predicts greedy at γ {rollout.acting_gamma:.4g}: this simulation follows another policy."
     return words
 
 
 def summary(confronted: Confronted, view: View) -> str:
-    """What the two pictures of a simulation of one state show."""
+    """The caption of the two pictures of a simulation of one state."""
     sample = confronted.simulated
     return (
         f"Calibration: how often a reward exceeded θ where tau-space says so with some probability, over "
@@ -91,7 +91,7 @@ def summary(confronted: Confronted, view: View) -> str:
 
 @cached(8)
 def for_lens(simulated: Continuations | Outcomes, agent: Agent[Any], action: int) -> Simulated:
-    """What the lens draws of continuations; the same object for the same ones."""
+    """The continuations as the lens draws them; the same object for the same ones."""
     assert isinstance(simulated, Continuations)  # of many states the lens draws nothing
     return Simulated(action, empirical(agent, simulated))
 

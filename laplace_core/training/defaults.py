@@ -35,7 +35,7 @@ def tuned_settings(algorithm: str, environment: str) -> dict[str, Any]:
 
 
 def name_of(settings: LoopSettings) -> str:
-    """What the folder of a run is called by default."""
+    """The default name of the folder of a run."""
     return f"{settings.ALGORITHM}_{settings.environment.replace(':', '-')}_{settings.seed}"
 
 
@@ -96,7 +96,7 @@ def with_looks(usual: LoopSettings, given: dict[str, Any]) -> LoopSettings:
 
 
 def changed(settings: LoopSettings) -> list[str]:
-    """What settings have that the suited ones have not, in words; nothing where those cannot be read."""
+    """The settings that differ from the recommended ones, in words; nothing if those cannot be read."""
     try:
         usual = suited_settings(settings.ALGORITHM, settings.environment)
     except InputError:

@@ -21,7 +21,7 @@ _REQUEST, _OWNER = "stop", "owner.json"
 
 @dataclass(frozen=True)
 class Job:
-    """What the queue notes of a run.
+    """The notes of the queue about a run.
 
     Attributes:
         wanted: "run", "stop", "fail" once it has failed, or "later": its process was asked to end from outside, as when
@@ -51,7 +51,7 @@ def write_job(path: Path, job: Job) -> None:
 
 
 def ask_to_stop(path: Path) -> None:
-    """Ask whoever trains a run, in whatever container, to end it; nothing happens where no file can be made."""
+    """Ask the process that trains a run, in any container, to end it; no effect if no file can be written."""
     with contextlib.suppress(OSError):
         (path / _REQUEST).touch()
 
@@ -62,7 +62,7 @@ def forget_request(path: Path) -> None:
 
 
 def asked_to_stop(path: Path, since: float) -> bool:
-    """Whether somebody has asked for the end of a run by a file, after a time in seconds since 1970."""
+    """Whether a file that asks for the end of a run was written after a time in seconds since 1970."""
     try:
         return (path / _REQUEST).stat().st_mtime >= since
     except OSError:
@@ -90,7 +90,7 @@ def run_folders(folder: Path) -> list[Path]:
 
 
 def is_run(path: Path) -> bool:
-    """Whether a folder is a run's; one that may not be looked into is none."""
+    """Whether a folder holds a run; false if it cannot be read."""
     config = path / "config.json"
     try:
         return path.is_dir() and not path.is_symlink() and config.is_file() and not config.is_symlink()

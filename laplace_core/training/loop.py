@@ -64,7 +64,7 @@ def train(
 
 
 class _Run:
-    """All that changes while training."""
+    """The state that changes while training."""
 
     def __init__(self, folder: RunFolder):
         s = self.settings = folder.settings

@@ -1,6 +1,6 @@
 """Training the neural inverse of one grid of discounts, on timelines that are drawn without a world.
 
-What the networks are, and how they are run, stands in :mod:`laplace_core.inverse.neural`.
+The networks, and how they are run, are described in :mod:`laplace_core.inverse.neural`.
 """
 
 from __future__ import annotations
@@ -43,7 +43,7 @@ def train(
 ) -> NeuralInverse:  # fmt: skip
     """Networks for these discounts and this many rows; the same seed gives the same networks.
 
-    Every update sees ``batch`` of ``samples`` timelines with new noise, of a size that is drawn anew for each: evenly
+    Every update sees ``batch`` of ``samples`` timelines with new noise, of a size that is drawn again for each: evenly
     in its logarithm, over all sizes that the networks are for. The loss is the distance in time
     (:func:`laplace_core.inverse.distances.time_distance`), where a row counts in inverse proportion to its time: an
     error of a tenth of the time that has passed costs the same, late or early.

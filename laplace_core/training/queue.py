@@ -1,4 +1,4 @@
-"""The queue of training runs in one folder: a few train at a time, each in a process of its own, and others wait.
+"""The queue of training runs in one folder: a few train at a time, each in a separate process, and others wait.
 
 All that matters is on disk, so that another queue on the same folder, after a restart or beside this one, sees the
 same: who waits and in which order (``job.json`` in the folder of each run), who trains (its lock and
@@ -56,7 +56,7 @@ WAITING, TRAINING, STOPPING, FINISHED, STOPPED, FAILED = (
 
 @dataclass(frozen=True)
 class Run:
-    """One run as it stands.
+    """The present state of one run.
 
     Attributes:
         settings: None if its folder holds none that can be read.
@@ -300,7 +300,7 @@ class Queue:
             run = self.get(name)  # once more: somebody else may have removed or resumed it
             if run.going:
                 raise InputError(f"{name} was resumed at this moment: remove it again.")
-            away = self.folder / f".removed-{time.time_ns()}"  # gone at once for whoever looks
+            away = self.folder / f".removed-{time.time_ns()}"  # gone at once for every reader
             try:
                 os.rename(run.folder, away)
             except OSError as error:
@@ -421,7 +421,7 @@ def _sentence(error: OSError | InputError) -> str:
 
 
 def _trains(path: Path, process: Process | None, job: Job) -> bool:
-    """Whether a process works on a run, in whatever container."""
+    """Whether a process works on a run, in any container."""
     if (process is not None and process.alive) or is_taken(path):
         return True
     if process is None or process.near or not job.begun:
@@ -440,7 +440,7 @@ def _why(end: End) -> str | None:
     if end.refusal:
         return end.refusal
     if end.fault:
-        return f"training broke off: {end.fault}; errors.txt in the run's folder says more."
+        return f"training broke off: {end.fault}; errors.txt in the run's folder has the details."
     if end.signal is not None:
         return f"its process was killed (signal {end.signal}); resume it, smaller if memory was short."
     return None if end.status is None else f"its process ended too early, with status {end.status}; resume it."

@@ -2,7 +2,7 @@
 they are filled.
 
 Rings keep the steps of an environment in order, so that n-step rewards are gathered when a batch is drawn and no
-episode in progress has to be remembered elsewhere. With experience of its own for every discount, ring g belongs to
+episode in progress has to be remembered elsewhere. With separate experience for every discount, ring g belongs to
 discount g and a batch has one column a discount; otherwise all rings are drawn from as one.
 """
 
@@ -162,7 +162,7 @@ class Replay:
         return arrays if self.tree is None else arrays | {"top": np.array([self.top])}
 
     def _rings(self) -> dict[str, np.ndarray]:
-        """What is stored of every transition, ``(rings, length, ...)``, by name."""
+        """The stored arrays of every transition, ``(rings, length, ...)``, by name."""
         arrays: dict[str, np.ndarray] = {name: getattr(self, name) for name in _ARRAYS}
         if self.tree is not None:
             arrays["priorities"] = self.tree.leaves().reshape(self.rings, self.length)

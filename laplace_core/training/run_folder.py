@@ -37,7 +37,7 @@ FILES = (
 """All that a run has in its folder, each a plain file."""
 _MOST_CONFIG, _MOST_METRICS = 100_000, 10_000_000_000  # bytes
 RUN_NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]{0,120}")
-"""What a run may be called where it is asked for by name."""
+"""The form of a run's name."""
 
 
 class RunFolder:

@@ -22,7 +22,7 @@ def settings_of(run: Run) -> LoopSettings:
 
 
 def title(settings: LoopSettings) -> str:
-    """What a run is, among all."""
+    """The title of a run."""
     return f"{algorithm_title(settings.ALGORITHM)} · {world_title(settings.environment)} · seed {settings.seed}"
 
 
@@ -42,7 +42,7 @@ def family(runs: Sequence[Run], run: Run) -> list[Run]:
 
 
 def state(run: Run) -> str:
-    """What a run does."""
+    """The state of a run, in words."""
     return {FAILED: "failed", WAITING: f"waiting, place {run.place}"}.get(run.state, run.state)
 
 
@@ -59,7 +59,7 @@ def progress(run: Run, progress: Progress | None, curves: Curves, places: int) -
     step = of if run.state == FINISHED else step
     words = [f"{step:,} of {of:,} steps"]
     if run.state == WAITING:
-        words.append(f"waits for one of the {places} places")
+        words.append(f"waiting; {places} runs train at once")
     elif run.state == STOPPING:
         words.append("its resume point is being written")
     elif run.state == TRAINING and not reported:
@@ -72,7 +72,7 @@ def progress(run: Run, progress: Progress | None, curves: Curves, places: int) -
 
 
 def set_by_hand(settings: LoopSettings) -> str:
-    """Which settings differ from those that suit the algorithm and the environment."""
+    """The settings that differ from the recommended ones, in words."""
     words = changed(settings)
     listed = ", ".join(words[:_MOST_LISTED]) + (", ..." if len(words) > _MOST_LISTED else "")
-    return f"set by hand: {listed}" if words else "settings that suit it"
+    return f"set by hand: {listed}" if words else "recommended settings"

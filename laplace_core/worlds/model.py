@@ -240,7 +240,7 @@ def _check_names(kind: str, names: tuple[str, ...], most: int) -> None:
         if not isinstance(name, str) or not name or len(name) > 100 or not name.isprintable():
             raise InputError(f"{kind} name {str(name)[:40]!r} must be 1 to 100 printable characters.")
         if name == "END" or name == "*":
-            raise InputError(f"{name!r} has a meaning of its own and cannot be the name of one of the {kind}s.")
+            raise InputError(f"{name!r} is reserved and cannot be the name of one of the {kind}s.")
         if name in seen:
             raise InputError(f"{kind} {name!r} is listed twice.")
         seen.add(name)
@@ -250,7 +250,7 @@ _COLUMNS = {
     "state": np.int64, "action": np.int64, "next_state": np.int64, "probability": np.float64, "reward": np.float64,
 }  # fmt: skip
 ROUNDING = 1e-14
-"""A sum of probabilities that is this near to 1 is left as it is, so that a world built anew keeps its last digit."""
+"""A sum of probabilities that is this near to 1 is left as it is, so that a world built again keeps its last digit."""
 
 
 def _column(world: World, name: str, kind: type) -> np.ndarray:
@@ -289,7 +289,7 @@ def _check_outcomes(
 
 
 def _totals(world: World, pair: np.ndarray, probability: np.ndarray) -> np.ndarray:
-    """What the probabilities of each (state, action) are divided by, ``(S*A,)``."""
+    """The sum of the probabilities of each (state, action), ``(S*A,)``."""
     totals = np.bincount(pair, weights=probability, minlength=world.n_states * world.n_actions)
     off = np.flatnonzero(np.abs(totals - 1.0) > PROBABILITY_TOLERANCE)
     if off.size:

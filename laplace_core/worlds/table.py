@@ -180,7 +180,7 @@ def probability_in(row: Mapping[str, Any], number: int, largest: float = 1.0 + P
 
 
 def _is_blank(value: object) -> bool:
-    """Whether a table would show nothing: None, an empty text, NaN, or pandas' own NA and NaT."""
+    """Whether a table shows nothing for it: None, an empty text, NaN, or pandas' own NA and NaT."""
     if value is None or (isinstance(value, str) and not value.strip()):
         return True
     try:

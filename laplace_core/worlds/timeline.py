@@ -1,7 +1,7 @@
 """A reward timeline drawn by hand, as a world: what is true of a world is then true of the drawing.
 
 A row says that after ``action``, at step ``tau``, ``reward`` comes with ``probability``. The world has a state
-"start" and behind every action a chain of its own, one state a step, that is walked whatever is done in it.
+"start", and after every action its own chain, one state for each step, which every action walks along.
 """
 
 from __future__ import annotations

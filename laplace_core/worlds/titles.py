@@ -1,4 +1,4 @@
-"""What worlds and environments are called."""
+"""Titles of worlds and environments."""
 
 from __future__ import annotations
 

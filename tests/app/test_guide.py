@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from urllib.parse import parse_qsl
+
 import pytest
 
 from laplace_core.files.documents import titles
@@ -35,3 +37,9 @@ def test_a_link_to_no_document_shows_the_first_and_says_so():
 def test_how_to_read_the_page_leads_to_the_concepts():
     (link,) = opened("reading").get("page_link")
     assert link.proto.query_string == "page=concepts"
+
+
+@pytest.mark.parametrize("screen", ["inverse", "agents", "race", "train", "paper"])
+def test_every_other_page_has_a_link_to_its_guide(screen):
+    links = [dict(parse_qsl(link.proto.query_string)) for link in opened(screen=screen).get("page_link")]
+    assert any(titles().get(link.get("page", ""), "") for link in links)

@@ -153,7 +153,7 @@ def test_a_lens_that_would_be_too_large_for_a_browser_is_refused_and_the_page_go
     page = opened(world="two_branch")
     (said,) = [error.value for error in page.error]
     assert said.startswith("the lens of this view would take 0 MB in the browser, above 0.001: lower thetas")
-    assert any("artefacts in the tau-space" in each.proto.body for each in page.get("html"))
+    assert any("Artefacts in the tau-space" in each.proto.body for each in page.get("html"))
     compute.forget()
 
 

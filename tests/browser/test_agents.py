@@ -1,4 +1,4 @@
-"""A trained agent in a real browser: roll out, scrub, change alpha, take along; the numbers against the library."""
+"""A trained agent in a real browser: roll out, scrub, change alpha, download; the numbers against the library."""
 
 from __future__ import annotations
 
@@ -196,7 +196,7 @@ def test_scrubbing_needs_no_server_and_shows_the_next_step_at_once(page, address
 def test_jumps_lead_to_what_is_marked(page, address, wanted):
     _, rollout = wanted
     rolled_out(page, address)
-    page.get_by_role("button", name="surprise ›").click()
+    page.get_by_role("button", name="TD error ›").click()
     page.wait_for_url(f"**r.at={int(np.abs(rollout.surprise).argmax())}*")
     differs = page.get_by_role("button", name="greedy")
     if not rollout.differs.any():

@@ -100,9 +100,9 @@ def test_edits_are_there_again_after_back(page, address):
 def test_a_timeline_is_drawn_by_hand(page, address):
     open_at(page, address, "world=two_branch")
     page.get_by_text("Bring your own").click()
-    settled(page)  # a button that is drawn anew loses a click
+    settled(page)  # a button that is drawn again loses a click
     page.get_by_role("button", name="Draw a timeline").click()
-    expect(page.get_by_text("your timeline: at future step tau")).to_be_visible()
+    expect(page.get_by_text("Your timeline: each row is a reward")).to_be_visible()
     type_into_table(page, 0, 2, "7")
     settled(page)  # the link is written first, the file at the end of the same run
     rows = json.loads(unpack(re.search("timeline=([^&]+)", page.url)[1]))["rows"]

@@ -63,7 +63,7 @@ def test_a_note_about_a_link_quotes_it_as_it_was_typed(watched, address):
     settled(watched)
     found = dict(watched.evaluate(_WARNINGS))
     for name in TYPED:
-        said = " ".join(f"The link has an entry {name!r} that means nothing here.".split())
+        said = " ".join(f"The link has an entry {name!r} that this page does not know.".split())
         assert found.get(said) == [], f"{name!r}: {[text for text in found if text not in said]}"
 
 

@@ -250,7 +250,7 @@ def test_nothing_is_wider_than_the_screen(page, address, scheme, width, height):
 
 
 class Walk:
-    """A new user, who goes by visible labels alone; ``clicks`` counts what they press, and texts that they type."""
+    """A new user, who uses visible labels only; ``clicks`` counts the controls pressed and the texts typed."""
 
     def __init__(self, page, address):
         self.page, self.clicks = page, 1
@@ -325,7 +325,7 @@ def test_a_new_user_shows_that_values_of_mixed_policies_are_no_process(page, add
     walk.choose("World", "Two decisions in a row")
     assert "Some timeline may well have these values" in walk.sentence
     walk.press("Noise level, discounts, sensitivities")
-    walk.choose("Target policy", "per gamma: each its own")
+    walk.choose("Target policy", "per gamma: one policy for each")
     assert "No feasible timeline has these values" in walk.sentence
     expect(page.locator(".laplace-inverse .verdict")).to_have_class(re.compile("bad"))
     assert walk.clicks <= 7
@@ -333,8 +333,8 @@ def test_a_new_user_shows_that_values_of_mixed_policies_are_no_process(page, add
 
 def test_a_new_user_compares_rules_on_random_worlds_and_takes_the_cases_along(page, address):
     walk = Walk(page, address)
-    walk.press("Study: solvers and rules on many worlds")
-    walk.type("Cases of each", "2")
+    walk.press("Study solvers and rules on many worlds")
+    walk.type("Cases of each world", "2")
     page.get_by_role("button", name="Run the study").click()
     csv = page.get_by_role("button", name="CSV of all cases")
     expect(page.get_by_role("button", name="Run the study")).to_have_count(0)

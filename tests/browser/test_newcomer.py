@@ -35,7 +35,7 @@ class Hand:
 
     def on(self, place) -> None:
         expect(place).to_be_visible()
-        settled(self.page)  # a button that is drawn anew under the hand loses the click
+        settled(self.page)  # a button that is drawn again under the hand loses the click
         place.click()
         self.clicks += 1
         settled(self.page)
@@ -98,7 +98,7 @@ def test_find_whether_an_agents_timeline_comes_true(page, address, hand):
     hand.click("Trained agents", role="link")
     hand.click("Roll out")
     hand.click("Simulate")
-    expect(page.get_by_text(re.compile("does the decoded timeline come true", re.I))).to_be_visible()
+    expect(page.get_by_text(re.compile("decoded timeline against simulated continuations", re.I))).to_be_visible()
     hand.report("find whether an agent's timeline comes true", 3)
 
 

@@ -1,4 +1,4 @@
-"""A peer in a real browser: from a file, rolled out, scrubbed, held against what comes; numbers by the library."""
+"""A peer in a real browser: opened, rolled out, scrubbed, compared with observed returns; numbers by the library."""
 
 from __future__ import annotations
 

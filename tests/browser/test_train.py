@@ -91,7 +91,7 @@ def test_a_run_moves_is_found_again_stops_goes_on_and_is_opened(page, address):
 def test_the_page_fits_its_window(page, address, width):
     page.set_viewport_size({"width": width, "height": 844})
     page.goto(f"{address}/train")
-    expect(card(page).or_(page.get_by_text("No run is here yet")).first).to_be_visible()
+    expect(card(page).or_(page.get_by_text("There is no run yet")).first).to_be_visible()
     settled(page)
     assert page.evaluate("() => document.documentElement.scrollWidth <= innerWidth + 1")
 

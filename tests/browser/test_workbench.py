@@ -159,7 +159,7 @@ def test_the_library_s_verdict_and_the_one_of_the_lens_begin_alike(page, address
 def test_a_switch_of_the_lens_is_blamed_by_the_library(page, address):
     verdict = open_at(page, address, "world=two_branch&shift=yes&alpha=0.01&horizon=1")
     expect(verdict).to_contain_text("Cause: shifted index")
-    page.get_by_role("button", name="Undo the shift of the index").first.click()
+    page.get_by_role("button", name="Undo the index shift").first.click()
     expect(verdict).to_have_class(re.compile("ok"))
     expect(page).not_to_have_url(re.compile("shift"))
 

@@ -1,4 +1,4 @@
-// The lens held against arrays of the library (tests/support/lens_agreement.py writes them). Knows neither page nor runner, so
+// The lens compared with arrays of the library (tests/support/lens_agreement.py writes them). Knows neither page nor runner, so
 // that node and a browser compare in the same way.
 import { gammaSpace, kernel, resolution, see } from '../../app/js/core/maths.js';
 import { bandsOf } from '../../app/js/core/reading.js';

@@ -39,7 +39,7 @@ beforeEach(() => {
 const sent = (parentElement, about) =>
   draw({ data: message(about), parentElement, setTriggerValue: (name, answer) => answers.push(answer) });
 
-test('a step that Python has not heard of outlives the component being put on the page anew', async () => {
+test('a step that Python has not heard of outlives the component being put on the page again', async () => {
   await sent(elementOf(), { id: 'a', revision: 1, at: 0 });
   made[0].cursor.to(5);
   made[0].host.isConnected = false;

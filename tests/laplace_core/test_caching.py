@@ -76,7 +76,7 @@ def test_functions_classes_and_modules_weigh_nothing():
 
 @given(st.lists(st.integers(0, 6), max_size=60), st.integers(1, 5))
 def test_entries_leave_as_those_of_lru_cache(asked, most):
-    """Python's own cache is the twin: the same calls are computed anew."""
+    """Python's own cache is the twin: the same calls are computed again."""
     ours, theirs = [], []
     one = cached(most, budget=Budget(MEGABYTE))(lambda n: ours.append(n) or -n)
     other = lru_cache(most)(lambda n: theirs.append(n) or -n)

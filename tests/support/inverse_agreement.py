@@ -1,4 +1,4 @@
-"""Cases on which the page of the inverse is held against the library: payloads, alphas, and what is drawn at them."""
+"""Cases on which the page Inverse is compared with the library: payloads, alphas, and the pictures at them."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Cases on which the lens is held against the library: payloads, states of the controls, and what they should show.
+"""Cases on which the lens is compared with the library: payloads, states of the controls, and expected numbers.
 
 ``tests/js`` makes the comparison: under node in ``tests/test_js.py``, and in a browser where one is asked for.
 """

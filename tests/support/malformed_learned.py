@@ -65,7 +65,7 @@ def with_curve(content: bytes, **changes: object) -> bytes:
 def with_tensor(
     content: bytes, name: str, change: Callable[[np.ndarray], np.ndarray], dtype: str | None = None
 ) -> bytes:
-    """One tensor changed and everything laid out anew, as a well-meaning program would write it."""
+    """One tensor changed and everything laid out again, as a well-meaning program would write it."""
     header, data = parts(content)
     arrays = {}
     for key, entry in header.items():

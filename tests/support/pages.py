@@ -69,14 +69,14 @@ def link(page: AppTest) -> dict[str, str]:
 
 
 def handed(page: AppTest) -> tuple[dict, bytes]:
-    """What the lens is told, and its payload."""
+    """The message to the lens, and its payload."""
     message = next(block.proto.bytes for block in page.get("bidi_component") if "lens" in block.proto.component_name)
     (size,) = struct.unpack("<I", message[:4])
     return json.loads(message[4 : 4 + size]), message[4 + size :]
 
 
 def verdict(page: AppTest) -> str:
-    """Tone and words of the verdict that the lens is told."""
+    """Tone and words of the verdict in the message to the lens."""
     said = handed(page)[0]["said"]
     return f"{said['tone']}: {said['sentence']}"
 
@@ -99,7 +99,7 @@ def pin(page: AppTest) -> AppTest:
 
 
 def pictures(page: AppTest) -> dict[str, dict]:
-    """Every plotly figure on the page, by the key of its chart, and as ``lens`` what the lens is told."""
+    """Every plotly figure on the page, by the key of its chart, and as ``lens`` the message to the lens."""
     told = {name: value for name, value in handed(page)[0].items() if name != "revision"}
     return {"lens": told, **charts(page)}
 

@@ -76,7 +76,7 @@ class Workshop:
         self.runs = self.root / "runs"
         self.packages.mkdir(parents=True)
         for name in FOLDERS:
-            # With what is compiled already: Python compiles anew what a recipe changes, by its time and size.
+            # With what is compiled already: Python compiles again what a recipe changes, by its time and size.
             shutil.copytree(ROOT / name, self.root / name)
 
     def insert(self, path: str, before: str, text: str) -> None:

@@ -1,6 +1,6 @@
 """A plotly chart that is updated in place.
 
-``st.plotly_chart`` mounts a chart anew, twice, whenever its figure changes, and loses zoom and camera. This
+``st.plotly_chart`` mounts a chart again, twice, whenever its figure changes, and loses zoom and camera. This
 component keeps its div and hands every new figure to ``Plotly.react``.
 """
 

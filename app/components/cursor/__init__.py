@@ -1,4 +1,4 @@
-"""What the player and the race track share: something sent to the browser once, under a cursor over its steps.
+"""The shared part of the player and the race track: data sent to the browser once, under a cursor over its steps.
 
 To move the cursor needs no server. When it comes to rest Python gets the step, so that the link holds it.
 """

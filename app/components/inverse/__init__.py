@@ -1,7 +1,7 @@
 """The pictures of the page of the inverse, all of which follow one alpha while it is dragged in the browser.
 
 The browser gets the components of the data once (:mod:`laplace_core.payloads.inverse`), and Python the state when it is
-released. What is sent, and what the browser makes of it, is a rule of its own: :mod:`laplace_core.exchange.messages`.
+released. The protocol is described in :mod:`laplace_core.exchange.messages`.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ AXES = ("gamma", "time")
 
 @dataclass(frozen=True)
 class State:
-    """What a hand sets: alpha, the deadline T in steps of the world, and the axis of the discounts."""
+    """The state of the pictures: alpha, the deadline T in steps of the world, and the axis of the discounts."""
 
     alpha: float
     horizon: float

@@ -41,7 +41,7 @@ class Preset:
 
 @dataclass(frozen=True)
 class Released:
-    """What a person let go of: the state of the lens, or what was asked for beside it.
+    """A report of the browser: the state of the lens when a control is released, or another request.
 
     Attributes:
         preset: a view that needs another world.
@@ -65,7 +65,7 @@ class Released:
 
 @dataclass(frozen=True)
 class Said:
-    """The library's verdict on the state that is handed over; remedies by their labels.
+    """The library's verdict on the state that is passed; remedies by their labels.
 
     ``tone`` is ok, bad, warn (a right choice on wrong values), smeared or ruined (a right choice over such a timeline)
     or unknown.
@@ -120,7 +120,7 @@ def lens(
 ) -> None:
     """Draw the lens; the state that is released has to pass through :func:`laplace_core.payloads.state.checked`.
 
-    What is sent, and what the browser makes of it, is a rule of its own: :mod:`laplace_core.exchange.messages`.
+    The protocol is described in :mod:`laplace_core.exchange.messages`.
 
     Args:
         data: from :func:`laplace_core.payloads.lens.payload`.

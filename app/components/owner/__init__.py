@@ -1,4 +1,4 @@
-"""Keeps the word of :mod:`app.session.owner` in the browser, as a cookie of this site; nothing is to be seen."""
+"""Keeps the word of :mod:`app.session.owner` in the browser, as a cookie of this site; it draws nothing."""
 
 from __future__ import annotations
 

@@ -34,7 +34,7 @@ function themed(layout, host) {
     painted.annotations = layout.annotations.map((each) =>
       each.bgcolor ? { ...each, bgcolor: page || '#fff' } : each,
     );
-  // A legend within the picture hides what it lies on.
+  // A legend within the picture hides the curves under it.
   if (layout.legend?.bgcolor && /^#[0-9a-f]{6}$/i.test(page))
     painted.legend = { ...layout.legend, bgcolor: `${page}d9` };
   for (const name of Object.keys(layout)) {
@@ -50,7 +50,7 @@ const TO_SVG = {
 };
 
 /**
- * Draws what a box wants, in turn.
+ * Draws the figures of a box, one after the other.
  * @param {ChartBox} box
  * @returns {void}
  */

@@ -1,4 +1,4 @@
-// Products, filters, noise: what the mathematics of the lens is made of.
+// Products, filters and noise: the building blocks of the mathematics of the lens.
 // Matrices are Float64Arrays in row-major order; (n, m) in a comment is their shape.
 /** @import { Grid, GrowingInverse, Inverse, Model, State } from '../types.js' */
 import { shares } from './filters.js';
@@ -41,7 +41,7 @@ export function transposed(a, n, m) {
 }
 
 /**
- * A value that is kept by name and made anew when its key changes.
+ * A value that is kept by name and made again when its key changes.
  * @template T
  * @param {Model['cache']} cache
  * @param {string} name

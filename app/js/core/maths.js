@@ -189,7 +189,7 @@ export function timelineError(model, state, seen) {
  * What a state of the controls shows.
  * @param {Model} model
  * @param {State} state
- * @param {number} [most] - bounds the work on values over all horizons where every horizon has an inverse of its own:
+ * @param {number} [most] - bounds the work on values over all horizons where every horizon has its own inverse:
  *   beyond it some horizons are left out (NaN); 0 leaves all out but the one that is read
  * @returns {Seen}
  */
@@ -352,7 +352,7 @@ export function see(model, state, most = Infinity) {
     });
   if (state.fold && folded) values.forEach((line, a) => line.set(folded.subarray(a * K, (a + 1) * K)));
   else if (state.fold && most) {
-    // every other horizon has an inverse of its own
+    // every other horizon has its own inverse
     const wide = state.normalise === 'paper' ? H * (hum ? grid.r : width) : grid.r;
     const stride = Math.max(1, Math.ceil((A * wide * K * K) / 2 / most));
     const grown = growing(grid, state.alpha);
@@ -627,7 +627,7 @@ const flag = (name, words) => ({
 });
 
 /**
- * The artefacts, each a switch: what it sets, what it takes back, and whether a state has it.
+ * The artefacts, each a switch: the settings with it, the settings without it, and whether a state has it.
  * @type {Record<string, Switch>}
  */
 export const SWITCHES = {
@@ -636,11 +636,11 @@ export const SWITCHES = {
     on: { normalise: 'paper' },
     off: { normalise: 'none' },
     isOn: (s) => s.normalise === 'paper',
-    help: 'Every row is rescaled to probability 1, also where the episode is over.',
+    help: 'Every row is rescaled to probability 1, even after the end of the episode.',
   },
   fold: flag('fold', {
     label: 'only T rows, K = T',
-    help: 'As many rows are decoded as the horizon has: what comes later is folded into them.',
+    help: 'Only T rows are decoded, so later rewards are folded into them.',
   }),
   mixed: flag('mixed', {
     label: 'mixed policies',
@@ -652,11 +652,11 @@ export const SWITCHES = {
   }),
   clip: flag('clip', {
     label: 'edge clipping',
-    help: 'The sensitivities begin at a reward that occurs: half of its probability is lost.',
+    help: 'The sensitivities begin at a reward that occurs, so half of its probability is lost.',
   }),
   constant: flag('constant', {
     label: 'constant T',
-    help: 'Acting with T at every step, instead of with the time to go.',
+    help: 'The agent acts with T at every step instead of with the time to go.',
   }),
   shift: flag('shift', {
     label: 'index shifted by one',
@@ -665,7 +665,7 @@ export const SWITCHES = {
 };
 
 /**
- * Whether a model has what a switch switches.
+ * Whether a switch applies to a model.
  * @param {Model} model
  * @param {string} name
  * @returns {boolean}

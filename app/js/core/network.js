@@ -1,5 +1,5 @@
 // What only a network's gamma-space can be asked for: discounts between those that were trained, and a softer slope.
-// Both are linear maps of what was learned (laplace_core/code/interpolation.py, laplace_core/code/encoding.py).
+// Both are linear maps of the learned values (laplace_core/code/interpolation.py, laplace_core/code/encoding.py).
 /** @import { Arrays, Header, Model } from '../types.js' */
 import { masses, product } from './algebra.js';
 

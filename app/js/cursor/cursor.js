@@ -1,14 +1,14 @@
-// A cursor over steps, dragged, stepped or played, over what the server sends once; Python hears where it comes to
+// A cursor over steps, dragged, stepped or played, over data that the server sends once; Python receives where it comes to
 // rest. The rule of payloads and revisions is written down in laplace_core/exchange/messages.py.
 /** @import { Message, Mounted, Stepper } from '../types.js' */
 import { element } from '../draw/elements.js';
 
-const REST = 250; // ms without a move before the server hears the step
+const REST = 250; // ms without a move before the step is sent to the server
 const HELD = 4; // payloads kept of each kind, across mounts; Python counts on as many
 const shelves = {};
 
 /**
- * A button with words on it, and others that say what it does.
+ * A button with a label, and a title that says what it does.
  * @param {string} words
  * @param {string} title
  * @param {() => void} does
@@ -174,7 +174,7 @@ export function stepper({ host, told, last, name, label, show, report }) {
     get step() {
       return step;
     },
-    // Python has moved it, and need not be told.
+    // Python has moved it and needs no report.
     place(next) {
       to(next);
       reported = step;

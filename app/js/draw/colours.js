@@ -11,7 +11,7 @@ const shadesFor = (light) => ({
 });
 
 /**
- * The colours of paper, whatever the page has.
+ * The colours for paper, in either theme of the page.
  * @type {Colours}
  */
 export const PAPER = { text: '#1d2127', primary: '#0b7285', paper: '#ffffff', font: 'sans-serif', ...shadesFor(false) };

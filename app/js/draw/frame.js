@@ -1,4 +1,4 @@
-// What the pictures of the lens have in common: their box, their title, the mark of what is pointed at.
+// What the pictures of the lens have in common: their box, their title, the mark under the pointer.
 /** @import { Box, Colours, Model, Path, Pen, Scale, Scene } from '../types.js' */
 const HELP = 22; // pixels of the button beside a title
 export const GHOST = { width: 1.2, dash: [7, 3] }; // the view pinned as A

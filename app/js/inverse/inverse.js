@@ -267,7 +267,7 @@ function mount(host, firstModel, firstTold, report) {
     axis.textContent = scene.state.axis === 'time' ? 'axis: time constant' : 'axis: discount γ';
     const isSaid = JSON.stringify(told.said.state) === JSON.stringify(scene.state);
     said.className = `verdict ${isSaid ? told.said.tone : 'unknown'}`;
-    const words = isSaid ? told.said.sentence : `Alpha ${short(alpha)}, by hand. Release it to have it judged.`;
+    const words = isSaid ? told.said.sentence : `Alpha ${short(alpha)}, set by hand. Release it to see how good it is.`;
     if (sentence.textContent !== words) sentence.textContent = words;
   }
 

@@ -90,8 +90,8 @@ const lcurve = {
   name: 'lcurve',
   title: 'L-curve',
   why: [
-    'Every alpha is a trade of misfit against size. At the bend, less misfit begins to cost much size. Drag the dot.',
-    'across |W(Fx − z)|, up |Lx|, both over all actions and sensitivities',
+    'Each alpha trades the misfit against the size of the timeline. At the bend, a little less misfit begins to cost much size. Drag the dot.',
+    'horizontal |W(Fx − z)|, vertical |Lx|, both over all actions and sensitivities',
   ],
   note: ({ made }) => `misfit ${short(made.residual)}, size ${short(made.size)}`,
   draw(pen, w, h, { model, made, colours, images }) {
@@ -142,7 +142,7 @@ const picard = {
   name: 'picard',
   title: 'Picard plot',
   why: [
-    'Components whose data fall no faster than their singular value hold noise: there the ratio begins to rise.',
+    'Where the data no longer fall faster than the singular values, components hold noise: the ratio rises there.',
     's_i, |u_i·z| (root mean square over the columns), and |u_i·z| / s_i',
   ],
   note: ({ model, made }) => `${model.arrays.s.filter((s) => s >= made.alpha).length} of ${model.r} lie above alpha`,
@@ -198,7 +198,7 @@ const filters = {
   name: 'filters',
   title: 'Filter factors',
   why: [
-    'How much of each component alpha lets through: those to the right of alpha pass, those to the left are held back.',
+    'The share of each component that alpha keeps: those to the right of alpha are kept, those to the left are damped.',
     'φ_i = s_i · kept_i, for Tikhonov s² / (s² + α²)',
   ],
   note: ({ made, model }) => `${short(made.degrees)} of ${model.G} degrees of freedom`,
@@ -213,7 +213,7 @@ const filters = {
       xTicks: decades(x, box.w),
       yTicks: [0, 0.5, 1],
       xTitle: 'singular value s; alpha',
-      yTitle: 'share let through',
+      yTitle: 'share kept',
       colours,
     });
     s.forEach((value, i) => {
@@ -247,7 +247,7 @@ function drawn(values, at, least) {
 }
 
 /**
- * A small picture of what a rule makes small.
+ * A small picture of the curve that a rule minimises.
  * @param {string} rule
  * @param {number} place - among the rules; -1: the distance from the truth
  * @param {InverseTold['rules'][string]} words
@@ -316,7 +316,7 @@ const kernels = {
   name: 'kernels',
   title: 'Averaging kernels',
   why: [
-    'Through which window a step is seen: reward at any step under the bump appears at the step that is marked.',
+    'The window of each marked step: a reward at any step under the bump appears at the marked step.',
     'rows of R = D F, at five steps',
   ],
   words: ({ model, made }) =>
@@ -374,7 +374,7 @@ const fit = {
   name: 'fit',
   title: 'Fit over the discounts',
   why: [
-    'The dots are the values, the line is what the timeline gives back. Green: within one standard deviation; red: beyond three.',
+    'Dots: the values. Line: the values that the timeline implies. Green: within one standard deviation; red: beyond three.',
     '(1 − γ) Q against (1 − γ) Σ γ^τ E[r_τ]',
   ],
   note({ model, made }) {
@@ -382,7 +382,7 @@ const fit = {
     if (!deviations) return '';
     const off = offBy(model, made),
       beyond = off.filter((value) => value > 2).length;
-    return `${beyond} of ${model.G} beyond 2 deviations`;
+    return `${beyond} of ${model.G} are off by more than 2 standard deviations`;
   },
   words({ model, made }) {
     const misses = Array.from(model.means, (value, g) =>
@@ -474,7 +474,7 @@ const tauSpace = {
   name: 'tau-space',
   title: 'Tau-space',
   why: [
-    'How likely each reward is at each future step, as the solver decodes it at this alpha. Magenta is below 0.',
+    'The probability of each reward at each future step, as the solver decodes it at this alpha. Magenta is below 0.',
     'x = argmin |W(Fx − z)|² + α²|Lx|², or another filter of the same components',
   ],
   note: ({ made, model }) =>
@@ -488,8 +488,8 @@ const truth = {
   name: 'truth',
   title: 'Truth',
   why: [
-    'The same of the world itself, which no solver sees, blurred by the sensitivities as the values are.',
-    'P(r_τ = v, alive), in the columns of tau-space',
+    'The true timeline of the world, which no solver sees, blurred by the activation like the values.',
+    'P(r_τ = v, episode still running), in the bins of tau-space',
   ],
   words: ({ model }) => `${model.K} future steps; ${extremes(model, model.arrays.truth)}`,
   draw: (pen, w, h, scene) => space(pen, w, h, scene, 'true', scene.model.arrays.truth),
@@ -503,7 +503,7 @@ const rewards = {
   name: 'rewards',
   title: 'Expected reward',
   why: [
-    'The dark band is what the noise does to each step, two standard deviations; the pale one adds what the solver adds or takes away.',
+    'Dark band: two standard deviations of the noise. Pale band: the error of the solver is added.',
     'E[r_τ] ± (2 σ_τ + |bias_τ|)',
   ],
   note: ({ model, told, state }) =>
@@ -567,7 +567,7 @@ const flips = {
   name: 'flips',
   title: 'Where the choice turns',
   why: [
-    'The action that would be chosen at each alpha and deadline, one colour an action. Hatched: certain, whatever alpha.',
+    'The action that is chosen at each alpha and deadline, one colour for each action. Hatched: certain for every alpha.',
     'argmax_a V_T(a); certain: the smallest V_T of one action lies above the largest of every other',
   ],
   note({ model, state }) {
@@ -676,8 +676,8 @@ function certain(certified) {
 
 const DISTANCE = {
   title: 'Error (truth)',
-  why: 'How far the timeline lies from the true one: only somebody who knows the truth can choose by it.',
-  formula: 'W1 over time, in steps a unit of mass',
+  why: 'The distance of the timeline from the true one. It needs the truth, so no real agent can choose alpha by it.',
+  formula: 'W1 over time, in steps for each unit of mass',
 };
 
 /**

@@ -51,7 +51,7 @@ export const SLIDERS = [
     'alpha',
     'regularisation α',
     '',
-    'Regularisation of the inverse. What of the singular values comes back: s²/(s²+α²).',
+    'Regularisation of the inverse: it keeps the share s²/(s²+α²) of each singular value s.',
     logarithmic(1e-9, 10),
   ],
   [
@@ -65,8 +65,8 @@ export const SLIDERS = [
     'slope_share',
     'slope',
     '· trained',
-    'Softer than the trained activation, by a linear map over θ; gamma-space says how far it is off. ' +
-      'What is softened over an edge of θ lies in the outermost column, and means move with it.',
+    'Softer than the trained activation, by a linear map over θ; its error is given under gamma-space. ' +
+      'Rewards that are softened beyond the range of θ count in the outermost column, which moves means.',
     ({ arrays }) => arrays.places && linear(0.1, 0.05, 18),
   ],
   [
@@ -80,7 +80,7 @@ export const SLIDERS = [
     'used',
     'steps used',
     '',
-    'Steps of the episode that are over: the time to go is T less these.',
+    'Steps of the episode that are over: the time to go is T minus these.',
     ({ truth, K, dt }) => truth && linear(0, 1, Math.max(0, Math.floor(K * dt) - 1)),
   ],
   [
@@ -247,7 +247,7 @@ export function switchboard(model, wish) {
   );
   for (const [name, each] of Object.entries(SWITCHES)) {
     const there = names.includes(name),
-      size = element('span', { class: 'size' }, there ? ' ' : 'not in this space');
+      size = element('span', { class: 'size' }, there ? ' ' : 'not available here');
     const button = element(
       'button',
       { type: 'button', role: 'switch', class: 'switch', name, title: each.help, disabled: !there },
@@ -270,11 +270,7 @@ export function switchboard(model, wish) {
     sizes(effects) {
       for (const [name, found] of Object.entries(effects)) {
         const moves =
-          name === 'constant'
-            ? ''
-            : found.size < 5e-4
-              ? 'moves nothing here'
-              : `moves ${short(found.size, 2)} probability`;
+          name === 'constant' ? '' : found.size < 5e-4 ? 'no effect here' : `moves ${short(found.size, 2)} probability`;
         const more = (found.on ?? NaN) - (found.off ?? NaN),
           told =
             found.on === undefined || found.off === undefined || model.A === 1
@@ -290,7 +286,7 @@ export function switchboard(model, wish) {
 }
 
 /**
- * The row above the pictures: which action, how the spaces are drawn, what is done to rows, history, A, the link.
+ * The row above the pictures: which action, how the spaces are drawn, scaling of the rows, history, A, the link.
  * @param {Model} model
  * @param {Wish} wish
  * @param {Told} told
@@ -325,8 +321,8 @@ export function toolbar(model, wish, told) {
       name: 'added',
       'aria-label': 'discounts added',
       title:
-        'Discounts that were never trained, each a mean of its two neighbours. They add no information, ' +
-        'and at the same α let more noise through.',
+        'Discounts that were never trained, each interpolated between its two neighbours. They add no information, ' +
+        'and let more noise through at the same α.',
       onchange: () => wish({ added: +added.value }, true),
     },
     ...['trained discounts', '+ 1 in each gap', '+ 2 in each gap', '+ 3 in each gap'].map((words, value) =>

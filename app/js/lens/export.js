@@ -26,7 +26,7 @@ export function save(content, name, type) {
   setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
 }
 
-// JSON on one line of a table: a comma within a word would begin a cell of its own, and that could be a formula.
+// JSON on one line of a table: a comma within a word would begin a new cell, and that could be a formula.
 const commented = (value) =>
   JSON.stringify(value, (_, each) => (typeof each === 'string' ? each.replaceAll(',', '\0') : each)).replaceAll(
     '\\u0000',
@@ -44,7 +44,7 @@ const quoted = (words) => `"${`${/^[=+@\t\r\n-]/.test(words) ? "'" : ''}${words}
 export const nameOf = ({ scene: { model } }) =>
   `lens_${model.header.world.replace(/[^A-Za-z0-9_-]+/g, '_').slice(0, 40)}`;
 
-// The verdict, on as many lines as it needs, and under it what is seen.
+// The verdict, on as many lines as it needs, and the pictures under it.
 function heading(pen, { verdict, scene: { model, state, colours } }) {
   const lines = [''];
   for (const word of verdict.split(' ')) {
@@ -233,7 +233,7 @@ export const saveCsv = (lens) => save(csvOf(lens), `${nameOf(lens)}.csv`, 'text/
 const HELD = '<script id="held" type="application/json">';
 
 /**
- * The lens in a file of its own.
+ * The lens as a separate file.
  * @param {Pick<Saved, 'told' | 'scene'>} lens
  * @param {string | undefined} still - the address of a picture of the world
  * @param {string} template - the page, as app/offline/page.html
@@ -248,7 +248,7 @@ export function htmlOf({ told, scene: { model, state } }, still, template) {
 }
 
 /**
- * Saves the lens in a file of its own; there is none while a player runs through an episode.
+ * Saves the lens as a separate file; not while a player runs through an episode.
  * @param {Saved} lens
  * @returns {Promise<void>}
  */

@@ -15,7 +15,7 @@ const limited = (value, low, high) => Math.min(high, Math.max(low, value));
 const KEYS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
 
 /**
- * Listens to what a hand does on a picture.
+ * Handles pointer and keyboard input on a picture.
  * @param {HTMLCanvasElement} canvas
  * @param {Panel} panel
  * @param {Scene} scene

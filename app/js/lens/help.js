@@ -1,4 +1,4 @@
-// The '?' of a picture: what it shows, its formula, and the picture as a file of its own.
+// The '?' of a picture: what it shows, its formula, and the picture as a file.
 /** @import { Panel } from '../types.js' */
 import { element } from '../draw/elements.js';
 
@@ -7,8 +7,8 @@ export const WORLD = {
   name: 'world',
   title: 'World',
   why: [
-    'The states and actions of the world; numbers are rewards. The state and the action that are looked at are lit up. ' +
-      'Click a state to look from there.',
+    'The states and actions of the world; numbers are rewards. The state and the action of this view are highlighted. ' +
+      'Click a state to see its timeline.',
     'P(s′, r | s, a)',
   ],
 };

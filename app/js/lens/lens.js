@@ -1,4 +1,4 @@
-// The lens: one state, the pictures that it makes, and what is done to both. Python hears releases only.
+// The lens: one state, its pictures, and the actions on both. Python receives releases only.
 /** @import { Lens, Model, Panel, Released, Saved, Scene, Told } from '../types.js' */
 import { acrossOf, thetaTicks } from '../draw/columns.js';
 import { coloursOf } from '../draw/colours.js';
@@ -36,7 +36,7 @@ function remembered(value) {
   }
 }
 
-// States are equal where everything is that decides what is seen.
+// Two states are equal if they make the same pictures.
 const same = (a, b) => Object.keys(a).every((name) => name === 'look' || name === 'action' || a[name] === b?.[name]);
 
 /**

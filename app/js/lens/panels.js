@@ -17,7 +17,7 @@ const spectrumPanel = {
   title: 'Filter factors',
   why: [
     'The singular values of the transform. The bars are the share of each component that alpha keeps; the rest is ' +
-      'dropped as noise.',
+      'removed as noise.',
     'f_i = s_i² / (s_i² + α²)',
   ],
   draw(pen, w, h, scene) {
@@ -42,7 +42,7 @@ const spectrumPanel = {
       scale = axes(pen, box, {
         x: [0.4, count + 0.6],
         y: [low, high],
-        xTitle: 'component; bars: share let through',
+        xTitle: 'component; bars: share kept',
         yTitle: 'singular value',
         colours,
         xTicks: count <= 8 ? Array.from({ length: count }, (_, i) => i + 1) : undefined,
@@ -107,8 +107,7 @@ const kernelPanel = {
   name: 'kernel',
   title: 'Effective discounting',
   why: [
-    'Grey: the weight that each future step should have in the value. Line: the weight that the inverse at this ' +
-      'alpha really gives it.',
+    'Grey: the weight that each future step should have in the value. Line: the weight that it has at this ' + 'alpha.',
     'w(τ) = Σ_γ c_γ γ^τ against γ^τ [τ < T]',
   ],
   draw(pen, w, h, scene) {
@@ -180,7 +179,7 @@ const rewardsPanel = {
   name: 'rewards',
   title: 'Expected reward and survival',
   why: [
-    'Above: the reward expected at each future step. Below: the chance that the episode goes on until then. With noise, ' +
+    'Above: the reward expected at each future step. Below: the probability that the episode still runs. With noise, ' +
       'the dark band is two standard deviations and the pale one adds the error of smoothing.',
     'E[r_τ] = Σ_θ θ P(τ, θ) ± (2 σ_τ + |bias_τ|)',
   ],
@@ -215,7 +214,7 @@ const rewardsPanel = {
       hover.tau !== undefined && hover.tau < seen.n
         ? `τ ${short(hover.tau * dt)}: ${short(rewards[hover.tau])}, alive ${short(seen.survival[a][hover.tau] / dt)}`
         : impossible([seen.survival[a]], dt)
-          ? 'alive above 1: impossible'
+          ? 'survival above 1: impossible'
           : seen.truth
             ? 'grey: true'
             : simulated
@@ -342,7 +341,7 @@ const fitPanel = {
   name: 'fit',
   title: 'Fit to gamma-space',
   why: [
-    'Circles: the value that was learned at each discount. Line: the value that the decoded timeline gives back. ' +
+    'Circles: the value at each discount. Line: the value that the decoded timeline implies. ' +
       'Where they differ, alpha smooths too much.',
     '(1 − γ) Q(γ) against (1 − γ) Σ_τ γ^τ E[r_τ]',
   ],
@@ -420,7 +419,7 @@ function fitOf({ state, seen, images, model }) {
 }
 
 /**
- * The pictures in their order. Without a world to draw, its place shows whether the inverse explains what was learned.
+ * The pictures in their order. Without a world to draw, its place shows how well the inverse fits the learned values.
  * @param {Pick<Told, 'world' | 'still'>} told
  * @returns {Panel[]}
  */

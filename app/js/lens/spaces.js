@@ -12,7 +12,7 @@ const TRUTH = { stroke: '#ffffff', width: 1.5 },
   HALO = { stroke: '#111111', width: 3.5 };
 
 /**
- * Low and high end of what is drawn of theta.
+ * Low and high end of the range of theta that is drawn.
  * @param {Seen} seen
  * @returns {Range} in reward
  */
@@ -153,7 +153,7 @@ export const gammaPanel = {
   name: 'gamma-space',
   title: 'Gamma-space',
   why: [
-    'What is learned: for each discount γ, how much future reward of each size θ there is, nearer steps counting more.',
+    'The learned values: for each discount γ, how much future reward of each size θ is expected; nearer steps count more.',
     'Z(γ, θ) = Σ_τ γ^τ P(r_τ ≈ θ)',
   ],
   rows: 'gamma',
@@ -282,7 +282,7 @@ export const tauPanel = {
   name: 'tau-space',
   title: 'Tau-space',
   why: [
-    'How likely each reward θ is at each future step τ, decoded from gamma-space. A certain reward reads as 1; magenta is ' +
+    'The probability of each reward θ at each future step τ, decoded from gamma-space. A certain reward reads as 1; magenta is ' +
       'below 0.',
     'P = V diag(s / (s² + α²)) Uᵀ Z, with γ^τ = U diag(s) Vᵀ; summed over θ ± 2 / slope',
   ],

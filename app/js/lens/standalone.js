@@ -1,4 +1,4 @@
-// The lens in a file of its own.
+// The lens as a separate file.
 import { element } from '../draw/elements.js';
 import { mount } from './lens.js';
 import { read } from '../core/model.js';

@@ -1,4 +1,4 @@
-// The line over the pictures: what is looked at, or, in the guided story, the words of its step.
+// The line over the pictures: a description of the view, or, in the guided story, the words of its step.
 /** @import { Released, Scene, State, Told } from '../types.js' */
 import { element } from '../draw/elements.js';
 
@@ -32,7 +32,7 @@ export function storyline(report) {
     steps = element('nav', { class: 'steps', 'aria-label': 'guided story' }),
     box = element('div', { class: 'about' }, steps, words);
   let shown;
-  // A link that a click follows without loading the page anew; with Ctrl it opens a page of its own.
+  // A link that a click follows without reloading the page; with Ctrl it opens a new page.
   const linkTo = ({ href, name }, number, current) =>
     element(
       'a',

@@ -71,7 +71,7 @@ export function judged(model, state, seen) {
     const stays = model.arrays.decoded ? 'the timeline of the old settings stays' : 'this is the one of Tikhonov';
     return {
       tone: 'pending',
-      sentence: `This solver runs on the server, once the control is released: until then ${stays}.`,
+      sentence: `This solver runs on the server after you release the control; until then ${stays}.`,
     };
   }
   const names = model.header.actions,
@@ -128,7 +128,7 @@ export function judged(model, state, seen) {
 }
 
 /**
- * Solvers that a timeline asks for which no probabilities can be: labels and names. It is alive above 1, or has less than
+ * Labels and names of solvers for a timeline that cannot be probabilities: its survival exceeds 1, or it has less than
  * nothing of a reward.
  * @param {Model} model
  * @param {Seen} seen

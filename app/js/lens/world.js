@@ -5,7 +5,7 @@ import { plot } from '../chart/plot.js';
 
 /**
  * The graph of the world.
- * @param {(picked: number) => void} report - hears the state that is clicked
+ * @param {(picked: number) => void} report - called with the state that is clicked
  * @returns {WorldPanel}
  */
 export function worldPanel(report) {

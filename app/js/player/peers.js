@@ -7,7 +7,7 @@ const TAIL = 0.002; // mass at either end of a law that the axis need not reach
 /** @type {(name: string) => ChartBox | null} */
 const boxOf = (name) => document.querySelector(`.laplace-chart[data-name="${name}"]`);
 
-// Places and masses of what was said of the return after an action.
+// Values and probabilities of the predicted return after an action.
 function lawAt({ locations, masses, actions, steps }, step, action) {
   const width = locations.length / steps / actions,
     from = (step * actions + action) * width;
@@ -44,7 +44,7 @@ function staircase({ places }, below, low, high) {
 }
 
 /**
- * What was said of the return of each action at a step: staircases of P(return at most x), and then the means.
+ * The predicted return of each action at a step: staircases of P(return at most x), then the means.
  * @param {Required<Pick<Reel, 'locations' | 'masses' | 'actions' | 'steps'>>} reel
  * @param {number} step
  * @returns {{ x: number[][], y: number[][], range: Range }} a line each, and the range of x, in reward

@@ -7,13 +7,13 @@ import { hub } from '../hub.js';
 import { follow } from './peers.js';
 import { bySurprise, followedAt, frameAt, modelAt, nextMarked, openReel, ownAt } from './reel.js';
 
-const ASK = 400; // ms until the server is asked again for what it looks for in the background
+const ASK = 400; // ms between two requests for the result of a search in the background
 const MEANINGS = {
-  expected: 'discounted return that the agent expected of the action taken',
+  predicted: 'discounted return that the agent predicted for the action taken',
   observed:
     'discounted return that was observed; where the episode was cut off, the best value of the last observation ' +
     'stands for the rest (≈: it has more than 5% of the weight)',
-  surprise: 'reward + γ best value of the next observation − value of the action taken',
+  'TD error': 'reward + γ · best value of the next observation − value of the action taken',
 };
 
 export default component({ kind: 'player', mount, open: async (bytes, id) => ({ ...(await openReel(bytes)), id }) });
@@ -37,20 +37,20 @@ function mount(host, reel, told, report) {
     class: 'reel',
     role: 'img',
     'aria-label':
-      `Rewards and surprise of an episode of ${reel.steps} steps: return ${short(returns[last], 4)}, ` +
-      `largest surprise ${short(reel.surprise[order[0]])} at step ${order[0]}`,
+      `Rewards and TD errors of an episode of ${reel.steps} steps: return ${short(returns[last], 4)}, ` +
+      `largest TD error ${short(reel.surprise[order[0]])} at step ${order[0]}`,
   });
   const at = stepper({ host, told, last, name: 'step', label: 'step of the episode', show, report });
   const differs = button(
-    differ ? `not greedy › ${differ}` : 'always greedy',
-    'next step whose action is not the greedy one',
+    differ ? `non-greedy › ${differ}` : 'always greedy',
+    'next step with an action that is not the greedy one',
     () => at.to(nextMarked(reel.differs, at.step)),
     false,
   );
   differs.disabled = !differ;
   const surprise = button(
-    'surprise ›',
-    'largest surprise; again for the next largest',
+    'TD error ›',
+    'step with the largest TD error; press again for the next largest',
     () => {
       // on from the last one, while it is still shown
       rank = order[rank] === at.step ? (rank + 1) % Math.min(order.length, 10) : 0;
@@ -90,9 +90,9 @@ function mount(host, reel, told, report) {
     values.append(element('tr', {}, ...cells));
     return cells;
   });
-  values.prepend(element('tr', {}, cell(''), cell('action'), cell('by the rule', 'number'), cell('greedy', 'number')));
+  values.prepend(element('tr', {}, cell(''), cell('action'), cell('value (rule)', 'number'), cell('greedy', 'number')));
   const gamma = `(γ ${short(reel.acting_gamma)})`;
-  const factCells = ['reward', 'return so far', `expected ${gamma}`, `observed ${gamma}`, 'surprise'].map((name) => {
+  const factCells = ['reward', 'return so far', `predicted ${gamma}`, `observed ${gamma}`, 'TD error'].map((name) => {
     const value = cell('', 'number');
     facts.append(element('tr', { title: MEANINGS[name.split(' (')[0]] }, cell(name), value));
     return value;
@@ -127,7 +127,7 @@ function mount(host, reel, told, report) {
     artefact.hidden = flags?.marks.length === 0; // nothing is decoded
     artefact.textContent = !flags ? 'artefacts …' : places ? `artefact › ${places}` : 'no artefact';
     artefact.title = !flags
-      ? 'artefacts are looked for'
+      ? 'searching for artefacts'
       : `next step at which an artefact of the action taken begins, at α ${short(flags.alpha)}; ` +
         `${counted.join(', ') || 'none'} of ${last + 1} steps`;
     artefact.setAttribute('aria-label', artefact.textContent);
@@ -205,7 +205,7 @@ function mount(host, reel, told, report) {
       x,
       y: range(reel.surprise),
       yTicks: range(reel.surprise),
-      yTitle: 'surprise',
+      yTitle: 'TD error',
       colours,
     });
     const bars = [],

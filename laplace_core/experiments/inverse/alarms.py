@@ -1,4 +1,4 @@
-"""How often the test of consistency raises an alarm: on consistent spaces, and on three kinds that are not."""
+"""Alarm rates of the test of consistency: on consistent gamma-spaces, and on three inconsistent kinds."""
 
 from __future__ import annotations
 
@@ -64,7 +64,7 @@ def _sum(rows: list[dict[str, Any]]) -> dict[str, Any]:
 
 
 def shortfalls(numbers: dict[str, Any]) -> list[str]:
-    """What is not as demanded: too many false alarms, by how the noise was known."""
+    """Missed goals: too many false alarms, by how the noise was known."""
     missed = []
     for known in (True, False):
         total = _sum([r for r in numbers["rows"] if r["kind"] == "consistent" and r["noise_known"] == known])

@@ -1,4 +1,4 @@
-"""How often a certified decision is claimed, and how often the claim is wrong."""
+"""Certified decisions: how often they are claimed, and how often a claim is wrong."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def report(cases: int, seed: int) -> tuple[dict[str, Any], str]:
 
 
 def shortfalls(numbers: dict[str, Any]) -> list[str]:
-    """What is not as demanded."""
+    """Missed goals."""
     missed = [f"wrong claims at {r['noise']:g}" for r in numbers["rows"] if r["wrong"] > MOST_WRONG * r["cases"]]
     for r in numbers["rows"]:
         if r["noise"] == DECIDED_AT and r["clear_claimed"] < LEAST_DECIDED * r["clear"]:

@@ -1,4 +1,4 @@
-"""A study of the inverse beside a server: the command ``study`` in a process of its own, and its table as it grows."""
+"""A study of the inverse in the background of a server: the command ``study`` in a process, and its growing table."""
 
 from __future__ import annotations
 
@@ -24,14 +24,14 @@ from laplace_core.supervise.jobs import Progress, too_large
 SOLVERS_OFFERED = tuple(name for name in SOLVERS if name != "neural")
 """The neural inverse takes only the discounts and rows that it was fitted to, which random worlds do not keep to."""
 MOST_ROWS = 20_000
-"""Of a study that a page asks for: some 4 MB."""
+"""Most rows of a study on a page: some 4 MB."""
 PARAMETERS = (
-    Parameter("worlds", "random", help="Random worlds, or listed worlds, by commas."),
-    Parameter("cases", 20, 1, 1000, "Random worlds, and draws of the noise of each listed world."),
+    Parameter("worlds", "random", help="Random worlds, or listed worlds."),
+    Parameter("cases", 20, 1, 1000, "Number of random worlds, and of noise draws for each listed world."),
     Parameter("noises", ",".join(map(as_text, NOISES)), help="Standard deviations of (1 - gamma) Q, by commas."),
-    Parameter("grids", "paper", help="Grids of 15 discounts from .01 to .99, by commas."),
-    Parameter("solvers", "tikhonov,tikhonov2", help="Solvers of the inverse, by commas."),
-    Parameter("selectors", "fitted,gcv,lcurve", help="Rules for alpha, by commas."),
+    Parameter("grids", "paper", help="Grids of 15 discounts from .01 to .99."),
+    Parameter("solvers", "tikhonov,tikhonov2", help="Solvers of the inverse."),
+    Parameter("selectors", "fitted,gcv,lcurve", help="Rules for alpha."),
     Parameter("seed", 0, 0, 2**31 - 1, "Seed of the worlds and of their noise."),
 )
 """What a page asks of a study; lists are texts, as the command and links write them."""
@@ -43,7 +43,7 @@ _LOOK_EVERY = 0.2  # seconds between two looks at the process
 
 
 def words_in(text: str) -> list[str]:
-    """The words of a list that stands in one text."""
+    """The words of a list that is written as one text."""
     return [word.strip() for word in text.split(",") if word.strip()]
 
 

@@ -67,7 +67,7 @@ class Job(NamedTuple):
 
 @dataclass(frozen=True)
 class Plan:
-    """What a study covers.
+    """The plan of a study.
 
     Attributes:
         cases: how many random worlds, counted from 0, and how many draws of the noise of each listed world.

@@ -59,7 +59,7 @@ class _Measured(NamedTuple):
 def report(cases: int, seed: int) -> tuple[dict[str, Any], str]:
     """Numbers and text: the W1 of each preset, mean over ``cases`` draws of noise, by both measures.
 
-    Tikhonov has the alpha that is best in hindsight, anew for each draw. The slower solvers have one alpha for all
+    Tikhonov has the alpha that is best in hindsight, again for each draw. The slower solvers have one alpha for all
     presets at a level of noise, the one whose mean ratio to Tikhonov's W1 is least; beside it stands what the selector
     ``auto`` gives, which knows nothing of the truth.
     """

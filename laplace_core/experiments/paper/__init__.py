@@ -1,4 +1,4 @@
-"""The experiments of the paper, each in a module of its own.
+"""The experiments of the paper, one module each.
 
 What is trained lists settings and seeds; a training that several experiments need is one run, because equal settings
 have the same folder. What is measured on worlds and on agents that ship needs no training; its modules load torch, and

@@ -1,4 +1,4 @@
-"""How far an agent's values are off at each of fifteen discounts, also where only every other of them was trained.
+"""The error of an agent's values at each of fifteen discounts, also if only every other one was trained.
 
 The truth is the observed discounted return from every step of greedy episodes on: all discounts evaluate the policy of
 the acting one, and the environments' steps are not random. An error is that of (1 - gamma) Q, in reward a step, so that

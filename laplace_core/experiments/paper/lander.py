@@ -1,4 +1,4 @@
-"""What the experiments on LunarLander have in common: long enough to land, short enough for three seeds each."""
+"""The shared settings of the experiments on LunarLander: long enough to land, short enough for three seeds each."""
 
 from __future__ import annotations
 

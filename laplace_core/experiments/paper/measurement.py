@@ -32,7 +32,7 @@ _MOST_BYTES = 50_000_000
 
 @dataclass(frozen=True)
 class Measurement:
-    """A figure, table or claim of the paper that needs no training of its own.
+    """A figure, table or claim of the paper that needs no training.
 
     Attributes:
         name: what ``reproduce`` calls it.

@@ -44,7 +44,7 @@ def cells_in(path: Path) -> list[dict[str, Any]]:
 
 
 def contents(path: Path) -> dict[str, Any] | None:
-    """All that an experiment's file holds, trained or measured; None where there is no file.
+    """The contents of an experiment's file, trained or measured; None if there is no file.
 
     Raises:
         InputError: a file that is no result.

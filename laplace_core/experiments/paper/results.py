@@ -78,7 +78,7 @@ def reading_of(experiment: Experiment, training: Training) -> dict[str, Any]:
     if not (training.folder / BEST).is_file():
         raise InputError(
             f"{experiment.name} needs the run folder {training.folder}, which is gone: bring it back, or name another "
-            "--out folder to train it anew."
+            "--out folder to train it again."
         )
     found = experiment.reading(training.folder)
     write_whole(training.folder / _reading_file(experiment), as_json(found))

@@ -1,4 +1,4 @@
-"""What a trial of a search is worth: its settings are trained with several seeds, side by side.
+"""The score of a trial of a search: its settings are trained with several seeds, side by side.
 
 Every seed is a run of its own, in a folder that its settings name. So a trial that is taken over goes on with them, and
 settings that are tried again are not trained again. After each evaluation of all seeds the trial reports the median of

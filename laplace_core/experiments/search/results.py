@@ -18,7 +18,7 @@ SearchResult = Mapping[str, Any]
 
 
 def in_words(trial: Mapping[str, Any]) -> str:
-    """What a trial changes."""
+    """The changes of a trial, in words."""
     short = {name: f"{value:.4g}" if isinstance(value, float) else value for name, value in trial.items()}
     return ", ".join(f"{name} {value}" for name, value in short.items()) or "as in the file"
 

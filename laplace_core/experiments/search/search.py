@@ -121,7 +121,7 @@ class Search:
 
     @cached_property
     def jobs(self) -> list[Trial]:
-        """What each trial changes; empty where a sampler chooses."""
+        """The changes of each trial; empty if a sampler chooses them."""
         if self.listed:
             return trials(values_of(self.space), one_at_a_time=self.one_at_a_time)
         return [{} for _ in range(self.count or USUAL_TRIALS)]

@@ -1,4 +1,4 @@
-"""Where a search keeps its trials: an SQLite file, a PostgreSQL server, or a journal that many machines append to.
+"""The storage of a search's trials: an SQLite file, a PostgreSQL server, or a journal that many machines append to.
 
 All of them record a heartbeat of each running trial. A trial whose heartbeat stops is failed, and queued again with the
 same values; the training behind it goes on from its checkpoint.
@@ -173,7 +173,7 @@ def _check_driver() -> None:
 
 @contextmanager
 def readable(text: str) -> Iterator[None]:
-    """What goes wrong in a storage as one sentence, without the password of an address.
+    """A failure of a storage as one sentence, without the password of an address.
 
     Raises:
         InputError: instead of an error of the database, of a file or of Optuna.

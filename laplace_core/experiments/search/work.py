@@ -53,7 +53,7 @@ _OPEN = (TrialState.RUNNING, TrialState.WAITING)
 
 @dataclass(frozen=True)
 class Plan:
-    """What is to be done, as every worker gets it.
+    """The plan of a search, as every worker gets it.
 
     Attributes:
         storage: as :func:`laplace_core.experiments.search.storages.storage_of` reads it.
@@ -115,7 +115,7 @@ class SeededByTrial(BaseSampler):
 
 @dataclass
 class Job:
-    """How far a job is.
+    """The progress of a job.
 
     Attributes:
         trials: that were queued for it, the first one first.
@@ -310,5 +310,5 @@ def _process(trial: FrozenTrial) -> Process | None:
 
 
 def about_of(content: Mapping[str, Any]) -> str:
-    """What a study is of, as one text that is the same for the same content."""
+    """The content of a study as one text, the same for the same content."""
     return json.dumps(content, sort_keys=True)

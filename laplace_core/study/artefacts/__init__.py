@@ -62,7 +62,7 @@ def find_artefacts(
 
 
 def _not_taken_apart(solver: str) -> Artefact:
-    """What stands in place of the artefacts of a picture that is no sum of parts."""
+    """The entry in place of the artefacts, for a picture that is not a sum of parts."""
     sentence = (
         "Only the picture of a linear solver is a sum of parts, one for each artefact: choose one of "
         f"{', '.join(LINEAR)} to see them."

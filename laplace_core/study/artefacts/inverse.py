@@ -17,7 +17,7 @@ survival above 1 or that rises."""
 
 
 def over_smoothing(look: Look) -> Artefact | None:
-    """What a smaller alpha would bring back from the gamma-space that is there: fall of the timeline's error."""
+    """The decrease of the timeline's error under a smaller alpha, with the same gamma-space."""
     alpha = look.settings.alpha
     if not look.has_truth or alpha == 0:
         return None
@@ -37,7 +37,7 @@ def over_smoothing(look: Look) -> Artefact | None:
     return Artefact(
         "over-smoothing",
         size,
-        f"the timeline is off by {100 * here:.0f}%, with less alpha by {100 * (here - size):.0f}%",
+        f"the timeline is off by {100 * here:.0f}%, with a smaller alpha by {100 * (here - size):.0f}%",
         f"Alpha {alpha:g} suppresses components that gamma-space still holds, so rewards spread over neighbouring "
         "steps.",
         (Remedy(f"Lower alpha to {best:g}", {"alpha": best}),),
@@ -56,14 +56,14 @@ def shifted_index(look: Look) -> Artefact | None:
     return Artefact(
         "shifted index",
         size,
-        f"the shift of the index moves up to {of_a_row(size)}",
+        f"the index shift moves up to {of_a_row(size)}",
         WHY["shifted index"],
-        (Remedy("Undo the shift of the index", {"shift": False}),),
+        (Remedy("Undo the index shift", {"shift": False}),),
     )
 
 
 def survival_above_one(look: Look) -> Artefact | None:
-    """By how much the decoded probability that the episode still runs exceeds 1."""
+    """The amount by which the decoded survival exceeds 1."""
     size = float(look.drawn.survival.max(initial=0.0)) / look.settings.time_step - 1.0
     if size < VISIBLE:
         return None
@@ -71,8 +71,8 @@ def survival_above_one(look: Look) -> Artefact | None:
         "survival above 1",
         size,
         f"the decoded survival reaches {1.0 + size:.2f}",
-        "No episode runs with more than probability 1, and none that is over runs again. Only the feasible solver "
-        "knows this.",
+        "A survival cannot exceed 1, and an episode that has ended cannot continue. Only the feasible solver uses "
+        "this.",
         (FEASIBLE,),
     )
 
@@ -95,8 +95,8 @@ def negative_mass(look: Look) -> Artefact | None:
         "negative mass",
         size,
         f"entries below zero take away up to {of_a_row(size)}",
-        "Nothing keeps a linear inverse from going below zero, as no probability does: it rings beside sharp events, "
-        "and it magnifies whatever error gamma-space has."
+        "A linear inverse can go below zero, which no probability does: it rings beside sharp events and magnifies "
+        "the errors of gamma-space."
         + ("" if nearest else " With these discounts less ringing would mean more smearing."),
         (*(Remedy(f"Set alpha to {a:g}", {"alpha": a}) for a in nearest), NONNEGATIVE),
     )

@@ -1,4 +1,4 @@
-"""One action of a study, taken apart: what each stage adds to its rows.
+"""One action of a study, decomposed into the contribution of each stage to its rows.
 
 The inverse is linear, so that before any rescaling the picture is a sum,
 
@@ -104,7 +104,7 @@ class Look:
         return self.by_reward(self.study.gamma_space.differences[self.action])
 
     def smeared(self, weights: np.ndarray) -> np.ndarray:
-        """What each distinct reward leaves at each midpoint, weighed: ``(..., V)`` to ``(..., H-1)``."""
+        """The weighted rewards smeared over the midpoints: ``(..., V)`` to ``(..., H-1)``."""
         study = self.of_world
         return smeared(weights, study.world.reward_values, study.gamma_space.thetas, study.settings.slope)
 

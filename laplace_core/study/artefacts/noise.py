@@ -1,4 +1,4 @@
-"""Random error of a gamma-space, and what the inverse makes of it."""
+"""Random error of a gamma-space, and its effect on the inverse."""
 
 from __future__ import annotations
 
@@ -9,12 +9,12 @@ from laplace_core.study.artefacts.model import VISIBLE, Artefact, Remedy
 
 LARGEST_ALPHA = 10.0
 _SENTENCE = (
-    "Gamma-space carries random error, as anything learned does, and the inverse divides it by small singular values."
+    "Gamma-space has random errors, as all learned values do, and the inverse divides them by small singular values."
 )
-_APART = " Some falls are larger than the others allow: there discounts follow different policies, or know less."
+_APART = " Some falls are too large for noise: there, discounts follow different policies or are less well learned."
 _ROUNDING, _FEW = 1e-6, 5
 """Of (1 - gamma) Z; and discounts so few that falls between most of them say nothing."""
-_TOO_MUCH = " No alpha takes it away and leaves the picture"
+_TOO_MUCH = " No alpha removes the noise and keeps the picture"
 
 
 def noise_amplification(look: Look) -> Artefact | None:
@@ -49,8 +49,8 @@ def _against_truth(look: Look) -> Artefact | None:
 
 
 def _too_much(look: Look) -> str:
-    """What helps where no alpha does: noise that was added is left out, an error of learning is learned away."""
-    return f"{_TOO_MUCH}." if look.settings.noise else f"{_TOO_MUCH}; only learning on does."
+    """The remedy if no alpha helps: leave out added noise, or learn longer against an error of learning."""
+    return f"{_TOO_MUCH}." if look.settings.noise else f"{_TOO_MUCH}; only more learning does."
 
 
 def _keeps_a_picture(look: Look, exact: np.ndarray, alpha: float) -> bool:
@@ -85,7 +85,7 @@ def _mixed(look: Look, size: float) -> Artefact | None:
     return Artefact(
         "mixed policies",
         size,
-        f"what falls with gamma moves at least {of_a_row(size)} across a threshold",
+        f"differences that fall with gamma move at least {of_a_row(size)} across a threshold",
         "Gamma-space falls with gamma at some discounts, as the values of no single process do: discounts follow "
         "different policies, or some are not learned well enough. No alpha makes one timeline of such values.",
         (),

@@ -1,4 +1,4 @@
-"""Which remedies of an artefact are offered: those that were run on this very view and take it away.
+"""The remedies of an artefact that are offered: those that were tried on this view and remove it.
 
 Another solver is always offered (:mod:`laplace_core.study.artefacts.inverse`). Any other remedy is offered if under it
 the artefact is gone and what is wrong with the view is repaired

@@ -37,9 +37,9 @@ def repeated_reward(look: Look) -> Artefact | None:
     return Artefact(
         "repeated reward",
         size,
-        f"rescaling invents the probability of {size:.2f} sure rewards",
-        "Rows are rescaled to probability 1, also where little or nothing is left in the row, so that a residue of an "
-        "earlier reward counts as a certain one.",
+        f"rescaling invents the probability of {size:.2f} certain rewards",
+        "Rows are rescaled to probability 1 even if they are nearly empty, so that a residue of an earlier reward "
+        "counts as a certain reward.",
         tuple(remedies),
     )
 
@@ -74,8 +74,8 @@ def conditional_rewards(look: Look) -> Artefact | None:
         size,
         f"a value moves by up to {change:.3g}, where the largest {'true ' if look.has_truth else ''}one "
         f"is {np.abs(true).max():.3g}",
-        "Each row is divided by its survival, so that it says what comes if the episode still runs; the values sum "
-        f"this as if it were sure to run, and leave out rows whose survival is at most {SURVIVAL_FLOOR:g}.",
+        "Each row is divided by its survival, so that it holds the rewards if the episode still runs; the values add "
+        f"them up as if it always ran, and leave out rows whose survival is at most {SURVIVAL_FLOOR:g}.",
         (Remedy("Weigh rewards by survival", {"normalise": "none"}),),
     )
 

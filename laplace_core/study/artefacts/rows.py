@@ -27,7 +27,7 @@ def folding(look: Look) -> Artefact | None:
     return Artefact(
         "folding",
         size,
-        f"what comes after the last row moves up to {of_a_row(size)}",
+        f"rewards after the last row move up to {of_a_row(size)}",
         WHY["folding"],
         (*remedies, *([Remedy(f"Decode {steps} rows", {"steps": steps})] if steps else [])),
     )

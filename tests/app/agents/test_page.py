@@ -195,7 +195,7 @@ def test_a_step_beyond_the_end_is_the_last_one_and_named(shipped):
     assert 0 < last < 10
     assert link(page)["r.at"] == str(last)
     (note,) = (warning.value for warning in page.warning)
-    assert "900 of the link lies beyond the end" in note
+    assert "900, which is beyond the end" in note
     assert not page.exception
     (again,) = (warning.value for warning in run(page).warning)
     assert again == note
@@ -236,7 +236,7 @@ def lens_arrays(page: AppTest) -> tuple[dict, dict]:
 
 def test_without_chance_truth_is_that_of_many_states(shipped, few):
     page = rolled_out(checkpoint="laplace_CartPole-v1", **{"r.shown": "yes", "r.seed": "5"})
-    assert "has no chance in it" in words(page)
+    assert "is deterministic" in words(page)
     page = simulated(page)
     assert {"simulated", "calibration"} <= set(charts(page))
     assert "simulated" not in lens_arrays(page)[0]
@@ -248,7 +248,7 @@ def test_with_chance_the_lens_gets_what_continuations_came_to(shipped, few):
     page = simulated(rolled_out(checkpoint="laplace_two_branch", **query))
     page = wait(page, lambda page: "2 continuations of 20 steps" in words(page))
     assert "greedy at γ" in words(page)
-    assert "another process" not in words(page)
+    assert "another policy" not in words(page)
     assert "simulated" not in charts(page)  # the lens shows it
     loaded = load_checkpoint(shipped / "laplace_two_branch.safetensors")
     rollout = roll_out(loaded.agent, "two_branch", 5, rule="random")
@@ -258,7 +258,7 @@ def test_with_chance_the_lens_gets_what_continuations_came_to(shipped, few):
     assert header["simulated"] == {"action": taken, "count": 2}
     np.testing.assert_allclose(arrays["simulated_lines"][0], found.rewards.mean(axis=0), rtol=1e-6)
 
-    next(box for box in page.selectbox if box.label.startswith("Control of what")).set_value("rule").run()
+    next(box for box in page.selectbox if box.label.startswith("Policy of the simulation")).set_value("rule").run()
     assert not page.exception
     assert page.query_params["r.after"] in ("rule", ["rule"])
     assert "then random. Tau-space predicts greedy at γ" in words(page)
@@ -294,7 +294,7 @@ def test_the_link_adds_discounts_and_softens_the_slope(shipped):
     np.testing.assert_allclose(found.gamma_space.differences, soft, rtol=1e-9, atol=1e-9)
     listed = " ".join(each.proto.body for each in page.get("html"))
     assert all(artefact.sentence in listed for artefact in compute.artefacts_for(view))
-    assert "louder" in words(page)
+    assert "noise does more than it shows" in words(page)
 
 
 def payload_of(page: AppTest) -> bytes:
@@ -364,7 +364,7 @@ def test_a_rollout_that_takes_longer_than_the_server_allows_cannot_be_begun(ship
 def test_an_action_that_the_agent_has_not_is_named_and_left_out(shipped):
     page = opened(checkpoint="laplace_CartPole-v1", action="nowhere")
     (note,) = page.warning
-    assert "action 'nowhere' is none of left, right" in note.value.replace("push ", "")
+    assert "action 'nowhere' must be one of left, right" in note.value.replace("push ", "")
 
 
 def test_solver_rule_and_noise_level_are_settings_of_an_agent_too(shipped, monkeypatch):

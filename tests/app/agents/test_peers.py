@@ -47,7 +47,7 @@ def shipped(tmp_path, monkeypatch):
 
 
 def simulated(page: AppTest) -> AppTest:
-    """The page once what comes is there."""
+    """The page once the observed returns are there."""
     page.button(key="simulate returns").click().run()
     return wait(page, lambda page: "Shaded: W1" in words(page))
 
@@ -136,7 +136,7 @@ def test_the_action_taken_follows_the_cursor_until_another_is_chosen(shipped):
 
 def test_where_nothing_is_by_chance_one_line_says_all(shipped):
     page = rolled_out(checkpoint="qrdqn_CartPole-v1", **{"r.shown": "yes", "r.seed": "5", "r.at": "4"})
-    assert "once, because nothing here is by chance" in words(page)
+    assert "once, because nothing here is random" in words(page)
     drawn = charts(simulated(page))["codes"]
     assert "observed (always)" in [trace.get("name") for trace in drawn["data"]]
 

@@ -1,4 +1,4 @@
-"""What the lens sends to the browser and hears from it."""
+"""Messages of the lens to the browser, and its reports."""
 
 from __future__ import annotations
 

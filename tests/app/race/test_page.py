@@ -101,7 +101,7 @@ def test_a_change_of_the_deadline_is_another_race_shown_at_its_end(shipped):
 def test_a_step_beyond_the_end_of_both_is_the_last_one_and_named(shipped):
     page = opened(checkpoint="laplace_CartPole-v1", d_T="30", d_at="900")
     (note,) = (warning.value for warning in page.warning)
-    assert "900 of the link lies beyond the end" in note
+    assert "900, which is beyond the end" in note
     assert 0 < int(link(page)["d.at"]) <= 30
 
 

@@ -150,7 +150,7 @@ def test_going_back_at_once_to_what_was_shown_counts():
     store.show("alpha", 0.1)
     report(alpha=0.2)
     assert store.chosen() == {"alpha": 0.2}
-    report(alpha=0.1)  # before the page was drawn anew
+    report(alpha=0.1)  # before the page was drawn again
     assert store.chosen() == {"alpha": 0.1}
 
 

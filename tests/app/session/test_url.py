@@ -63,7 +63,7 @@ def test_a_link_that_holds_is_read_in_its_own_order_and_written_again():
 def test_what_there_is_depends_on_what_was_read_before():
     values, notes = LINK.read({"o.4": "7"})
     assert values == {"shelf": "low"}
-    assert notes == ["The link has an entry 'o.4' that means nothing here."]
+    assert notes == ["The link has an entry 'o.4' that this page does not know."]
 
 
 def test_a_single_entry_that_does_not_hold_is_left_out_with_one_sentence(subtests):
@@ -71,8 +71,8 @@ def test_a_single_entry_that_does_not_hold_is_left_out_with_one_sentence(subtest
         ({"books": "11"}, f"{LEFT_OUT}books must be a whole number from 0 to 10, not '11'."),
         ({"o.0": "x"}, f"{LEFT_OUT}board 0 must be a whole number from 0 to 9, not 'x'."),
         ({"b.height": "1"}, f"{LEFT_OUT}low has no parameter 'height'; it has: width."),
-        ({"n" * 90: "1"}, f"The link has an entry '{'n' * 40}' that means nothing here."),
-        ({"o.": "1"}, "The link has an entry 'o.' that means nothing here."),
+        ({"n" * 90: "1"}, f"The link has an entry '{'n' * 40}' that this page does not know."),
+        ({"o.": "1"}, "The link has an entry 'o.' that this page does not know."),
     ]:
         with subtests.test(link=link, note=note):
             assert LINK.read({**link, "b.width": "2"}) == ({"shelf": "low", "b.width": 2}, [note])
@@ -93,7 +93,7 @@ def test_what_is_known_by_then_is_said_of_a_link_that_is_given_up():
         LINK.opening(),
         [
             f"{LEFT_OUT}books must be a whole number from 0 to 10, not 'x'.",
-            "The link has an entry 'nonsense' that means nothing here.",
+            "The link has an entry 'nonsense' that this page does not know.",
             "it is late.",
         ],
     )

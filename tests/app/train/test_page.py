@@ -24,7 +24,7 @@ from tests.support.train_page import FORM, NAME, opened, words
 
 def test_with_no_run_one_button_starts_the_small_default(runs):
     page = opened()
-    assert "No run is here yet" in page.info[0].value
+    assert "There is no run yet" in page.info[0].value
     press(page, "Train Laplace DQN on CartPole")
     wait(page, lambda page: "training" in states(runs).values())
     assert runs.get("laplace_CartPole-v1_0").settings.environment == "CartPole-v1"
@@ -53,7 +53,7 @@ def test_a_bad_combination_is_refused_at_once(runs):
     page = opened(**FORM | {"t.theta_min": "1"})
     assert_one_sentence(page.error[0].value, "theta_min")
     assert next(button for button in page.button if button.label == "Start training").disabled
-    press(page, "Back to the settings that suit it")
+    press(page, "Reset to the recommended settings")
     assert not page.error
     assert "t.theta_min" not in link(page)
 

@@ -222,7 +222,7 @@ def test_a_run_is_removed_only_when_asked_twice(runs):
     assert folder.exists()
     press(page, "Yes, remove one for good")
     assert not folder.exists()
-    assert "No run is here yet" in page.info[0].value
+    assert "There is no run yet" in page.info[0].value
 
 
 def test_a_folder_of_junk_opens_and_broken_runs_may_be_removed(runs):

@@ -120,7 +120,7 @@ def test_a_server_that_only_shows_offers_and_does_nothing(runs, monkeypatch, gra
     granted(read_only="true")
     before = {path: path.stat().st_mtime_ns for path in runs.folder.rglob("*")}
     page = opened("more_one", "server")
-    assert "starts none" in page.info[0].value
+    assert "does not start new ones" in page.info[0].value
     assert not {"Start training", "Resume", "Cancel", "Remove ..."} & set(labels(page))
     assert any("LAPLACE_READ_ONLY" in caption.value for caption in page.caption)
     for act in ("stop", "resume", "remove", "end_at_once"):
@@ -162,7 +162,7 @@ def test_a_queue_that_stands_still_says_why(runs):
     made(runs, "one")
     runs.wake()
     page = wait(opened(), lambda page: page.error)
-    assert_one_sentence(page.error[0].value, "stands still", str(runs.folder))
+    assert_one_sentence(page.error[0].value, "paused", str(runs.folder))
     (runs.folder / ".lock").rmdir()
     wait(page, lambda page: not page.error)
 

@@ -101,11 +101,11 @@ def test_while_others_are_at_work_the_pictures_come_first(monkeypatch):
         crowd.alone()
     page = opened(world="two_branch", alpha="0.02", horizon="1", shift="yes", thetas="20")
     assert handed(page)[0]["said"]["sentence"].endswith("The cause is being searched for.")
-    assert "fix shifted index Undo the shift of the index" not in [button.key for button in page.button]
+    assert "fix shifted index Undo the index shift" not in [button.key for button in page.button]
     assert compute.is_searched(shown(page), wait=60)
     page = run(page)
     assert "Cause: shifted index" in handed(page)[0]["said"]["sentence"]
-    assert "fix shifted index Undo the shift of the index" in [button.key for button in page.button]
+    assert "fix shifted index Undo the index shift" in [button.key for button in page.button]
 
 
 def test_a_search_that_fails_leaves_its_reason():
@@ -122,6 +122,6 @@ def test_a_search_that_fails_leaves_its_reason():
 def test_a_remedy_leaves_no_switch_that_is_off_in_the_link():
     page = opened(world="two_branch", shift="yes", alpha="0.01", horizon="1")
     assert "Cause: shifted index" in handed(page)[0]["said"]["sentence"]
-    assert link(press(page, "Undo the shift of the index")) == {
+    assert link(press(page, "Undo the index shift")) == {
         "world": "two_branch", "alpha": "0.01", "horizon": "1"
     }  # fmt: skip

@@ -170,7 +170,7 @@ def test_a_pinned_gamma_space_is_gone_with_its_file_and_says_so():
     run(page)
     assert not page.exception
     again = opened(**link(page))
-    assert any("cannot be shown" in warning.value for warning in again.warning)
+    assert any("can no longer be shown" in warning.value for warning in again.warning)
     for warning in again.warning:
         assert_one_sentence(warning.value)
 

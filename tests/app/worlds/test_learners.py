@@ -1,4 +1,4 @@
-"""Learners of this server: what a link starts by itself, and what is too long for it."""
+"""Learners of this server: a link starts short ones, and not those that take long."""
 
 from __future__ import annotations
 

@@ -77,7 +77,7 @@ def test_spaces_are_the_agents_own_of_each_observation(agent, found):
 
 
 def test_surprise_and_return_by_their_definitions(agent, found):
-    """G_t as the sum from t on, written out; the TD error from values asked for anew."""
+    """G_t as the sum from t on, written out; the TD error from values asked for again."""
     gamma, N = float(agent.gammas[agent.acting_head]), len(found)
     Q = agent.action_values(found.observations, agent.acting_head)
     last = 0.0 if found.terminated else Q[N].max()

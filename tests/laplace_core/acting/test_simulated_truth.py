@@ -74,7 +74,7 @@ def test_one_that_is_a_step_late_is_off_by_what_it_misses(simulated):
 
 @pytest.mark.parametrize("added", [1, 3])
 def test_added_discounts_are_decoded_as_the_more_that_they_are(simulated, added):
-    """They used to be held against the discounts that the agent has learned, and did not fit."""
+    """They used to be compared with the discounts that the agent has learned, and did not fit."""
     space = with_added(exact_space(simulated.rewards, simulated.alive), added)
     assert len(space.gammas) == len(GAMMAS) + (len(GAMMAS) - 1) * added
     found = confront(HARD, space, 1, simulated, alpha=1e-2)

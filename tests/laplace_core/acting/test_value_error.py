@@ -1,4 +1,4 @@
-"""How far an agent's values are off what comes: of every algorithm against an episode added up by hand."""
+"""The error of an agent's values: of every algorithm, against an episode added up by hand."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The entries of environments, held against gymnasium."""
+"""The entries of environments, compared with gymnasium."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ def test_every_environment_of_the_list_has_an_entry():
     for name in ENVIRONMENTS:
         entry = environment_of(name)
         assert bool(entry.states) != bool(entry.components)
-    with pytest.raises(InputError, match="is none of"):
+    with pytest.raises(InputError, match="is not one of"):
         environment_of("Ant-v5")
 
 

@@ -36,7 +36,7 @@ def test_beside_another_payload_the_hand_has_the_last_word():
     assert channel.show("step 2", ONE) == ONE
     assert channel.revision == before
     channel.release(TWO)
-    assert channel.show("step 3", TWO) == TWO, "a lens that is mounted anew has nothing of its own for this payload"
+    assert channel.show("step 3", TWO) == TWO, "a lens that is mounted again has nothing of its own for this payload"
     assert channel.revision == before
 
 

@@ -99,7 +99,7 @@ def test_the_document_says_what_the_results_say(monkeypatch, capsys):
     assert main(["reproduce", "--document"]) == 0
     now = capsys.readouterr().out
     assert now == (ROOT / "docs" / "reproduction.md").read_text(encoding="utf-8"), (
-        "write it anew: python -m laplace_core reproduce --document > docs/reproduction.md"
+        "write it again: python -m laplace_core reproduce --document > docs/reproduction.md"
     )
 
 

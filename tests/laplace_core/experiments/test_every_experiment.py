@@ -109,7 +109,7 @@ def make_again(name: str, part: dict[str, Any]) -> None:
         before, now = np.array(known["returns"]), np.array(again["returns"])
         assert abs(now.mean() - before.mean()) <= 2.0 * before.std(ddof=1) / np.sqrt(len(before))
     else:
-        # Networks are trained anew, and differ in the last digits from machine to machine.
+        # Networks are trained again, and differ in the last digits from machine to machine.
         apart = 0.5 if part.get("values") == "network" else 0.02
         np.testing.assert_allclose(numbers_of(again), numbers_of(known), atol=apart)
 

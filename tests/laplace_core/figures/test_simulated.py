@@ -1,4 +1,4 @@
-"""Figures of what comes beside what is decoded: valid for plotly, and holding the numbers they are given."""
+"""Figures of simulated and decoded timelines: valid for plotly, and holding the numbers they are given."""
 
 from __future__ import annotations
 

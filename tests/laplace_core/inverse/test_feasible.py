@@ -1,4 +1,4 @@
-"""Feasible timelines: constraints, optimality, an independent solver, and what comes after the last row."""
+"""Feasible timelines: constraints, optimality, an independent solver, and rewards after the last row."""
 
 import numpy as np
 import pytest

@@ -174,8 +174,8 @@ def test_spoiled_files_are_refused_in_one_sentence(subtests, tmp_path):
         ("one less", {k: v for k, v in arrays.items() if k != first}, about, "other tensors"),
         ("turned", changed(first, lambda w: w.T.copy()), about, first),
         ("float64", changed(first, lambda w: w.astype(float)), about, first),
-        ("nan", changed(first, lambda w: spoiled(w, np.nan)), about, "no training"),
-        ("huge", changed(first, lambda w: spoiled(w, 1e30)), about, "no training"),
+        ("nan", changed(first, lambda w: spoiled(w, np.nan)), about, "too large"),
+        ("huge", changed(first, lambda w: spoiled(w, 1e30)), about, "too large"),
     ]:
         write_tensors(path, some, entries)
         with subtests.test(what), pytest.raises(InputError, match=named) as refusal:

@@ -86,8 +86,8 @@ def test_no_larger_alpha_is_offered_where_all_of_them_are_worse():
     assert noise_of(found).size > VISIBLE
     assert [remedy.changes for remedy in measured(found).remedies] == [{"noise": 0.0}]
     # Noise that was added is left out; there is nothing to learn on.
-    assert "No alpha takes it away" in noise_of(found).sentence
-    assert "learning on" not in noise_of(found).sentence
+    assert "No alpha removes the noise" in noise_of(found).sentence
+    assert "more learning" not in noise_of(found).sentence
 
 
 # --- a learned basis, a policy of one's own ---

@@ -46,5 +46,5 @@ def test_another_process_can_make_it():
 def test_rows_and_actions_that_are_not_there_are_refused():
     seen = study(load_world("two_branch"), Settings())
     for row, action in ((10**6, 0), (0, 9)):
-        with pytest.raises(InputError, match="is not there: this study has"):
+        with pytest.raises(InputError, match="does not exist: this study has"):
             explain(seen, row, action)

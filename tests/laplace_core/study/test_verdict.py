@@ -86,9 +86,9 @@ def test_a_picture_beside_all_rewards_is_not_sound():
 def test_a_view_that_is_not_there_is_refused():
     found = look("two_branch")
     for refused, words in (
-        (lambda: judge(found, 99), "row 99 is not there: this study has"),
-        (lambda: judge(found, 0, 2), "action 2 is not there: this study has 2, from 0 to 1."),
-        (lambda: find_artefacts(found, -1), "action -1 is not there"),
+        (lambda: judge(found, 99), "row 99 does not exist: this study has"),
+        (lambda: judge(found, 0, 2), "action 2 does not exist: this study has 2, numbered 0 to 1."),
+        (lambda: find_artefacts(found, -1), "action -1 does not exist"),
         (lambda: found.row_at(float("nan")), "the horizon is nan; it must be above 0"),
     ):
         with pytest.raises(InputError, match=words):

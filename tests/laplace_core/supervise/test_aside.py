@@ -143,7 +143,7 @@ def test_the_process_has_low_priority_and_ends_when_nothing_is_asked(made, monke
     assert calls.is_over("nice", 60)
     assert kept["nice"] == 19
     until(lambda: not set(psutil.Process().children()) - before)
-    calls.ask("a", "again", square, 2)  # and begins anew
+    calls.ask("a", "again", square, 2)  # and begins again
     assert calls.is_over("again", 60)
     assert kept["again"] == 4
 

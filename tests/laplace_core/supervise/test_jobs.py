@@ -137,7 +137,7 @@ def test_the_line_is_bounded_and_says_so():
     kind = server.kind()
     gate, first = held(server, kind)
     waiting = [kind.take(i, at_once, 1.0) for i in range(2)]
-    with pytest.raises(InputError, match="the line of this server is full; try again in a moment"):
+    with pytest.raises(InputError, match="the queue of this server is full; try again soon"):
         kind.take("late", at_once, 1.0)
     assert kind.get("late") is None
     assert server.line.usage() == (1, 2, 2)
@@ -204,7 +204,7 @@ def test_a_session_that_leaves_ends_what_nobody_else_waits_for():
     assert job.going
     job.leave("second")
     assert job.gone
-    assert kind.get("held") is None  # it may be begun anew before its last step is over
+    assert kind.get("held") is None  # it may be begun again before its last step is over
     gate.step()
     assert over(job).state == ENDED
     with pytest.raises(InputError, match="this was cancelled: ask for it again"):
@@ -313,7 +313,7 @@ def test_a_session_holds_no_result_that_has_left(asks):
     assert over(wish(kind, "second", 1.0, kilobytes, slot="field").look()).worked
     gc.collect()
     assert held() is None
-    assert over(first.look()).worked  # made anew
+    assert over(first.look()).worked  # made again
 
 
 def test_work_that_was_cleared_counts_nothing_when_it_comes_to_its_end():

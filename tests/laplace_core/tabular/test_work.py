@@ -76,7 +76,7 @@ def started(server, asks, monkeypatch) -> list[Stub]:
 
 
 def run_of(key: str, slot: str = "learner", *, linked: bool = False, settings: LearnSettings = ENDLESS) -> Wish:
-    """The wish of a run; one that a link asks for may start by itself."""
+    """The wish of a run; one from a link may start without a button."""
     learn, by_itself = Work(key, WORLD, settings).learn, SHORT if linked else 0.0
     return Wish(Wish.learners, key, learn, lambda: SHORT + 1.0, slot, by_itself=by_itself)
 

@@ -127,7 +127,7 @@ def test_another_seed_gives_other_metrics(tmp_path, whole):
 
 @pytest.mark.parametrize("step", [50, 199, 401, 640])
 def test_a_run_left_anywhere_goes_on_to_the_same_end(tmp_path, whole, step):
-    """Also before the first resume point, from where it begins anew."""
+    """Also before the first resume point, from where it begins again."""
     folder = tmp_path / "run"
     stop_at(TINY, folder, step)
     events = list(train(TINY, folder, resume=True))

@@ -101,7 +101,7 @@ def test_a_run_that_can_be_neither_started_nor_noted_fails_and_the_others_go_on(
 
 @pytest.mark.parametrize("name", FILES[1:])
 def test_a_folder_in_the_place_of_any_file_is_refused_by_the_command(tmp_path, name):
-    """What stands in the place of the last checkpoint is noticed before the training, not after it."""
+    """Something else in the place of the last checkpoint is noticed before the training, not after it."""
     new_run(tmp_path / "one", SMALL)
     (tmp_path / "one" / name).mkdir()
     with pytest.raises(InputError) as refused:

@@ -23,7 +23,7 @@ EMPTY = Curves(NONE, NONE, NONE, NONE, NONE, NONE, np.zeros((0, 0)), np.zeros((0
 @pytest.mark.parametrize(
     ("state", "step", "share", "said"),
     [
-        (WAITING, 0, 0.0, "0 of 1,000 steps · waits for one of the 2 places"),
+        (WAITING, 0, 0.0, "0 of 1,000 steps · waiting; 2 runs train at once"),
         (TRAINING, 0, 0.0, "0 of 1,000 steps · starting"),
         (TRAINING, 250, 0.25, "250 of 1,000 steps · first episodes"),
         (STOPPING, 250, 0.25, "250 of 1,000 steps · its resume point is being written"),

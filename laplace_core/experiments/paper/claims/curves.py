@@ -112,7 +112,7 @@ def _comparable(results: Results) -> Finding | None:
         return None
     state = AGREES if all(states) else IN_PART if any(states) else DIFFERS
     told = f"Medians of Laplace DQN's seeds, and of the peers': {'; '.join(words)}. In {sum(states)} of {len(states)} "
-    return Finding(state, f"{told}its best seed reaches the worst seed of each peer.", whole=True)
+    return Finding(state, f"{told}its best seed is at least as good as the worst seed of each peer.", whole=True)
 
 
 def _seeds_vary(results: Results) -> Finding | None:
@@ -130,7 +130,7 @@ def _seeds_vary(results: Results) -> Finding | None:
         return None
     state = AGREES if all(states) else IN_PART if any(states) else DIFFERS
     return Finding(
-        state, f"From the lowest to the highest seed Laplace DQN's scores reach over {listed(words)}.", whole=True
+        state, f"The range from the lowest to the highest seed of Laplace DQN is {listed(words)}.", whole=True
     )
 
 
@@ -178,7 +178,7 @@ FIG3 = Entry(
     claims=[
         Claim("Laplace DQN, acting at .99, has results comparable to C51's and QR-DQN's.", _comparable),
         Claim("The seed matters even more for Laplace DQN than for its peers.", _seeds_vary),
-        Claim("Curves over episodes are noisy, and improve.", _improves),
+        Claim("Curves over episodes are noisy and improve.", _improves),
     ],
     lines=_lines,
     view=View("train", {"environment": "LunarLander-v3"}),

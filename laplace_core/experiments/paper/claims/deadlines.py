@@ -55,7 +55,7 @@ def of_paper(name: str, horizon: str) -> float | None:
 
 
 def columns(results: Results) -> dict[str, Mapping[str, Any]]:
-    """What is measured on LunarLander, by T."""
+    """Measured returns on LunarLander, by T."""
     found = {horizon: results.summary.get(_LANDER + horizon, {}) for horizon in HORIZONS}
     return {horizon: column for horizon, column in found.items() if column}
 
@@ -146,8 +146,8 @@ def _repairs(results: Results) -> Finding | None:
         words.append(
             f"from {number(first['mean'])} to {number(last['mean'])} {_when(horizon)} ({_FAULTS[most]}: {gain})"
         )
-    told = "Six faults mended one after another take the return"
-    return Finding(NEW, f"{told} {listed(words)}; in brackets what is worth most.") if words else None
+    told = "Repairing six faults one after another changes the return"
+    return Finding(NEW, f"{told} {listed(words)}; in brackets the repair that is worth most.") if words else None
 
 
 def _rescaled(results: Results) -> Finding | None:
@@ -161,7 +161,7 @@ def _rescaled(results: Results) -> Finding | None:
     if not words:
         return None
     state = AGREES if all(gains) else IN_PART if any(gains) else DIFFERS
-    return Finding(state, f"Decoded as in the paper but for rows that are left alone, it gains {listed(words)}.")
+    return Finding(state, f"Decoded as in the paper except that rows are left alone, it gains {listed(words)}.")
 
 
 TABLE1 = Entry(
@@ -170,9 +170,9 @@ TABLE1 = Entry(
     title="LunarLander with T = 50, 100, 200 and in full",
     claims=[
         Claim("Laplace DQN has no benefit from the change of the horizon: a peer is better at every short T.", _adapts),
-        Claim("Acting on the decoded timeline is no better than not to adapt.", _decoded_as_in_the_paper),
+        Claim("Acting on the decoded timeline is no better than not adapting.", _decoded_as_in_the_paper),
         Claim(
-            "On LunarLander, too, a reward that is repeated behind the end misleads the agent (section 5).", _rescaled
+            "On LunarLander, too, a reward that is repeated after the end misleads the agent (section 5).", _rescaled
         ),
         Claim("On CartPole and Acrobot the policy does not change with T.", _unchanged),
         Claim("What each fault of the paper's decoding costs (not in the paper).", _repairs),

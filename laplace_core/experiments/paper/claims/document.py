@@ -12,8 +12,8 @@ COMMAND = f"{RUN} reproduce --document > docs/reproduction.md"
 _OPENING = f"""# The paper, claim by claim
 
 *Laplace DQN: Deep RL Algorithm for Temporally Flexible Planning*: every figure, table and claim of it beside our
-results. All numbers below are those of the files in `docs/paper/` and of the agents that ship. The page Paper of the
-workbench shows the same with pictures. This page is written from the files by
+results. All numbers below are those of the files in `docs/paper/` and of the bundled agents. The page Paper of the
+workbench shows the same with pictures. This command writes the page from the files:
 
 ```
 {COMMAND}
@@ -44,14 +44,14 @@ def _overview(found: Sequence[Found]) -> list[str]:
 
 
 def _differing(found: Sequence[Found]) -> list[str]:
-    """The claims that our numbers contradict; why stands in their sections."""
+    """The claims that our numbers contradict; their sections say why."""
     claims = [
         f"- {each.entry.place}: {claim.says}"
         for each in found
         for claim, finding in zip(each.entry.claims, each.findings, strict=True)
         if finding is not None and finding.state == DIFFERS
     ]
-    return ["What the paper says and our numbers do not:", "", *claims, ""] if claims else []
+    return ["Claims of the paper that our numbers contradict:", "", *claims, ""] if claims else []
 
 
 def _measured(found: Found) -> str:

@@ -1,4 +1,4 @@
-"""What an entry of the catalogue is, and how it is found in the committed results. No torch here.
+"""An entry of the catalogue, and how its results are found. No torch here.
 
 An entry is a figure, table or section of the paper. It has claims: what the paper says, and a function that says of our
 results whether they agree. No finding is a fixed sentence: another result makes another sentence, and a claim whose
@@ -19,11 +19,11 @@ from laplace_core.experiments.paper.result_files import contents, result_file
 AGREES, DIFFERS, IN_PART, NEW = "agrees", "differs", "in part", "new"
 MISSING, DAMAGED = "not measured", "not readable"
 STATES = {
-    AGREES: "our numbers say what the paper says",
-    DIFFERS: "they say something else",
+    AGREES: "our numbers support the paper's claim",
+    DIFFERS: "our numbers contradict it",
     IN_PART: "some of its claims agree and others do not, or some are not measured yet",
-    NEW: "the paper has nothing to compare with",
-    MISSING: "no result is there yet",
+    NEW: "the paper has no numbers to compare with",
+    MISSING: "there is no result yet",
     DAMAGED: "the file of results is damaged",
 }
 """What each state of an entry means."""
@@ -34,7 +34,7 @@ _WRONG_CONTENT = (LookupError, TypeError, ValueError, AttributeError, Arithmetic
 
 @dataclass(frozen=True)
 class Results:
-    """What is there of an experiment.
+    """The results of an experiment.
 
     Attributes:
         path: of the file.
@@ -63,7 +63,7 @@ class Results:
 
     @property
     def progress(self) -> str:
-        """How much is there, such as ``62 of 336 parts``."""
+        """The progress, such as ``62 of 336 parts``."""
         return "none" if self.planned is None else f"{self.finished} of {self.planned} {self.unit}"
 
 
@@ -103,7 +103,7 @@ class Line:
 
 @dataclass(frozen=True)
 class View:
-    """Where the workbench shows it: the page, and the values of a link to it."""
+    """A view of the workbench: the page, and the values of its link."""
 
     page: str
     values: Mapping[str, str]
@@ -183,7 +183,7 @@ class Found:
 
 
 def look(entry: Entry, folder: Path, agents: Path) -> Found:
-    """What the committed results say of an entry; a damaged file is named in a sentence.
+    """The findings on an entry in the committed results; a damaged file is named in a sentence.
 
     Args:
         folder: of the results.
@@ -197,13 +197,13 @@ def look(entry: Entry, folder: Path, agents: Path) -> Found:
         trouble = str(error)
     except _WRONG_CONTENT:
         names = " or ".join(each.name for each in files[:2])
-        trouble = f"{names} holds something else than results, and nothing of it is shown."
+        trouble = f"{names} does not hold results, so nothing of it is shown."
     nothing = Results(path)
     return Found(entry, nothing, entry.lines(nothing), [None] * len(entry.claims), trouble)
 
 
 def results_of(name: str, path: Path) -> Results:
-    """What the file of an experiment holds; nothing where there is none.
+    """The contents of the file of an experiment; nothing if there is none.
 
     Raises:
         InputError: a file that is no result.

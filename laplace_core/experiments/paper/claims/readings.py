@@ -194,18 +194,18 @@ def _termination_lines(results: Results) -> list[Line]:
 TERMINATION = Entry(
     name="termination",
     place="Section 5",
-    title="The experiment that the paper proposes: auxiliary states behind the end",
+    title="The experiment that the paper proposes: auxiliary states after the end",
     claims=[
         Claim(
             "Trained with auxiliary states until the time limit, Laplace DQN should act better for another horizon.",
             _repairs,
         ),
         Claim(
-            "What they mend is the reward that rescaled rows repeat: where rows keep the survival they change nothing "
+            "They repair the reward that rescaled rows repeat; where rows keep the survival they change nothing "
             "(what the explanation predicts, not said in the paper).",
             _nothing_else,
         ),
-        Claim("States that pay 0 for ever, as a value of 0 behind the end means (not in the paper).", _absorbing),
+        Claim("States that pay 0 for ever, as if the value after the end were 0 (not in the paper).", _absorbing),
         Claim(
             "Acting at .99 in whole episodes (not in the paper).",
             beside("auxiliary", "plain", "Agents with auxiliary states score {one}, without {other}."),

@@ -68,7 +68,10 @@ FIG7 = Entry(
     claims=[
         Claim("Without a constraint Laplace DQN cannot be trained to the optimum.", _not_without),
         Claim("Accumulated outputs can.", _solves("accumulated", "Accumulated outputs")),
-        Claim("So can outputs that are clipped to what lies to their left.", _solves("clipped", "Clipped outputs")),
+        Claim(
+            "Outputs that are clipped to their left neighbour can, too.",
+            _solves("clipped", "Clipped outputs"),
+        ),
         Claim("A softmax over the bins between sensitivities (not in the paper).", _softmax),
     ],
     lines=lines_of("fig7", {"accumulated": "a curve", "clipped": "a curve", "free": "a curve"}),
@@ -126,7 +129,7 @@ MULTIPLEXER = Entry(
             higher("multiplexer", "network", "The multiplexer scores {better}, one network {worse}"),
         ),
         Claim(
-            "A shared trunk with heads of its own for each discount (not in the paper).",
+            "A shared trunk with a separate head for each discount (not in the paper).",
             beside("trunk", "multiplexer", "The trunk scores {one}, the multiplexer {other}."),
         ),
     ],
@@ -208,7 +211,7 @@ def _no_seed_falls(results: Results) -> Finding | None:
 NEW_AGENTS = Entry(
     name="new_agents",
     place="Beyond the paper",
-    title="Laplace DQN on LunarLander, trained anew",
+    title="Laplace DQN on LunarLander, trained again",
     claims=[Claim("With a target network that follows faster (not in the paper).", _no_seed_falls)],
     lines=lines_of("new_agents", {"averaging .005": "188.45 (v2)"}),
     view=View("train", {"algorithm": "laplace", "environment": "LunarLander-v3", "t.averaging": "0.005"}),

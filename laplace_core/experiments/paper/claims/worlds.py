@@ -125,7 +125,7 @@ def _chooses(ending: str, rows: str, *, right: bool, lead: str) -> Any:
 
 
 def _cause(results: Results) -> Finding | None:
-    """Whether the early end alone brings the wrong action: not, if rows that are left alone choose the right one."""
+    """Whether the early end alone causes the wrong action: not if rows that are left alone choose the right one."""
     rescaled, alone = _choices(results, "plain", "paper"), _choices(results, "plain", "none")
     if not rescaled or not alone:
         return None
@@ -137,7 +137,7 @@ def _cause(results: Results) -> Finding | None:
         return Finding(
             DIFFERS,
             f"{lead} the better action is chosen by {words}. The cause is that rows are rescaled to a probability of "
-            "1, which makes a certain reward of what little is left after the end; a row's own sum is the survival.",
+            "1, which turns the rest after the end into a certain reward. An unscaled row adds up to the survival.",
         )
     return Finding(AGREES if not chosen else IN_PART, f"{lead} the better action is chosen by {words} only.")
 
@@ -155,7 +155,7 @@ FIG4 = Entry(
             "With auxiliary states that pay 0 until all branches are equally long, it chooses action 1.",
             _chooses("auxiliary", "paper", right=True, lead="With auxiliary states and rescaled rows"),
         ),
-        Claim("What goes wrong is that an episode ends before the time limit.", _cause),
+        Claim("The cause is that an episode ends before the time limit.", _cause),
     ],
     lines=_toy_lines,
     view=View("worlds", {"world": "two_branch", "normalise": "paper", "alpha": "0.2", "horizon": "3"}),
@@ -193,7 +193,7 @@ def _recovers(*origins: str) -> Any:
         state = AGREES if all(near) else IN_PART if any(near) else DIFFERS
         told = f"At the best alpha the decoded timeline misplaces this share of the probability: {words}."
         exact = results.summary.get("exact", {"mean": 1.0})["mean"]
-        rest = " With exact values it is whole: what is lost is what was not learned well enough for the inverse."
+        rest = " With exact values nothing is lost, so the loss comes from errors of learning."
         return Finding(state, told if all(near) or exact > _WHOLE else told + rest)
 
     return judge
