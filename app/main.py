@@ -12,12 +12,12 @@ os.environ.update(dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))  # streamlit puts only this folder on the path
 
 from app.catalogue import training_runs
-from app.components import chart
+from app.components import chart, page
 from app.session import collector
 from laplace_core import InputError
 from laplace_core.supervise import limits
 
-st.set_page_config(page_title="Laplace code workbench", page_icon="∑", layout="wide")
+st.set_page_config(page_title=page.NAME, page_icon="∑", layout="wide")
 st.html(Path(__file__).with_name("style.css"))
 chart.preload()
 try:
@@ -26,7 +26,7 @@ except InputError as error:
     st.error(str(error))
     st.stop()
 training_runs.wake()
-st.sidebar.html('<div class="brand">Laplace code workbench</div>')
+st.sidebar.html(f'<div class="brand">{page.NAME}</div>')
 PAGES = [
     st.Page("screens/worlds.py", title="Worlds", default=True),
     st.Page("screens/inverse.py", title="Inverse", url_path="inverse"),
@@ -37,5 +37,10 @@ PAGES = [
     st.Page("screens/guide.py", title="Guide", url_path="guide"),
 ]
 shown = st.navigation(PAGES, position="top")
+title = getattr(shown, "title", "")  # outside of a session a page has none
+if title == "Guide":  # its documents bring headings of their own, and are to be read
+    page.begin(title, skip="Skip to the text", heading=False)
+else:
+    page.begin(title, skip="Skip to the picture")
 shown.run()
-collector.settle(getattr(shown, "title", ""))  # outside of a session a page has none
+collector.settle(title)

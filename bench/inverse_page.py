@@ -1,4 +1,7 @@
-"""The page of the inverse in a headless Chromium: frames while alpha is dragged on the L-curve and on a rule's curve.
+"""The page of the inverse and the lens in a headless Chromium: frames while alpha is dragged, by solver.
+
+On the page of the inverse alpha is dragged on the L-curve and on a rule's curve, in the lens by its slider. Other work
+on the machine makes all of them slower: each figure also stands over that of the linear solver in the same run.
 
 ``python -m bench.inverse_page``
 """
@@ -10,7 +13,7 @@ import statistics
 
 import numpy as np
 
-from tests.browser.support import FLAGS, MAIN, PATIENCE, WATCH, find_chromium, runs_asked, served, settled
+from tests.browser.support import DRAWN, FLAGS, MAIN, PATIENCE, WATCH, find_chromium, grab, runs_asked, served, settled
 
 MOVES = 60
 REDRAWS = 50
@@ -20,6 +23,12 @@ CASES = {
     "linear, 100 x 250 x 200": ("gammas=100&thetas=251&steps=200", 16.0),
 }
 """Links of the page by what they show, and the milliseconds that 95% of the frames may take."""
+IN_LENS = {
+    "linear": ("", 16.0),
+    "non-negative": ("&solver=nonnegative", 60.0),
+    "feasible, until it is released": ("&solver=feasible", 16.0),
+}
+"""The same for the lens, at 15 x 113 x 200 with the five actions of its world."""
 HOST = "document.querySelector('.laplace-inverse').inverse"
 
 
@@ -43,6 +52,35 @@ def drag(page, name: str) -> tuple[list[float], int, int]:
     return frames, during, runs_asked(page) - runs - during
 
 
+def slide(page) -> tuple[list[float], int, int]:
+    """The same as :func:`drag` of the slider of alpha in the lens."""
+    move, lens = grab(page, "alpha"), "document.querySelector('.laplace-lens')"
+    page.evaluate(f"() => {{ {lens}.frames.length = 0; }}")
+    runs = runs_asked(page)
+    for i in range(MOVES + 1):
+        move(0.5 + 0.3 * np.sin(2 * np.pi * i / MOVES))
+        page.evaluate("() => new Promise(requestAnimationFrame)")
+    frames = page.evaluate(f"() => {lens}.frames.slice()")
+    during = runs_asked(page) - runs
+    page.mouse.up()
+    settled(page)
+    return frames, during, runs_asked(page) - runs - during
+
+
+def report(title: str, found: tuple[list[float], int, int], goal: float, linear: float | None) -> float:
+    """Print what was found; returns the median work of a frame in ms."""
+    frames, during, after = found
+    middle = statistics.median(frames)
+    ratio = "" if linear is None else f", {middle / linear:.1f} times that of the linear solver"
+    print(
+        f"{title}: {len(frames)} redraws (goal >= {REDRAWS}), work {middle:.1f} ms{ratio}, 95% "
+        f"{np.percentile(frames, 95):.1f} (goal <= {goal:g}), server runs during {during}, after {after}; load "
+        f"{os.getloadavg()[0]:.2f}",
+        flush=True,
+    )
+    return middle
+
+
 def main() -> None:
     chromium = find_chromium()
     if chromium is None:
@@ -50,6 +88,7 @@ def main() -> None:
         return
     from playwright.sync_api import sync_playwright
 
+    linear: dict[str, float] = {}
     with served(MAIN) as (address, _), sync_playwright() as playwright:
         browser = playwright.chromium.launch(executable_path=chromium, args=FLAGS)
         context = browser.new_context(viewport={"width": 1440, "height": 900})
@@ -61,13 +100,16 @@ def main() -> None:
             page.wait_for_function(f"() => {HOST.replace(').', ')?.')}?.scene?.made")
             settled(page)
             for name in ("lcurve", "rule-gcv"):
-                frames, during, after = drag(page, name)
-                print(
-                    f"{title}, {name}: {len(frames)} redraws (goal >= {REDRAWS}), work {statistics.median(frames):.1f} "
-                    f"ms, 95% {np.percentile(frames, 95):.1f} (goal <= {goal:g}), server runs during {during}, after "
-                    f"{after}; load {os.getloadavg()[0]:.2f}",
-                    flush=True,
-                )
+                middle = report(f"{title}, {name}", drag(page, name), goal, linear.get(name))
+                linear.setdefault(name, middle)
+        for title, (query, goal) in IN_LENS.items():
+            page.goto(f"{address}/?world=discounting_chain&noise=0.001&gammas=15&thetas=114&steps=200{query}")
+            page.wait_for_function(DRAWN)
+            settled(page)
+            if "feasible" in query:
+                page.wait_for_function("() => document.querySelector('.laplace-lens').lens.model.arrays.decoded")
+                settled(page)
+            linear.setdefault("lens", report(f"lens, {title}", slide(page), goal, linear.get("lens")))
         browser.close()
 
 

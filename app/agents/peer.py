@@ -35,7 +35,7 @@ def view(loaded: Loaded, scene: Environment, rolled: RolledOut | None) -> None:
     chart(picture, "state", alt, revision=loaded.algorithm, place=left)
     with right:
         if rolled is None or rollout is None:
-            st.html('<div class="panel-title">Return along an episode</div>')
+            st.html('<h2 class="panel-title">Return along an episode</h2>')
             st.caption("Roll out to see what was predicted at every step, and what was observed.")
         else:
             quantiles, gamma = return_quantiles(rolled.along, rollout.actions), rollout.acting_gamma

@@ -34,7 +34,7 @@ def section(
     agents = returns.beside(loaded, checkpoints.same_environment(loaded))
     if not agents:
         return
-    st.html('<div class="panel-title">Return distributions: P(return ≤ x), by each agent</div>')
+    st.html('<h2 class="panel-title">Return distributions: P(return ≤ x), by each agent</h2>')
     alphas = [alpha if each is loaded and alpha else DEFAULTS["alpha"] for each in agents]
     laws = [returns.law_of(each, observation, action, one) for each, one in zip(agents, alphas, strict=True)]
     observed = _offered(agents, rollout, step, action, name=name)

@@ -60,7 +60,7 @@ def section(view: View, loaded: Loaded, rollout: Rollout, step: int) -> None:
     confronted = truths.confronted_with(
         simulated, loaded, view.subject, view.action, alpha=compute.study_for(view).settings.alpha
     )
-    st.html('<div class="panel-title">Decoded timeline against simulated continuations</div>')
+    st.html('<h2 class="panel-title">Decoded timeline against simulated continuations</h2>')
     left, right = st.columns([1, 2], gap="small")
     alt = "Predicted against observed probability that a reward exceeds a sensitivity."
     chart(figures.calibration_plot(confronted), "calibration", alt, place=left)

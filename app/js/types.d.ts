@@ -25,8 +25,6 @@ export interface Header {
   filter: FilterKind;
   /** Components that are not filtered, the first ones. */
   free: number;
-  /** Smallest alpha of the non-negative solver, over the largest singular value. */
-  least: number;
   /** Whether the browser can decode by this solver itself. */
   follows: boolean;
   /** The settings of `Arrays.decoded`, where the server has decoded. */
@@ -554,6 +552,8 @@ export interface Told {
   pin?: State | null;
   /** Title of the rule that chose alpha. */
   rule?: string | null;
+  /** The solver whose timeline is being computed, while that of another one is drawn. */
+  coming?: string | null;
   lead?: { id: string; step: number } | null;
   followed?: Followed | null;
   /** Whether the action of the pictures is the one that was taken, as long as nobody chooses another. */
@@ -773,8 +773,6 @@ export interface InverseModel {
     action: number;
     /** Deviation of the expected reward at a discount over that of one value. */
     gain: number;
-    /** Smallest alpha of the non-negative solver, over the largest singular value. */
-    least: number;
     decoded_at: number | null;
   };
   arrays: Record<string, Float64Array>;
@@ -865,6 +863,8 @@ export interface InversePanel {
   why: [string, string];
   /** The words beside the title. */
   note?(scene: InverseScene): string;
+  /** What the picture shows, in numbers, for those who cannot see it; by default the note. */
+  words?(scene: InverseScene): string;
   draw(pen: Pen, w: number, h: number, scene: InverseScene): Scale;
   /** Where a hand at a place of the picture, in pixels, puts the state; there where it can be dragged. */
   drag?(scene: InverseScene, scale: Scale, x: number, y: number): Partial<InverseState>;

@@ -278,7 +278,7 @@ var ACTIONS, actionColour, NEUTRAL, GRID, UNDER, VIRIDIS, contextOf, escaped, sh
 var init_drawing = __esm({
   "app/js/draw/drawing.js"() {
     init_colours();
-    ACTIONS = ["#0072B2", "#E69F00", "#009E73", "#D55E00", "#CC79A7", "#56B4E9", "#8C6D31", "#7A7A7A"];
+    ACTIONS = ["#0072B2", "#E69F00", "#009E73", "#D55E00", "#CC79A7", "#56B4E9", "#8B46FF", "#7A5C28"];
     actionColour = (a) => ACTIONS[a % ACTIONS.length];
     NEUTRAL = "#8a8f98";
     GRID = "rgba(138,143,152,0.28)";
@@ -301,8 +301,8 @@ var init_drawing = __esm({
     channelsOf = (colour) => [1, 3, 5].map((i) => parseInt(colour.slice(i, i + 2), 16));
     SCALE = (() => {
       const zero = UNDER / (1 + UNDER), stops = [
-        [0, "#ff3b3b"],
-        [0.75 * zero, "#a11a4a"],
+        [0, "#d63af9"],
+        [0.75 * zero, "#a01090"],
         ...VIRIDIS.map(
           (colour, i) => (
             /** @type {[number, string]} */
@@ -686,8 +686,7 @@ function columnsOf(A, targets, K) {
     { length: q },
     (_, i) => dot(A.subarray(i * K, (i + 1) * K), A.subarray(i * K, (i + 1) * K))
   );
-  const c = new Float64Array(B * q), x = new Float64Array(K), along = new Float64Array(K);
-  let last = 0;
+  const x = new Float64Array(K), along = new Float64Array(K), rows = transposed(A, q, K);
   const rowsOf = (at, out) => {
     out.fill(0);
     for (let i = 0; i < q; i++) for (let k = 0, row = i * K; k < K; k++) out[k] += at[i] * A[row + k];
@@ -706,9 +705,9 @@ function columnsOf(A, targets, K) {
     if (off <= rounding) return 0;
     for (let k = 0; k < K; k++) {
       if (!(x[k] > 0)) continue;
-      for (let i = 0; i < q; i++) {
-        const factor = A[i * K + k];
-        for (let j = 0; j <= i; j++) hessian[i * q + j] += factor * A[j * K + k];
+      for (let i = 0, at2 = k * q; i < q; i++) {
+        const factor = rows[at2 + i];
+        for (let j = 0, to = i * q; j <= i; j++) hessian[to + j] += factor * rows[at2 + j];
       }
     }
     for (let i = 0; i < q; i++) hessian[i * q + i] += alpha * alpha;
@@ -742,45 +741,143 @@ function columnsOf(A, targets, K) {
     }
     return share;
   }
+  function newton(at, z, alpha, most) {
+    let best = Infinity, idle = 0;
+    for (let i = 0; i < most && idle < IDLE; i++) {
+      const off = moved(at, z, alpha);
+      if (!off) break;
+      idle = off < best / 2 ? 0 : idle + 1;
+      best = Math.min(best, off);
+    }
+  }
+  function massesOf(c) {
+    const found = new Float64Array(B * K);
+    for (let b = 0; b < B; b++) {
+      rowsOf(c.subarray(b * q, (b + 1) * q), x);
+      for (let k = 0; k < K; k++) found[b * K + k] = Math.max(0, x[k]);
+    }
+    return found;
+  }
+  function below(above, alpha, most) {
+    const c = Float64Array.from(above.c), z = (b) => targets.subarray(b * q, (b + 1) * q);
+    if (alpha >= LEAST * size) {
+      for (let b = 0; b < B; b++) newton(c.subarray(b * q, (b + 1) * q), z(b), alpha, most);
+      return { c };
+    }
+    const masses2 = Float64Array.from(above.masses ?? massesOf(c));
+    for (let b = 0; b < B; b++) activeSet(A, z(b), alpha, masses2.subarray(b * K, (b + 1) * K));
+    return { c: above.c, masses: masses2 };
+  }
+  const alphas = [size];
+  for (let last = size; last > FLOOR * size; alphas.push(last)) last /= last > LEAST * size ? FALL : FALL_BELOW;
+  const ladder = (
+    /** @type {ReturnType<typeof below>[]} */
+    []
+  );
   return {
     size,
-    at(alpha) {
-      const falling = [alpha], from = last || size;
-      while (falling[falling.length - 1] * FALL < from) falling.push(falling[falling.length - 1] * FALL);
-      if (!last) {
-        const first = falling[falling.length - 1];
-        for (let b = 0; b < B; b++)
-          for (let i = 0; i < q; i++) c[b * q + i] = targets[b * q + i] / (lengths[i] + first * first);
+    at(asked) {
+      const alpha = Math.max(asked, FLOOR * size), depth = Math.max(
+        0,
+        alphas.findLastIndex((each) => each > alpha)
+      );
+      while (ladder.length <= depth) {
+        const n = ladder.length, guess = () => targets.map((value, i) => value / (lengths[i % q] + size * size));
+        ladder.push(below(n ? ladder[n - 1] : { c: guess() }, alphas[n], ON_THE_WAY));
       }
-      const out = new Float64Array(K * B);
-      for (let b = 0; b < B; b++) {
-        const at = c.subarray(b * q, (b + 1) * q), z = targets.subarray(b * q, (b + 1) * q);
-        for (let n = falling.length - 1; n >= 0; n--) {
-          const most = n ? ON_THE_WAY : MOST_STEPS;
-          let best = Infinity, idle = 0;
-          for (let i = 0; i < most && idle < IDLE; i++) {
-            const off = moved(at, z, falling[n]);
-            if (!off) break;
-            idle = off < best / 2 ? 0 : idle + 1;
-            best = Math.min(best, off);
-          }
-        }
-        rowsOf(at, x);
-        for (let k = 0; k < K; k++) out[k * B + b] = Math.max(0, x[k]);
-      }
-      last = alpha;
-      return out;
+      const { c, masses: masses2 = massesOf(c) } = below(ladder[depth], alpha, MOST_STEPS);
+      return transposed(masses2, B, K);
     }
   };
 }
-var MOST_STEPS, FALL, ON_THE_WAY, SEARCHES, IDLE, dot;
+function activeSet(A, z, alpha, x) {
+  const K = x.length, free = [], rounding = 4 * Number.EPSILON * Math.sqrt(dot(A, A) * dot(z, z)), barred = /* @__PURE__ */ new Set();
+  for (let k = 0; k < K; k++) if (x[k] > 0) free.push(k);
+  let found = settled(A, z, alpha, x, free, freed(A, z, alpha, K, free));
+  for (let n = 0; n < 3 * K; n++) {
+    let most = rounding, next = -1;
+    for (let k = 0; k < K; k++) {
+      if (x[k] > 0 || barred.has(k)) continue;
+      let sum = 0;
+      for (let i = 0; i < z.length; i++) sum += A[i * K + k] * found.residual[i];
+      if (sum > most) [most, next] = [sum, k];
+    }
+    if (next < 0) return;
+    const place2 = free.filter((k) => k < next).length;
+    free.splice(place2, 0, next);
+    const wanted = freed(A, z, alpha, K, free);
+    if (wanted.x[place2] > 0) {
+      barred.clear();
+      found = settled(A, z, alpha, x, free, wanted);
+    } else {
+      barred.add(next);
+      free.splice(place2, 1);
+    }
+  }
+}
+function settled(A, z, alpha, x, free, wanted) {
+  for (; ; ) {
+    let share = 1, first = -1;
+    free.forEach((k, i) => {
+      if (wanted.x[i] > 0) return;
+      const here = x[k] / (x[k] - wanted.x[i] || 1);
+      if (here < share || first < 0) [share, first] = [here, k];
+    });
+    free.forEach((k, i) => x[k] += share * (wanted.x[i] - x[k]));
+    if (first < 0) return wanted;
+    x[first] = 0;
+    for (let i = free.length - 1; i >= 0; i--) {
+      if (x[free[i]] > 0) continue;
+      x[free[i]] = 0;
+      free.splice(i, 1);
+    }
+    wanted = freed(A, z, alpha, x.length, free);
+  }
+}
+function freed(A, z, alpha, K, free) {
+  const q = z.length, p = free.length, long = p + q;
+  const M = new Float64Array(q * long), diagonal = new Float64Array(q), halves = new Float64Array(q);
+  for (let j = 0; j < q; j++) {
+    for (let i = 0; i < p; i++) M[j * long + i] = A[j * K + free[i]];
+    M[j * long + p + j] = alpha;
+  }
+  const reflect = (j, out, at) => {
+    const end = p + j + 1;
+    let sum = 0;
+    for (let i = j; i < end; i++) sum += M[j * long + i] * out[at + i];
+    sum /= halves[j];
+    for (let i = j; i < end; i++) out[at + i] -= sum * M[j * long + i];
+  };
+  for (let j = 0; j < q; j++) {
+    const at = j * long;
+    for (let m = 0; m < j; m++) reflect(m, M, at);
+    let sum = 0;
+    for (let i = j; i < long; i++) sum += M[at + i] ** 2;
+    diagonal[j] = M[at + j] > 0 ? -Math.sqrt(sum) : Math.sqrt(sum);
+    halves[j] = sum - diagonal[j] * M[at + j];
+    M[at + j] -= diagonal[j];
+  }
+  const y = new Float64Array(long);
+  for (let j = 0; j < q; j++) {
+    let sum = z[j];
+    for (let m = 0; m < j; m++) sum -= M[j * long + m] * y[m];
+    y[j] = sum / diagonal[j];
+  }
+  for (let j = q - 1; j >= 0; j--) reflect(j, y, 0);
+  return { x: y.slice(0, p), residual: y.slice(p).map((value) => alpha * value) };
+}
+var MOST_STEPS, FALL, FALL_BELOW, SEARCHES, IDLE, ON_THE_WAY, LEAST, FLOOR, dot;
 var init_nonnegative = __esm({
   "app/js/core/nonnegative.js"() {
+    init_algebra();
     MOST_STEPS = 200;
-    FALL = 3;
-    ON_THE_WAY = 2;
+    FALL = 1.5;
+    FALL_BELOW = 3;
     SEARCHES = 12;
     IDLE = 8;
+    ON_THE_WAY = 2;
+    LEAST = 3e-3;
+    FLOOR = 1e-9;
     dot = (a, b) => {
       let sum = 0;
       for (let i = 0; i < a.length; i++) sum += a[i] * b[i];
@@ -881,7 +978,7 @@ function timelineError(model, state, seen) {
       }
       if (shown < LEAST_SHOWN * comes) return null;
       for (let k = 0; k < K; k++) {
-        const whole = state.normalise !== "survival" ? 1 : alive[k] > FLOOR ? 1 / alive[k] : 0;
+        const whole = state.normalise !== "survival" ? 1 : alive[k] > FLOOR2 ? 1 / alive[k] : 0;
         for (let v = 0; v < V; v++) {
           const chance = chances[k * V + v] * whole;
           if (chance) for (let h = 0; h < H; h++) out[step(k) * V + nearest[h]] += chance * M[v * H + h];
@@ -973,7 +1070,7 @@ function see(model, state, most = Infinity) {
         const full = allMasses(model, grid, { columns, map, hum, soft, thetas, H, open: open2 }, state, a);
         return columnsOf(reduced, transposed(product(turned, full, q, grid.G, wide), q, wide), K);
       });
-      return solver.at(Math.max(state.alpha, header.least * solver.size));
+      return solver.at(state.alpha);
     });
     const rows = (a) => Float64Array.from({ length: K * H }, (_, i) => each[a][Math.floor(i / H) * wide + i % H + end]);
     return {
@@ -1104,7 +1201,7 @@ function normalise(rows, survival, how, width, dt, rounding) {
     const row = rows.subarray(k * width, (k + 1) * width);
     if (how === "survival") {
       const alive = survival[k] / dt;
-      for (let h = 0; h < width; h++) row[h] = alive > FLOOR ? row[h] / alive : 0;
+      for (let h = 0; h < width; h++) row[h] = alive > FLOOR2 ? row[h] / alive : 0;
     } else {
       let mass = 0;
       for (let h = 0; h < width; h++) mass += row[h] = Math.max(0, row[h]);
@@ -1225,7 +1322,7 @@ function effect(model, state, name) {
   }
   return { size, on: on.regret, off: off.regret, flips: on.chosen !== off.chosen };
 }
-var LEAST_SHOWN, FLOOR, gammaSpace, flag, SWITCHES;
+var LEAST_SHOWN, FLOOR2, gammaSpace, flag, SWITCHES;
 var init_maths = __esm({
   "app/js/core/maths.js"() {
     init_algebra();
@@ -1233,7 +1330,7 @@ var init_maths = __esm({
     init_network();
     init_nonnegative();
     LEAST_SHOWN = 0.05;
-    FLOOR = 0.05;
+    FLOOR2 = 0.05;
     gammaSpace = ({ grid, columns, map, hum, H }, state) => differencesOf(columns, grid, map, H, state.action, hum, state.noise);
     flag = (name, words) => ({
       ...words,
@@ -1523,6 +1620,57 @@ var init_export = __esm({
       if (!lens2.scene.model.bytes || !template) return;
       const [still] = await worldOf(lens2, "svg");
       save(htmlOf(lens2, still, await template()), `${nameOf(lens2)}.html`, "text/html");
+    };
+  }
+});
+
+// app/js/lens/help.js
+function framed({ name, title, why: [words, formula] }, picture, files) {
+  const help = element(
+    "details",
+    { class: "help" },
+    element("summary", { "aria-label": `what ${title} shows`, title: `what ${title} shows` }, "?"),
+    element(
+      "div",
+      { tabindex: -1 },
+      // a click on its words leaves it open
+      element("p", {}, words),
+      element("code", {}, formula),
+      element(
+        "span",
+        { class: "group" },
+        "Save this picture",
+        ...files.map(
+          ([format, save2]) => element(
+            "button",
+            { type: "button", class: "tool", "aria-label": `save ${title} as ${format}`, onclick: save2 },
+            format
+          )
+        )
+      )
+    )
+  );
+  help.onkeydown = (event) => {
+    if (event.key !== "Escape" || !help.open) return;
+    help.open = false;
+    help.querySelector("summary")?.focus();
+  };
+  help.addEventListener("focusout", ({ relatedTarget }) => {
+    if (!(relatedTarget instanceof Node && help.contains(relatedTarget))) help.open = false;
+  });
+  return element("div", { class: `picture of-${name}` }, element("h2", { class: "unseen" }, title), picture, help);
+}
+var WORLD;
+var init_help = __esm({
+  "app/js/lens/help.js"() {
+    init_elements();
+    WORLD = {
+      name: "world",
+      title: "World",
+      why: [
+        "The states and actions of the world; numbers are rewards. The state and the action of this view are highlighted. Click a state to see its timeline.",
+        "P(s′, r | s, a)"
+      ]
     };
   }
 });
@@ -1864,7 +2012,8 @@ async function worldOf2(box, w, h) {
     /** @type {any} */
     box
   );
-  const light = { ...layout, paper_bgcolor: PAPER.paper, plot_bgcolor: PAPER.paper, width: w, height: h };
+  const annotations = layout.annotations?.map((each) => each.bgcolor ? { ...each, bgcolor: PAPER.paper } : each);
+  const light = { ...layout, annotations, paper_bgcolor: PAPER.paper, plot_bgcolor: PAPER.paper, width: w, height: h };
   const address = await globalThis.Plotly.toImage(
     { data, layout: { ...light, font: { ...layout.font, color: PAPER.text, size: 11 } } },
     { format: "png", width: w, height: h, scale: 600 / 96 }
@@ -1894,7 +2043,10 @@ async function sheetFor(lens2, names, mm) {
   });
   return {
     sheet: sheet2,
-    about: { title: `${scene.model.header.world}: ${chosen.join(", ")}`, caption },
+    about: {
+      title: `${scene.model.header.world}: ${chosen.map((name) => titleOf(lens2, name)).join(", ")}`,
+      caption
+    },
     draw: (pen) => onPaper(scene, () => drawSheet(pen, sheet2, panels, lines))
   };
 }
@@ -1906,24 +2058,19 @@ async function fileOf({ sheet: sheet2, draw, about }, format) {
 }
 function openPrint(lens2) {
   const { host } = lens2, names = printable(lens2), live = Boolean(lens2.told.live);
-  const field = (type, name, value, checked, disabled = false) => element(
-    "label",
-    {},
-    element("input", { type, name, value, checked, disabled }),
-    ` ${value}${name === "mm" ? " mm" : ""}`
-  );
-  const boxes = names.map((name) => field("checkbox", "panel", name, name === "tau-space"));
+  const field = (type, name, value, words, checked, disabled = false) => element("label", {}, element("input", { type, name, value, checked, disabled }), ` ${words}`);
+  const boxes = names.map((name) => field("checkbox", "panel", name, titleOf(lens2, name), name === "tau-space"));
   const group = (legend, ...parts) => element("fieldset", {}, element("legend", {}, legend), ...parts);
   const preview = element("img", { alt: "" }), status = element("p", { role: "status" }), saver = element("button", { type: "submit", class: "remedy" }, "Save");
   const form = element(
     "form",
     { method: "dialog" },
     group("Panels", ...boxes, element("button", { type: "button", class: "tool", onclick: all }, "All panels")),
-    group("Width", ...WIDTHS.map((mm, i) => field("radio", "mm", mm, !i))),
+    group("Width", ...WIDTHS.map((mm, i) => field("radio", "mm", mm, `${mm} mm`, !i))),
     group(
       "File",
       ...FORMATS.map(
-        (name) => field("radio", "format", name, name === (live ? "PDF" : "SVG"), !live && name === "PDF")
+        (name) => field("radio", "format", name, name, name === (live ? "PDF" : "SVG"), !live && name === "PDF")
       )
     ),
     ...live ? [] : [element("p", {}, "A PDF is saved in the workbench: its writer is too large for this file.")],
@@ -1991,13 +2138,14 @@ function openPrint(lens2) {
   dialog.showModal();
   show();
 }
-var FORMATS, printable;
+var FORMATS, printable, titleOf;
 var init_print = __esm({
   "app/js/print/print.js"() {
     init_colours();
     init_elements();
     init_maths();
     init_export();
+    init_help();
     init_caption();
     init_layout();
     init_document();
@@ -2005,6 +2153,7 @@ var init_print = __esm({
     init_sheet();
     FORMATS = ["PDF", "SVG", "PNG"];
     printable = ({ world, panels }) => [...world ? ["world"] : [], ...panels.map(({ panel }) => panel.name)];
+    titleOf = ({ panels }, name) => panels.find(({ panel }) => panel.name === name)?.panel.title ?? WORLD.title;
   }
 });
 
@@ -2319,8 +2468,12 @@ function toolbar(model, wish, told) {
       (words, value) => element("option", { value }, words)
     )
   );
-  const does = (words, name, title = name) => button("tool", words, () => wish(name, true), { "aria-label": name, title });
-  const undo = does("↶", "undo"), redo = does("↷", "redo"), reset = does("reset", "reset", "back to the world’s own settings");
+  const does = (words, name, title = name, keys = "") => button("tool", words, () => wish(name, true), {
+    "aria-label": name,
+    title,
+    "aria-keyshortcuts": keys || void 0
+  });
+  const undo = does("↶", "undo", "undo (Ctrl+Z)", "Control+Z"), redo = does("↷", "redo", "redo (Ctrl+Shift+Z)", "Control+Shift+Z"), reset = does("reset", "reset", "back to the world’s own settings");
   const pin = button("tool", "pin as A", () => wish("pin", true), {
     title: "keep this view as A and compare what you change with it"
   });
@@ -2402,6 +2555,24 @@ function footer(presets, files, wish) {
 
 // app/js/lens/lens.js
 init_drawing();
+
+// app/js/draw/keys.js
+var TYPED = "input:not([type=range], [type=checkbox], [type=radio], [type=button]), textarea, [contenteditable]";
+function onUndo(host, does) {
+  const heard = (event) => {
+    if (!host.isConnected) {
+      document.removeEventListener("keydown", heard);
+      return;
+    }
+    const { key, target } = event;
+    if (!(event.ctrlKey || event.metaKey) || event.altKey || key.toLowerCase() !== "z") return;
+    if (target instanceof Element && target.closest(TYPED)) return;
+    if (document.querySelector("dialog[open], [role=dialog]")) return;
+    event.preventDefault();
+    does(event.shiftKey ? "redo" : "undo");
+  };
+  document.addEventListener("keydown", heard);
+}
 
 // app/js/hub.js
 var lens;
@@ -2528,53 +2699,8 @@ function listen(canvas, panel, scene, draw) {
   canvas.ondblclick = all;
 }
 
-// app/js/lens/help.js
-init_elements();
-var WORLD = {
-  name: "world",
-  title: "World",
-  why: [
-    "The states and actions of the world; numbers are rewards. The state and the action of this view are highlighted. Click a state to see its timeline.",
-    "P(s′, r | s, a)"
-  ]
-};
-function framed({ name, title, why: [words, formula] }, picture, files) {
-  const help = element(
-    "details",
-    { class: "help" },
-    element("summary", { "aria-label": `what ${title} shows`, title: `what ${title} shows` }, "?"),
-    element(
-      "div",
-      { tabindex: -1 },
-      // a click on its words leaves it open
-      element("p", {}, words),
-      element("code", {}, formula),
-      element(
-        "span",
-        { class: "group" },
-        "Save this picture",
-        ...files.map(
-          ([format, save2]) => element(
-            "button",
-            { type: "button", class: "tool", "aria-label": `save ${title} as ${format}`, onclick: save2 },
-            format
-          )
-        )
-      )
-    )
-  );
-  help.onkeydown = (event) => {
-    if (event.key !== "Escape" || !help.open) return;
-    help.open = false;
-    help.querySelector("summary")?.focus();
-  };
-  help.addEventListener("focusout", ({ relatedTarget }) => {
-    if (!(relatedTarget instanceof Node && help.contains(relatedTarget))) help.open = false;
-  });
-  return element("div", { class: `picture of-${name}` }, element("h3", { class: "unseen" }, title), picture, help);
-}
-
 // app/js/lens/lens.js
+init_help();
 init_maths();
 
 // app/js/core/reading.js
@@ -2686,7 +2812,7 @@ init_drawing();
 // app/js/draw/frame.js
 var HELP = 22;
 var GHOST = { width: 1.2, dash: [7, 3] };
-var inside = (w, h, { left = 46, right = 10, top: top2 = 28, bottom = 34 } = {}) => ({
+var inside = (w, h, { left = 46, right = 10, top: top2 = 31, bottom = 34 } = {}) => ({
   x: left,
   y: top2,
   w: w - left - right,
@@ -2723,6 +2849,19 @@ function marked(pen, { box, X, Y }, { x, y }, colours) {
 }
 var top = (values) => values.reduce((a, b) => Math.max(a, b), 0);
 var leastSpan = ({ arrays }) => arrays.rewards ? 0.05 * Math.max(1e-9, ...arrays.rewards.map(Math.abs)) : 1e-3;
+var SHAPES = [
+  { corners: 12, turn: 0, size: 1 },
+  { corners: 4, turn: Math.PI / 4, size: 1.2 },
+  { corners: 3, turn: -Math.PI / 2, size: 1.4 },
+  { corners: 4, turn: 0, size: 1.4 }
+];
+function markOf(a, x, y, r) {
+  const { corners, turn, size } = SHAPES[a % SHAPES.length];
+  return Array.from({ length: corners }, (_, i) => {
+    const angle = turn + 2 * Math.PI * i / corners;
+    return [x + size * r * Math.cos(angle), y + size * r * Math.sin(angle)];
+  });
+}
 var disc = (x, y, r) => Array.from({ length: 13 }, (_, i) => [x + r * Math.cos(i * Math.PI / 6), y + r * Math.sin(i * Math.PI / 6)]);
 
 // app/js/lens/panels.js
@@ -2925,7 +3064,7 @@ var tauPanel = {
   name: "tau-space",
   title: "Tau-space",
   why: [
-    "The probability of each reward θ at each future step τ, decoded from gamma-space. A certain reward reads as 1; red is below 0.",
+    "The probability of each reward θ at each future step τ, decoded from gamma-space. A certain reward reads as 1; magenta is below 0.",
     "P = V diag(s / (s² + α²)) Uᵀ Z, with γ^τ = U diag(s) Vᵀ; summed over θ ± 2 / slope"
   ],
   rows: "tau",
@@ -3093,6 +3232,7 @@ var valuesPanel = {
         ],
         { stroke: actionColour(a), width: a === state.action ? 4 : 2 }
       );
+      pen.path(markOf(a, at + 7, y, 3.6), { fill: actionColour(a), close: true });
       pen.text(words, at + 18, y + 4, { size: 11, colour: colours.text });
     });
     const left_ = names.length - legend.length;
@@ -3116,8 +3256,10 @@ var valuesPanel = {
           known.map((k) => [xs[k], Y(values[k])]),
           { stroke: actionColour(a), width: a === state.action ? 2.4 : 1.8 }
         );
-        if (K <= 40)
-          for (const k of known) pen.path(disc(xs[k], Y(values[k]), 2.6), { fill: actionColour(a), close: true });
+        const every = Math.ceil(K / 40) * (K > 40 ? 5 : 1), offset = Math.floor(a * every / names.length);
+        for (const k of known)
+          if (k % every === offset)
+            pen.path(markOf(a, xs[k], Y(values[k]), 2.8), { fill: actionColour(a), close: true });
       });
       for (const [T, value] of crossings(model, seen))
         pen.path(disc(X(T), Y(value), 4), { stroke: colours.text, width: 1.5, fill: colours.paper, close: true });
@@ -3507,7 +3649,9 @@ var rewardsPanel = {
       if (simulated) drawSimulated(pen, simulated.reward, simulated.rewardError, scale);
       line(pen, xs, rewards.map(Y), { stroke: actionColour(a), width: 2.2 });
       if (K <= 40)
-        rewards.forEach((value, k) => pen.path(disc(xs[k], Y(value), 2.8), { fill: actionColour(a), close: true }));
+        rewards.forEach(
+          (value, k) => pen.path(markOf(a, xs[k], Y(value), 2.8), { fill: actionColour(a), close: true })
+        );
     });
     pen.clip(lower.x, lower.y, lower.w, lower.h, () => {
       const known = seen.truth?.steps.survival[a];
@@ -3774,6 +3918,10 @@ function themed(layout, host) {
     modebar: { bgcolor: "rgba(0,0,0,0)", color: "rgba(138, 143, 152, 0.8)", activecolor: colour }
   };
   const page = style.getPropertyValue("--st-background-color").trim();
+  if (layout.annotations)
+    painted2.annotations = layout.annotations.map(
+      (each) => each.bgcolor ? { ...each, bgcolor: page || "#fff" } : each
+    );
   if (layout.legend?.bgcolor && /^#[0-9a-f]{6}$/i.test(page))
     painted2.legend = { ...layout.legend, bgcolor: `${page}d9` };
   for (const name of Object.keys(layout)) {
@@ -4156,7 +4304,7 @@ function mount(root, model, told, tell) {
         /** @type {[string, {}]} */
         [label, { remedy }]
       )),
-      ...told.live ? offers(model, seen).map(([label, solver]) => (
+      ...told.live ? offers(model, seen).filter(([label, solver]) => solver !== told.coming && !heard?.remedies.includes(label)).map(([label, solver]) => (
         /** @type {[string, {}]} */
         [label, { solver }]
       )) : []
@@ -4210,6 +4358,7 @@ function mount(root, model, told, tell) {
     if (event.target === host) recolour();
   });
   new ResizeObserver(draw).observe(host);
+  onUndo(host, (way) => wish(way, true));
   if (told.world) scene.world?.show(told.world);
   draw();
   const controls = () => [...host.querySelectorAll("button, input, select, canvas")];

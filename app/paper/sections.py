@@ -40,8 +40,8 @@ def section(found: Found) -> None:
     entry = found.entry
     with st.container(key=f"paper_{entry.name}"):
         st.html(
-            f'<h3 class="paper-title" id="paper-{entry.name}">{escape(entry.place)}: {escape(entry.title)} '
-            f"{_pill(found.state)}</h3>{_claims(found)}"
+            f'<h2 class="paper-title" id="paper-{entry.name}">{escape(entry.place)}: {escape(entry.title)} '
+            f"{_pill(found.state)}</h2>{_claims(found)}"
         )
         drawn = _picture(found)
         numbers, place = st.columns([1, 1], gap="medium") if drawn else (st.container(), None)
@@ -103,7 +103,7 @@ def _table(found: Found, first: int, last: int) -> str:
         f"<td>{escape(line.ours) or 'not measured'}</td></tr>"
         for line in found.lines[first:last]
     )
-    head = "<tr><th></th><th>the paper</th><th>ours</th></tr>"
+    head = "<tr><th>what</th><th>the paper</th><th>ours</th></tr>"
     return f'<div class="paper-numbers"><table class="numbers">{head}{rows}</table></div>'
 
 

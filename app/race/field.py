@@ -29,7 +29,7 @@ def section(control: Control) -> None:
     """A button; then progress; then the picture."""
     values = store.chosen()
     count = int(values.get(COUNT, USUAL_COUNT))
-    st.html('<div class="panel-title">The same race from many starts</div>')
+    st.html('<h2 class="panel-title">The same race from many starts</h2>')
     wish = jobs.field(control, count)
     job = wish.look() if values.get(MANY) == "yes" else None
     if job is None:

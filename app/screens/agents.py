@@ -13,7 +13,7 @@ from app.components.waiting import attempt
 from app.components.widgets import left_out, select, upload
 from app.session import store
 from app.session.typed import in_markdown
-from app.view import compute, explain, export, panels, solver
+from app.view import compute, explain, export, feasible, panels, solver
 from laplace_core import InputError
 from laplace_core.agents.capabilities import HasGammaSpace
 from laplace_core.environments import Environment, environment_of
@@ -113,7 +113,9 @@ def _view(loaded: Loaded, scene: Environment, rolling: Rolling | None) -> None:
     above = st.container()
     try:
         view = view_of(loaded, scene, values, observation)
-        base = view_of(loaded, scene, store.without(*LIVE), observation)
+        base = feasible.linear(view_of(loaded, scene, store.without(*LIVE), observation))
+        with above:
+            view, coming = feasible.drawn(view)
         compute.study_for(view)
     except InputError as error:
         st.error(in_markdown(error))
@@ -124,12 +126,13 @@ def _view(loaded: Loaded, scene: Environment, rolling: Rolling | None) -> None:
         with above:
             rollout_form.show(rolled, scene, view)
             simulated = truth.ask(view, loaded, rollout, at)
-    panels.pictures(view, base, lead=lead, followed=followed, simulated=simulated, follows=follows)
+    panels.pictures(view, base, lead=lead, followed=followed, simulated=simulated, follows=follows,
+                    coming=coming)  # fmt: skip
     if rollout is not None:
         truth.section(view, loaded, rollout, at)
     name, alpha = view.subject.action_names[view.action], compute.study_for(view).settings.alpha
     returns.section(loaded, observation, view.action, name, alpha=alpha, rollout=rollout, step=at)
-    panels.artefacts(view)
+    panels.artefacts(view, coming)
     export.agent_footer(view)
 
 

@@ -9,7 +9,7 @@ from app.components.waiting import offer, turn
 from app.inverse import compute, evidence, grids, leaderboard, memory, sidebar, studies, subjects
 from app.inverse.schema import LINK
 from app.session import store
-from app.view import explain, solver
+from app.view import explain, feasible, solver
 from app.view.compute import horizon_of, is_large
 from laplace_core import InputError
 from laplace_core.inverse.selectors import TYPED
@@ -38,6 +38,7 @@ def page() -> None:
     store.write_url()
     try:
         with turn(needed=is_large(view)):
+            view, _ = feasible.drawn(view)
             waiting = _pictures(view)
     except InputError as error:
         sidebar.refused(str(error))

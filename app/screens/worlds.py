@@ -7,7 +7,7 @@ import streamlit as st
 from app.components.waiting import turn
 from app.session import store
 from app.session.typed import in_markdown
-from app.view import compute, panels
+from app.view import compute, feasible, panels
 from app.worlds import bring, compare, export, learners, learning, sidebar, sources, story
 from app.worlds.presets import presets_for
 from app.worlds.schema import LINK
@@ -42,7 +42,7 @@ def _view(*, running: bool) -> None:
         _refuse(error)
         return
     with turn(needed=large):
-        drawn = _pictures(view, base, watched)
+        drawn = _pictures(view, feasible.linear(base), watched)
     if drawn and not running:  # what is learned changes under the search
         panels.explain(view)
     if learners.at_work() != running:  # learning began or ended: look oftener, or no more
@@ -57,6 +57,7 @@ def _refuse(error: InputError) -> None:
 def _pictures(view: View, base: View, watched: learners.Watched | None) -> bool:
     """Draw everything of a view except the result of the search for causes; returns whether it could be drawn."""
     try:
+        view, coming = feasible.drawn(view)
         compute.study_for(view)
     except InputError as error:
         _refuse(error)
@@ -65,8 +66,9 @@ def _pictures(view: View, base: View, watched: learners.Watched | None) -> bool:
     learning.strip(view, watched)
     presets = presets_for(view) if view.world is not None else ()
     told = story.story(store.chosen())
-    panels.pictures(view, base, presets=presets, pin=compare.pinning(view), story=told, on_story=story.show)
-    panels.artefacts(view)
+    panels.pictures(view, base, presets=presets, pin=compare.pinning(view), story=told, on_story=story.show,
+                    coming=coming)  # fmt: skip
+    panels.artefacts(view, coming)
     learning.pictures(view)
     export.footer(view)
     compare.comparison(view)

@@ -52,6 +52,11 @@ class _Asked(Asked):
     name: str = field(default_factory=lambda: session_id())
 
 
+def leave(slot: str) -> None:
+    """The session that this code runs for waits for the job in a slot no more."""
+    session.part(_Asked).leave(slot)
+
+
 class Wish(jobs.Wish[Result]):
     """A wish of the session that this code runs for."""
 

@@ -101,7 +101,7 @@ def _beside(same: Sequence[Run], run: Run) -> tuple[list[Run], list[Band]]:
             format_func=lambda name: in_markdown(titles.get(name, name)), on_change=_pick, args=("beside",),
         )  # fmt: skip
     else:
-        left.html(f'<div class="panel-title">{escape(label(run))}</div>')
+        left.html(f'<h2 class="panel-title">{escape(label(run))}</h2>')
     if curves:
         right.pills(
             "Bundled agents", list(curves), selection_mode="multi", key=store.put("ships", ships),

@@ -10,6 +10,7 @@ import numpy as np
 from app.session.jobs import is_there, session_id
 from laplace_core import InputError, Study, World, figures
 from laplace_core.caching import Cached, cached
+from laplace_core.inverse.solvers import selecting
 from laplace_core.payloads.lens import Simulated, decoding, follows, payload, structure
 from laplace_core.planning import greedy_policy
 from laplace_core.study.artefacts import Artefact, find_artefacts
@@ -34,6 +35,44 @@ def _study(subject: Subject, settings: Resolved) -> Study:
 
 def study_for(view: View) -> Study:
     return _study(view.subject, view.settings)
+
+
+def unread(view: View) -> View:
+    """The view without what only says at which horizon it is read: it has the same timeline, unless it is folded."""
+    if view.settings.fold:
+        return view
+    return replace(view, settings=replace(view.settings, horizon=None, used=0.0, deadline="constant"))
+
+
+def is_known(view: View) -> bool:
+    """Whether the study of a view is there, if need be from the same timeline read at another horizon."""
+    base = unread(view)
+    if not _study.known(view.subject, view.settings) and _study.known(base.subject, base.settings):
+        remember(view, study_for(base), None)
+    return _study.known(view.subject, view.settings)
+
+
+def made(view: View) -> tuple[Study, Study | None]:
+    """The study of a view, in no cache, and the one that the lens draws from where that is decoded otherwise."""
+    study = view.subject.study(view.settings)
+    held = None if follows(study.settings) else decoding(study.settings)
+    if held is None or study.settings.normalise == held.normalise:
+        return study, None
+    return study, view.subject.study(held)
+
+
+def remember(view: View, study: Study, held: Study | None) -> None:
+    """Keep what :func:`made` has made of a view, or of the same view :func:`unread`.
+
+    The same timeline is kept for the alpha that a rule has chosen, typed, and at no horizon.
+    """
+    alpha = study.settings.alpha
+    _study.remember(replace(study, settings=replace(view.settings, alpha=alpha)), view.subject, view.settings)
+    if not view.settings.fold:  # folded, the horizon decides what is decoded
+        typed = replace(view.settings.at_alpha(alpha), horizon=None)
+        _study.remember(replace(study, settings=typed, automatic=None), view.subject, typed)
+    if held is not None:
+        _decoded.remember(held, view.subject, held.settings)
 
 
 LARGE = 1_000_000
@@ -272,7 +311,9 @@ def _lens_payload(
     subject: Subject, settings: Resolved, simulated: Simulated | None, held: Resolved | None
 ) -> bytes:  # fmt: skip
     shown = None if held is None else replace(_decoded(subject, held), settings=held)
-    data = payload(_study(subject, settings), simulated, subject.places, added=subject.added, shown=shown)[0]
+    # Nothing of what it decodes is sent: by the linear solver it is soon made.
+    base = replace(_study(subject, replace(settings, solver=selecting(settings.solver))), settings=settings)
+    data = payload(base, simulated, subject.places, added=subject.added, shown=shown)[0]
     if len(data) > MOST_PAYLOAD * 1_000_000:
         raise InputError(
             f"the lens of this view would take {len(data) / 1e6:.0f} MB in the browser, above {MOST_PAYLOAD}: lower "

@@ -51,7 +51,7 @@ def pictures(
     view: View, base: View, *, presets: Sequence[Preset] = (), pin: Pin | None = None,
     lead: Mapping[str, Any] | None = None, followed: Mapping[str, Any] | None = None,
     simulated: Simulated | None = None, follows: bool = False, story: Mapping[str, Any] | None = None,
-    on_story: Callable[[int], None] = lambda step: None,
+    on_story: Callable[[int], None] = lambda step: None, coming: str | None = None,
 ) -> None:  # fmt: skip
     """Draw the lens; the values of a released control are then set by hand.
 
@@ -62,6 +62,7 @@ def pictures(
         simulated: what continuations from there came to.
         follows: whether the action of the view is the one that was taken, and not one that was chosen.
         story, on_story: the guided story, and what shows another step of it.
+        coming: the solver that this view stands in for (:mod:`app.view.feasible`): no cause is searched for.
     """
     look = str(store.chosen().get("look", "heatmap"))
     horizon, added = compute.horizon_of(view), view.subject.added
@@ -116,9 +117,10 @@ def pictures(
         store.page_name(),
         base=state_of(compute.study_for(base).settings, last, action=view.action),
         rule=None if settings.selector == TYPED else RULE_TITLES[settings.selector],
+        coming=coming,
         presets=presets,
         on_release=release,
-        said=Said(_tone(judged), _sentence(judged, view, explained=explained), remedies),
+        said=Said(_tone(judged), _sentence(judged, view, explained=explained or coming is not None), remedies),
         world=_graph(view),
         pin=None if view.world is None else pin,
         lead=lead,
@@ -196,31 +198,35 @@ def remedy(changes: Mapping[str, object], horizon: float) -> None:
     )
 
 
-def artefacts(view: View) -> None:
-    """The artefacts in the tau-space of the shown action: name, size, a sentence, remedies."""
+def artefacts(view: View, coming: str | None = None) -> None:
+    """The artefacts in the tau-space of the shown action: name, size, a sentence, remedies.
+
+    Args:
+        coming: the solver that this view replaces for now, which is not offered.
+    """
     if view.subject.added:
         st.caption("Interpolated discounts repeat the errors of their neighbours: noise does more than it shows.")
     name = compute.study_for(view).action_names[view.action]
     listed = compute.artefacts_for(view, explained=session.part(_Search).explained)
     others = compute.artefacts_elsewhere(view)
-    st.html(f'<div class="panel-title">Artefacts in the tau-space of {escape(name)}</div>')
+    st.html(f'<h2 class="panel-title">Artefacts in the tau-space of {escape(name)}</h2>')
     with st.container(key="artefacts"):
         if not listed:
             st.html(f'<div class="artefact">None found for this action. {escape(others)}</div>')
         for first in range(0, len(listed), _ACROSS):
             for column, artefact in zip(st.columns(_ACROSS), listed[first : first + _ACROSS], strict=False):
                 with column:
-                    _artefact(artefact, compute.horizon_of(view))
+                    _artefact(artefact, compute.horizon_of(view), coming)
         if listed and others:
             st.html(f'<div class="artefact">{escape(others)}</div>')
 
 
-def _artefact(artefact: Artefact, horizon: float) -> None:
+def _artefact(artefact: Artefact, horizon: float, coming: str | None) -> None:
     st.html(
         f'<div class="artefact"><b>{escape(artefact.name)}</b> · {escape(artefact.shown)}<br>'
         f"<span>{escape(artefact.sentence)}</span></div>"
     )
-    remedies = artefact.remedies[:2]
+    remedies = [offer for offer in artefact.remedies if offer.changes != {"solver": coming}][:2]
     for column, offer in zip(st.columns(len(remedies)) if remedies else (), remedies, strict=True):
         column.button(
             in_markdown(offer.label), key=f"fix {artefact.name} {offer.label}", on_click=remedy,

@@ -121,7 +121,7 @@ def _edited(kind: str, word: str, new: str) -> None:
 
 def _world_table(world: World) -> None:
     word = str(store.chosen()[sources.OWN])
-    st.html('<div class="panel-title">The world as a table: each row is one possible outcome of an action</div>')
+    st.html('<h2 class="panel-title">The world as a table: each row is one possible outcome of an action</h2>')
     if world.state.size > MOST_ROWS:
         st.caption(f"{world.state.size:,} outcomes are too many for a table: download the file, edit and open it.")
         _download(world)
@@ -169,7 +169,7 @@ def _download(world: World) -> None:
 
 def _timeline_table(world: World) -> None:
     word = str(store.chosen()[sources.TIMELINE])
-    st.html('<div class="panel-title">Your timeline: each row is a reward with its future step and probability</div>')
+    st.html('<h2 class="panel-title">Your timeline: each row is a reward with its future step and probability</h2>')
     key = _version(word, sources.TIMELINE)
     base, rest = timeline_rows_of(_table(sources.TIMELINE).base)
     table, beside = st.columns([3, 1.2])

@@ -88,7 +88,7 @@ def comparison(view: View) -> None:
         st.warning(f"A can no longer be shown: {in_markdown(error)}")
         return
     title, choice, away = st.columns([3.2, 1, 0.7], vertical_alignment="center")
-    title.html(f'<div class="panel-title">A (pinned) compared with B (the view above)</div>{_differs(values)}')
+    title.html(f'<h2 class="panel-title">A (pinned) compared with B (the view above)</h2>{_differs(values)}')
     with choice:
         key = store.show("compare", "tau-space")
         st.segmented_control("Space", ("tau-space", "gamma-space"), key=key, on_change=store.keep, args=(key,),

@@ -253,7 +253,7 @@ def pictures(view: View) -> None:
     _picture("probabilities", view, alt, middle)
     with right:
         if view.learned.peers is None:
-            st.html('<div class="panel-title">Return: four codes and the truth</div>')
+            st.html('<h2 class="panel-title">Return: four codes and the truth</h2>')
             st.caption(
                 "Categorical, quantile, expectile and plain Q can learn from the same transitions; they stand here "
                 "beside the true return then."

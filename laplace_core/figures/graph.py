@@ -175,8 +175,10 @@ def _add_edges(
         )  # fmt: skip
         if labelled and (lit or p < 0.999 or any(row.reward for row in rows)):
             text = _rewards(rows) if p > 0.999 else f"{p:.2g}: {_rewards(rows)}"
-            font = {"size": 13 if lit else 11, "color": colour}
+            font = {"size": 13 if lit else 11}
             place = {"x": x[2 * len(x) // 5], "y": y[2 * len(y) // 5], "yshift": 10}
+            # The page puts its own colour under a label, so that an edge that passes there does not hide it.
+            place |= {"bgcolor": "#ffffff", "borderpad": 0}
             arrows.append({**place, "text": text, "showarrow": False, "font": font})
 
 

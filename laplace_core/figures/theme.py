@@ -14,14 +14,14 @@ Figure = dict[str, Any]
 Trace = dict[str, Any]
 """One trace of a figure, or a part of its layout."""
 
-# Okabe and Ito's palette: distinct to all, also with colour blindness, on light and on dark.
-ACTION_COLOURS = ("#0072B2", "#E69F00", "#009E73", "#D55E00", "#CC79A7", "#56B4E9", "#8C6D31", "#7A7A7A")
+# Six of Okabe and Ito's palette and two more: distinct to all, also with colour blindness, on light and on dark.
+ACTION_COLOURS = ("#0072B2", "#E69F00", "#009E73", "#D55E00", "#CC79A7", "#56B4E9", "#8B46FF", "#7A5C28")
 HEIGHT = 292
 NEUTRAL = "#8a8f98"
 
 _VIRIDIS = ("#440154", "#472d7b", "#3b528b", "#2c728e", "#21918c", "#28ae80", "#5ec962", "#addc30", "#fde725")
 UNDER_RANGE = 0.25
-"""Share of the positive limit that is drawn below zero, in red: negative probability must not look like none."""
+"""Share of the positive limit that is drawn below zero, in magenta: negative probability must not look like none."""
 
 
 def action_colour(action: int) -> str:
@@ -35,11 +35,11 @@ def translucent(colour: str, opacity: float = 0.22) -> str:
 
 
 def probability_scale() -> list[list[object]]:
-    """Viridis from zero upwards, red below; for limits (-UNDER_RANGE * m, m)."""
+    """Viridis from zero upwards, magenta below; for limits (-UNDER_RANGE * m, m)."""
     zero = UNDER_RANGE / (1.0 + UNDER_RANGE)
     last = len(_VIRIDIS) - 1
     above = [[zero + (1.0 - zero) * i / last, colour] for i, colour in enumerate(_VIRIDIS)]
-    return [[0.0, "#ff3b3b"], [0.75 * zero, "#a11a4a"], *above]
+    return [[0.0, "#d63af9"], [0.75 * zero, "#a01090"], *above]
 
 
 def staircase(locations: np.ndarray, masses: np.ndarray, low: float, high: float) -> tuple[np.ndarray, np.ndarray]:

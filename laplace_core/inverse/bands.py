@@ -9,10 +9,10 @@ import numpy as np
 
 from laplace_core.code.gamma_space import GammaSpace, bin_differences
 from laplace_core.inverse.axis import axis_of
-from laplace_core.inverse.channels import channel_gains, layered
+from laplace_core.inverse.channels import channel_gains, channel_weights, layered
 from laplace_core.inverse.feasible import feasible
 from laplace_core.inverse.linear import decode_matrix
-from laplace_core.inverse.problem import Problem, Solution
+from laplace_core.inverse.problem import Problem, Solution, problem_of
 
 LAYERS = 3
 
@@ -21,12 +21,13 @@ Solver = Callable[[Problem, float], Solution]
 
 @dataclass(frozen=True, eq=False)
 class Layers:
-    """A gamma-space cut into few wide bins (:mod:`laplace_core.inverse.channels`), with the noise of their channels.
+    """A gamma-space cut into bins (:mod:`laplace_core.inverse.channels`), with the noise of their channels.
 
     Attributes:
         problem: masses ``(A, G, B)``; its deviations are those of the constant channel.
         sizes: what each bin counts as in the expected reward, ``(B,)``.
-        gains: deviation of each channel over that of the constant one, ``(B,)``.
+        gains: error of each channel that each of N independent errors makes, over the deviation of the constant one,
+            ``(B, N)``.
     """
 
     problem: Problem
@@ -41,8 +42,8 @@ class Layers:
         """Fresh noise on clean masses, as a problem of shape ``(draws, A, G, B)``."""
         deviations = self.problem.deviations
         assert deviations is not None  # layers_of gives them
-        normal = np.random.default_rng(seed).normal(size=(draws, *clean.shape))
-        errors = deviations[:, None] * self.gains * normal
+        normal = np.random.default_rng(seed).normal(size=(draws, *clean.shape[:-1], self.gains.shape[1]))
+        errors = deviations[:, None] * (normal @ self.gains.T)
         return replace(self.problem, masses=clean - np.diff(errors, axis=-1, append=0.0))
 
 
@@ -72,7 +73,8 @@ def bands(
 
     Args:
         deviations: ``(G,)``, standard deviation of the error of one value at each discount.
-        independent: whether errors of different sensitivities are; if not, they are taken to be the same at all.
+        independent: whether errors of different sensitivities are; if not, they are the same within each of the
+            layers, as :func:`laplace_core.inverse.channels.channel_gains` has it.
         matrix: of another linear inverse, ``(K, G)``; default: Tikhonov's at ``alpha``.
 
     Raises:
@@ -95,12 +97,14 @@ def reward_gain(gamma_space: GammaSpace, *, independent: bool = True) -> float:
     """Standard deviation of the error of the expected reward at a discount over that of one value there.
 
     Args:
-        independent: whether errors of different sensitivities are; if not, they are taken to be the same at all.
+        independent: whether errors of different sensitivities are; if not, they are the same within each of the
+            layers, as :func:`laplace_core.inverse.channels.channel_gains` has it.
     """
     of_values, of_constant = _counts(gamma_space)
     if independent:
         return float(np.hypot(np.linalg.norm(of_values), of_constant))
-    return float(abs(of_values.sum() + of_constant))
+    weights, _ = channel_weights(gamma_space.thetas, LAYERS)
+    return float(np.hypot(np.linalg.norm((weights > 0.0) @ of_values), of_constant))
 
 
 def bands_by_draws(
@@ -110,6 +114,7 @@ def bands_by_draws(
     """The bands of any solver, from draws of noise around the feasible timeline that fits best.
 
     Args:
+        layers: :func:`bins_of` of a solver that is not linear.
         progress: called with how many draws are decoded, and of how many; they are then decoded one after another.
     """
     fitted = feasible(layers.problem, 0.0)
@@ -138,24 +143,44 @@ def _counts(gamma_space: GammaSpace) -> tuple[np.ndarray, float]:
 def layers_of(
     gamma_space: GammaSpace, steps: int, deviations: np.ndarray, *, time_step: float = 1.0, independent: bool = True
 ) -> Layers:
-    """A gamma-space in few wide bins.
+    """A gamma-space in few wide bins, for whatever is linear or looks at the expected reward as a whole.
 
     Args:
         deviations: ``(G,)``, standard deviation of the error of one value at each discount.
-        independent: whether errors of different sensitivities are; if not, they are taken to be the same at all.
+        independent: whether errors of different sensitivities are; if not, they are the same within each of the
+            layers, as :func:`laplace_core.inverse.channels.channel_gains` has it.
     """
     channels, weights, widths = layered(gamma_space, LAYERS)
     masses = -np.diff(np.swapaxes(channels, -1, -2), axis=-1, append=0.0)
     problem = Problem(masses, gamma_space.gammas, steps, time_step, np.asarray(deviations, dtype=float))
     sizes = gamma_space.thetas[0] + np.concatenate([[0.0], np.cumsum(widths)])
-    return Layers(problem, sizes, channel_gains(weights, independent=independent))
+    return Layers(problem, sizes, np.diag(channel_gains(weights, independent=independent)))
+
+
+def bins_of(
+    gamma_space: GammaSpace, steps: int, deviations: np.ndarray, *, time_step: float = 1.0, independent: bool = True
+) -> Layers:
+    """A gamma-space in its own bins, for a solver that is not linear: what it makes of their noise is not what it makes
+    of the noise of wide bins, in which a mass that is held at 0 hides among others.
+
+    Args:
+        deviations, independent: as in :func:`layers_of`.
+    """
+    problem = problem_of(gamma_space, steps, time_step, np.asarray(deviations, dtype=float))
+    sizes, count = np.zeros(problem.masses.shape[-1]), gamma_space.thetas.size
+    sizes[slice(None) if gamma_space.open_ends else slice(1, -1)] = gamma_space.bin_values
+    weights, _ = channel_weights(gamma_space.thetas, LAYERS)
+    of_values = np.eye(count) if independent else (weights > 0.0).T.astype(float)
+    gains = np.zeros((1 + count, 1 + of_values.shape[1]))
+    gains[0, 0], gains[1:, 1:] = 1.0, of_values
+    return Layers(problem, sizes, gains)
 
 
 def layer_noise(layers: Layers, alpha: float, matrix: np.ndarray | None = None) -> np.ndarray:
     """Standard deviation that noise gives each row of a linear decode of the layers, ``(K,)``; default: Tikhonov's."""
     problem = layers.problem
     assert problem.deviations is not None  # layers_of gives them
-    gain = np.linalg.norm(layers.gains * np.diff(layers.sizes, prepend=0.0))
+    gain = np.linalg.norm(layers.gains.T @ np.diff(layers.sizes, prepend=0.0))
     inverse = decode_matrix(problem.gammas, problem.steps, alpha, problem.time_step) if matrix is None else matrix
     return np.asarray(gain * np.sqrt(inverse**2 @ problem.deviations**2))
 

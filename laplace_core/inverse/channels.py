@@ -36,7 +36,10 @@ def channel_gains(weights: np.ndarray, *, independent: bool) -> np.ndarray:
     """Standard deviation of each channel's error over that of one value, ``(layers + 1,)``.
 
     Args:
-        independent: whether errors of different sensitivities are; if not, they are taken to be the same at all.
+        independent: whether errors of different sensitivities are. If not, as those of one network, which errs alike at
+            neighbouring sensitivities, they are taken to be the same within a mean, and independent between two means
+            and of the constant channel. The same error at all of them would cancel in every difference of two: where
+            the ends are closed, no noise would be left at all.
     """
     means = np.linalg.norm(weights, axis=1) if independent else np.ones(len(weights))
     return np.concatenate([[1.0], means])

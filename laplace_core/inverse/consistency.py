@@ -15,6 +15,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cached_property, partial
 
 import numpy as np
 
@@ -32,7 +33,7 @@ LEVEL = 0.05
 TOLERANCE = 1e-4
 PENALTY = 1e-4
 """On |x|^2 beside a misfit of a few tens: it only picks one of the timelines that fit alike."""
-BATCH = 40
+BATCH = 20
 LEAST_DEVIATION = 1e-4
 """Of the largest deviation that seeds show: what a few of them happen to agree on is not known without any error."""
 ROUNDING = 1e-14
@@ -57,8 +58,8 @@ class Consistency:
         draws: how many; fewer than asked for once the p-value cannot fall to :data:`LEVEL` any more.
         deviations: ``(A, G)``, standard deviation of the error of the constant channel.
         residuals: ``(A, G, B)``, residuals over their deviations.
-        relief: ``(G,)``, by how much the misfit falls if one discount is left out.
         gammas: ``(G,)``.
+        without: the misfits with each discount left out, ``(G,)``.
     """
 
     p_value: float
@@ -67,8 +68,13 @@ class Consistency:
     draws: int
     deviations: np.ndarray
     residuals: np.ndarray
-    relief: np.ndarray
     gammas: np.ndarray
+    without: Callable[[], np.ndarray]
+
+    @cached_property
+    def relief(self) -> np.ndarray:
+        """By how much the misfit falls if one discount is left out, ``(G,)``; a fit for each, made when asked for."""
+        return np.asarray(self.misfit - self.without())
 
     @property
     def consistent(self) -> bool:
@@ -239,9 +245,9 @@ def _test(
         again = _fit(made.reshape(-1, *masses.shape[1:]), whitening, axis, alive=alive)
         drawn += again.misfit.reshape(count, -1).sum(axis=1).tolist()
     p_value = (1 + int((np.array(drawn) >= misfit).sum())) / (1 + len(drawn))
-    relief = misfit - _without(masses, whiten, axis, alive=alive)
     residuals = np.swapaxes((masses - fitted) * whiten, 1, 2)
-    return Consistency(p_value, misfit, float(np.median(drawn)), len(drawn), deviations, residuals, relief, gammas)
+    without = partial(_without, masses, whiten, axis, alive=alive)
+    return Consistency(p_value, misfit, float(np.median(drawn)), len(drawn), deviations, residuals, gammas, without)
 
 
 def _fit(masses: np.ndarray, whiten: np.ndarray, axis: Axis, *, alive: bool) -> Optimum:

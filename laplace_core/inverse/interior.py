@@ -16,7 +16,9 @@ a product of rank r = rows of A (Woodbury), and what is left is one system of N 
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from contextvars import ContextVar
 from typing import NamedTuple
 
 import numpy as np
@@ -32,6 +34,19 @@ TO_THE_EDGE = 0.995
 """Share of the way to the edge that a step goes at most."""
 FACTORED_SINGLY = 48
 """Unknowns from which on a loop over factorisations is faster than the inverses of all problems at once."""
+
+
+_on_step: ContextVar[Callable[[], None] | None] = ContextVar("on_step", default=None)
+
+
+@contextmanager
+def calling(on_step: Callable[[], None]) -> Iterator[None]:
+    """Within it, every Newton step of this thread calls a function first, which may end the work by an exception."""
+    before = _on_step.set(on_step)
+    try:
+        yield
+    finally:
+        _on_step.reset(before)
 
 
 class Optimum(NamedTuple):
@@ -95,7 +110,10 @@ def solve_feasible(
     best, best_kkt, steps = point, np.full(n, np.inf), np.zeros(n, dtype=int)
     misfit = np.zeros(n)
     moving, since, least_gap = np.arange(n), np.zeros(n, dtype=int), np.full(n, np.inf)
+    on_step = _on_step.get()
     for turn in range(MOST_STEPS):
+        if on_step is not None:
+            on_step()
         own, data = A[moving] if A.ndim == 4 else A, z[moving]
         residuals, kkt, fit, gap = _residuals(own, data, axis, penalty, point=point, terms=terms[moving])
         better = kkt < best_kkt[moving]
@@ -233,13 +251,14 @@ def _factored(system: np.ndarray) -> Callable[[np.ndarray], np.ndarray]:
     at = np.arange(scaled.shape[1])
     scaled[:, at, at] += 1e-14
     if scaled.shape[1] >= FACTORED_SINGLY or len(scaled) == 1:
-        from scipy.linalg import lu_factor, lu_solve  # slow to import
+        from scipy.linalg.lapack import dgetrf, dgetrs  # slow to import; lu_solve checks for longer than it solves
 
-        factors = [lu_factor(one, overwrite_a=True, check_finite=False) for one in scaled]
+        # LAPACK counts by columns: it is handed the transpose, which of a symmetric matrix is the same one.
+        factors = [dgetrf(one.T, overwrite_a=True)[:2] for one in scaled]
 
         def solve(right: np.ndarray) -> np.ndarray:
             rights = zip(factors, scale * right, strict=True)
-            return scale * np.array([lu_solve(factor, one, check_finite=False) for factor, one in rights])
+            return scale * np.array([dgetrs(*factor, one)[0] for factor, one in rights])
 
         return solve
     inverse = np.linalg.inv(scaled)

@@ -7,22 +7,21 @@ it is drawn.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from laplace_core import Study
-from laplace_core.inverse import LINEAR, is_linear, solve
-from laplace_core.inverse.bands import bands, bands_by_draws, layers_of, reward_gain
+from laplace_core.inverse import LINEAR, is_linear
+from laplace_core.inverse.bands import bands, bands_by_draws, bins_of, reward_gain
 from laplace_core.inverse.components import Sweep, reached, sweep_of
 from laplace_core.inverse.feasible import reduced_system
-from laplace_core.inverse.nonnegative import LEAST_ALPHA
 from laplace_core.inverse.selectors import chosen_index, curves_of
 from laplace_core.inverse.transform import transform_matrix
 from laplace_core.payloads.packing import pack, packed_blocks
 from laplace_core.study.course import Course
-from laplace_core.study.pipeline import deviations_of, noise_of, problem_for
+from laplace_core.study.pipeline import noise_of, problem_for, solver_of
 
 FOLLOWS = "nonnegative"
 """The solver that is not linear and follows a drag in the browser; the others answer when alpha is released."""
@@ -89,7 +88,7 @@ def payload(
         ``decoded`` ``(K, B)``: the timeline of a solver that does not follow a drag.
 
     Args:
-        independent: whether errors of different sensitivities are; if not, they are taken to be the same at all.
+        independent: whether errors of different sensitivities are, as in :func:`laplace_core.inverse.bands.bands`.
         gain: standard deviation of the expected reward at a discount over that of one value there, where it was
             measured; else it follows from ``independent``.
     """
@@ -151,7 +150,6 @@ def payload(
         "actions": list(study.action_names),
         "action": action,
         "gain": gain or 0.0,
-        "least": LEAST_ALPHA,
         "decoded_at": s.alpha if "decoded" in arrays else None,
     }
     return _packed(header, arrays)
@@ -159,8 +157,8 @@ def payload(
 
 DRAWS = 30
 """Of the noise, for the band of a solver that is not linear: its standard deviation is then known within 13%."""
-SECONDS_A_DRAW = {"nonnegative": 1e-5, "feasible": 1e-4}
-"""By the number of discounts times the number of rows, about."""
+SECONDS_A_DRAW = {"nonnegative": 1e-7, "feasible": 2e-6}
+"""By discounts times rows times bins, about."""
 
 
 def band(study: Study, action: int, *, independent: bool, progress: Callable[[int, int], None]) -> Band | None:
@@ -173,20 +171,17 @@ def band(study: Study, action: int, *, independent: bool, progress: Callable[[in
     deviations = noise_of(s, space.gammas)
     if deviations is None or is_linear(s.solver):
         return None
-    layers = layers_of(space, s.steps, deviations, time_step=s.time_step, independent=independent).of_action(action)
-    counted = deviations_of(s, space.gammas)  # None where all discounts count alike
-    found = bands_by_draws(
-        lambda problem, alpha: solve(replace(problem, deviations=counted), s.solver, alpha),
-        layers, s.alpha, draws=DRAWS, progress=progress,
-    )  # fmt: skip
+    bins = bins_of(space, s.steps, deviations, time_step=s.time_step, independent=independent).of_action(action)
+    found = bands_by_draws(solver_of(s), bins, s.alpha, draws=DRAWS, progress=progress)
     return Band(s.alpha, found.noise[0].tolist(), found.bias[0].tolist())
 
 
 def seconds_to_draw(study: Study) -> float:
     """An estimate of how long :func:`band` takes."""
     s = study.settings
-    size = len(study.gamma_space.gammas) * s.steps
-    return 1.0 + DRAWS * (0.05 + size * SECONDS_A_DRAW.get(s.solver, 0.0))
+    size = len(study.gamma_space.gammas) * s.steps * (len(study.gamma_space.thetas) + 1)
+    fit = 2.0 * size * SECONDS_A_DRAW["feasible"]
+    return 1.0 + fit + DRAWS * (0.02 + size * SECONDS_A_DRAW.get(s.solver, 0.0))
 
 
 _FLOATS, _COUNTS = ("truth", "decoded"), ("choices", "true_choice")

@@ -16,7 +16,6 @@ from laplace_core.code.encoding import PAPER_GAMMAS
 from laplace_core.inverse import LINEAR, SOLVERS, Problem, is_linear
 from laplace_core.inverse.components import reached
 from laplace_core.inverse.feasible import reduced_system
-from laplace_core.inverse.nonnegative import LEAST_ALPHA
 from laplace_core.inverse.smoothing import probability_filter
 from laplace_core.inverse.solvers import selecting
 from laplace_core.inverse.spectrum import Spectrum, spectrum_of
@@ -173,7 +172,6 @@ def payload(
         "solver": s.solver,
         "filter": LINEAR[selecting(s.solver)].filter,
         "free": _spectrum(space.gammas, s).free,
-        "least": LEAST_ALPHA,
         "follows": is_linear(s.solver) or s.solver == FOLLOWS,
         "decoded_for": None,
     }

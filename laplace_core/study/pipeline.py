@@ -22,6 +22,7 @@ from laplace_core.inverse import (
     SOLVERS,
     AlphaRecord,
     Problem,
+    Solution,
     choose_alpha,
     decode_matrix,
     is_linear,
@@ -359,6 +360,26 @@ def problem_for(gamma_space: GammaSpace, settings: Resolved, row: int | None = N
     s = settings
     problem = problem_of(gamma_space, rows_decoded(s, row), s.time_step, deviations_of(s, gamma_space.gammas))
     return replace(problem, masses=shifted(problem.masses)) if s.shift else problem
+
+
+def solver_of(settings: Resolved) -> Callable[[Problem, float], Solution]:
+    """What settings make of any masses over their discounts: filtered, shifted and weighted as those of a study are.
+
+    The deviations of the problem that is given say how large its noise is; how discounts count follows from the
+    settings.
+    """
+    s = settings
+
+    def solver(problem: Problem, alpha: float) -> Solution:
+        masses = problem.masses
+        if s.filter != "none":
+            masses = probability_filter(problem.gammas, s.filter_window, s.filter_order) @ masses
+        if s.shift:
+            masses = shifted(masses)
+        counted = deviations_of(s, problem.gammas)
+        return solve(replace(problem, masses=masses, deviations=counted), s.solver, alpha)
+
+    return solver
 
 
 def with_alpha(gamma_space: GammaSpace, settings: AnyResolved) -> tuple[AnyResolved, AlphaRecord | None]:

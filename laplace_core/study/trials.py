@@ -23,7 +23,7 @@ import numpy as np
 from laplace_core.code.encoding import GAMMA_SPACINGS
 from laplace_core.code.gamma_space import GammaSpace, with_noise
 from laplace_core.errors import InputError
-from laplace_core.inverse import MAX_STEPS, SOLVERS
+from laplace_core.inverse import MAX_STEPS, SOLVERS, is_linear
 from laplace_core.inverse.selectors import TYPED
 from laplace_core.study.grades import SOUND, Grade, grade, grade_values, timeline_error, timeline_grade
 from laplace_core.study.horizon import horizon_values, scale_of_values
@@ -46,6 +46,8 @@ ALPHAS = tuple(float(f"{alpha:.2g}") for alpha in np.geomspace(1e-9, 10.0, 60))
 """The regularisations that are tried."""
 FRESH_SEEDS = 100
 """Noise seeds, besides the view's own, under which a repair is tried."""
+IMPOSSIBLE = 0.05
+"""Probability below 0 in a row, or of survival above 1, from which on a solver to which that cannot happen is tried."""
 MAY_FAIL = 2
 """Of these so many may fail: what holds under 98.5% holds under nine of any ten others with a chance of 99%."""
 OFTEN = 0.6
@@ -85,6 +87,8 @@ WHY = {
     "over-smoothing": "Alpha suppresses components that gamma-space still holds, so that rewards spread over "
     "neighbouring steps.",
     "negative mass": "So small an alpha lets the inverse ring around sharp events.",
+    "unconstrained inverse": "A linear inverse can give probabilities below 0 or a survival above 1; a solver that "
+    "respects one of these limits comes nearer to the truth with the same values.",
     "only T rows": "Only T rows are decoded, and the inverse puts later rewards into them.",
     "shifted index": "Each discount is decoded by the row of the next one, so that no time has its own place.",
     "discount of the values": "The values are read at another discount than the one that the best action is for.",
@@ -164,6 +168,11 @@ class Trials:
     @property
     def work(self) -> float:
         """Products that a search for a cause costs at most."""
+        return self._own_work + sum(self._work_of(change) for change in self.solvers)
+
+    @cached_property
+    def _own_work(self) -> float:
+        """The work without that of other solvers."""
         s, space = self.settings, self.study.gamma_space
         rows = len(self.study.action_names) * s.steps * len(space.gammas)
         solver = SOLVERS[s.solver]
@@ -179,7 +188,13 @@ class Trials:
     @property
     def affordable(self) -> bool:
         """Whether the search is small enough to be made."""
-        return self.work <= MOST_WORK
+        return self._own_work <= MOST_WORK
+
+    def _work_of(self, change: Remedy) -> float:
+        """Products that it takes to try another solver, under fresh noise as well."""
+        s, space, solver = self.settings, self.study.gamma_space, SOLVERS[str(change.changes["solver"])]
+        numbers = len(self.study.action_names) * s.steps * len(space.gammas) * len(space.thetas)
+        return (1 + (FRESH_SEEDS if self._noise_stays({}) else 0)) * (solver.work * numbers + solver.least_work)
 
     # ---- the changes
 
@@ -249,6 +264,35 @@ class Trials:
             labels += [f"Put the {which[name]} discount at {value:g}" for each in ends for name, value in each.items()]
             changes += more + ends
         return tuple(Remedy(label, each, "discount grid") for label, each in zip(labels, changes, strict=True))
+
+    @cached_property
+    def solvers(self) -> tuple[Remedy, ...]:
+        """Solvers to which it cannot happen what a linear one has done, as many as are affordable, the faster first."""
+        left, tried = MOST_WORK - self._own_work, []
+        for change in self._other_solvers:
+            left -= self._work_of(change)
+            if left < 0:
+                break
+            tried.append(change)
+        return tuple(tried)
+
+    @property
+    def too_slow(self) -> tuple[Remedy, ...]:
+        """Solvers that would be tried if they were faster."""
+        return self._other_solvers[len(self.solvers) :]
+
+    @cached_property
+    def _other_solvers(self) -> tuple[Remedy, ...]:
+        s, decoded = self.settings, self.study.at(self.row)
+        if s.fold or not is_linear(s.solver):  # folded, a horizon has an inverse of its own
+            return ()
+        below = -np.minimum(decoded.tau_space, 0.0).sum(axis=-1).min(initial=0.0) / s.time_step
+        above = decoded.survival.max(initial=0.0) / s.time_step - 1.0
+        negative = Remedy("Use the non-negative solver", {"solver": "nonnegative"}, "unconstrained inverse")
+        feasible = Remedy("Use the feasible timeline", {"solver": "feasible"}, "unconstrained inverse")
+        if below > IMPOSSIBLE:
+            return negative, feasible
+        return (feasible,) if above > IMPOSSIBLE else ()
 
     def alpha_change(self, alpha: float) -> Remedy:
         """The change to another alpha."""

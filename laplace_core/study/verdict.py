@@ -174,6 +174,7 @@ def _explained(trials: Trials, verdict: Verdict) -> tuple[Verdict, str]:
     alpha = trials.alpha
     if alpha is not None:
         repairing.append(trials.alpha_change(alpha))
+    repairing += [change for change in trials.solvers if trials.repairs(change)][:1]
     if not repairing:
         repairing = next(([change] for change in trials.grids if trials.repairs(change)), [])
     if repairing:
@@ -184,8 +185,17 @@ def _explained(trials: Trials, verdict: Verdict) -> tuple[Verdict, str]:
         return verdict, _blame(cause, where if len(names) > 1 else None)
     if trials.doubtful:
         words = " Some single setting repairs it under this noise, but none under most other noise: none is named."
-        return verdict, words
-    return replace(verdict, exhausted=True), _exhausted(trials, verdict)
+        return verdict, words + _not_tried(trials)
+    return replace(verdict, exhausted=True), _exhausted(trials, verdict) + _not_tried(trials)
+
+
+def _not_tried(trials: Trials) -> str:
+    """What a search leaves out for its time."""
+    names = {"nonnegative": "non-negative solver", "feasible": "feasible one"}
+    if not trials.too_slow:
+        return ""
+    left_out = [names[str(change.changes["solver"])] for change in trials.too_slow]
+    return f" Not tried, as it takes too long here: the {' and the '.join(left_out)}."
 
 
 def _one_each(changes: Sequence[Remedy]) -> list[Remedy]:

@@ -426,6 +426,13 @@ class Asked:
     left: weakref.WeakSet[Job[Any]] = field(default_factory=weakref.WeakSet)
     refused: dict[str, tuple[Hashable, str]] = field(default_factory=dict)
 
+    def leave(self, slot: str) -> None:
+        """It waits for the job in a slot no more."""
+        before = self.jobs.pop(slot, None)
+        if before is not None:
+            before.leave(self.name)
+            self.left.add(before)
+
 
 @dataclass(frozen=True)
 class Task(Generic[Result]):
@@ -510,11 +517,7 @@ class Wish(Generic[Result]):
         self.asked.refused[self.slot] = self.key, ""
 
     def _let_go(self) -> None:
-        asked = self.asked
-        before = asked.jobs.pop(self.slot, None)
-        if before is not None:
-            before.leave(asked.name)
-            asked.left.add(before)
+        self.asked.leave(self.slot)
 
     @property
     def too_long(self) -> str:

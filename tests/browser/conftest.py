@@ -64,6 +64,6 @@ def page(tab):
     tab.goto("about:blank")  # what a page that is left no longer loads is no error of the next one
     tab.unroute_all()
     tab.set_viewport_size(SCREEN)
-    tab.emulate_media(color_scheme="light")
+    tab.emulate_media(color_scheme="light", reduced_motion="no-preference")
     tab.mouse.move(0, 0)
     assert problems == []

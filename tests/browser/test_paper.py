@@ -24,11 +24,11 @@ def test_a_figure_is_found_in_the_list_and_opened_in_the_workbench(page, address
     section = page.locator(".st-key-paper_fig4")
     section.locator(".main-svg").first.wait_for()
     settled(page)
-    assert page.locator("h3.paper-title").count() == len(ENTRIES)
+    assert page.locator("h2.paper-title").count() == len(ENTRIES)
     assert not page.evaluate(_OVERFLOWS)
 
     page.locator(".paper-states").get_by_role("link", name="Figure 4").click()
-    expect(section.locator("h3")).to_be_in_viewport()
+    expect(section.locator("h2")).to_be_in_viewport()
     assert page.url.startswith(f"{address}/paper")
     with page.expect_download() as download:
         section.get_by_role("button", name="Raw results").click()

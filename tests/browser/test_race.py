@@ -40,7 +40,7 @@ def test_a_race_is_watched_and_then_run_from_many_starts(page, address, sides):
     page.goto(f"{address}/race?d.T={T}&d.start={START}&d.starts={COUNT}")
     page.locator(".laplace-track canvas").wait_for()
     assert shown(page) == returns_after(one, T)
-    page.get_by_role("button", name="the first step at which the actions differ").click()
+    page.get_by_role("button", name="first apart").click()
     assert shown(page) == returns_after(one, one.parting + 1)
     page.wait_for_url(f"**d.at={one.parting + 1}*")
     page.get_by_role("button", name="last step").click()
@@ -86,7 +86,7 @@ def test_the_numbers_of_both_sides_are_seen_whole(page, address, width):
     page.goto(f"{address}/race?d.T={T}&d.start={START}")
     page.locator(".laplace-track canvas").wait_for()
     outside = page.locator(".laplace-track .lane").evaluate_all(
-        "(lanes) => lanes.flatMap((lane) => [...lane.querySelectorAll('output, b, h4')].filter((words) =>"
+        "(lanes) => lanes.flatMap((lane) => [...lane.querySelectorAll('output, b, h2')].filter((words) =>"
         " words.getBoundingClientRect().right > lane.getBoundingClientRect().right + 1 || words.scrollWidth > "
         " words.clientWidth + 1).map((words) => words.textContent))"
     )

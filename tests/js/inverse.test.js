@@ -37,6 +37,26 @@ test('the non-negative timeline has no negative mass', () => {
     if (name.endsWith('nonnegative')) assert.ok(made(model, 0.01).tau.every((mass) => mass >= 0));
 });
 
+test('non-negative columns do not depend on what was asked before, and are those of scipy.optimize.nnls', () => {
+  assert.equal(given.columns.length, 2);
+  for (const { system, targets, rows, found } of given.columns) {
+    const columns = () => columnsOf(doublesOf(system), doublesOf(targets), rows),
+      [falling, rising, there] = [columns(), columns(), columns()],
+      down = found.map(({ alpha }) => falling.at(alpha)),
+      up = found
+        .toReversed()
+        .map(({ alpha }) => rising.at(alpha))
+        .reverse();
+    found.forEach(({ alpha, masses }, i) => {
+      close(down[i], doublesOf(masses), `scipy.optimize.nnls at ${alpha}`);
+      (there.at(alpha / 7), there.at(alpha * 90));
+      for (const other of [up[i], there.at(alpha), columns().at(alpha)])
+        assert.deepEqual(other, down[i], `at ${alpha}`);
+    });
+    assert.deepEqual(falling.at(0), falling.at(1e-300));
+  }
+});
+
 test('a symmetric system is solved', () => {
   close(solved(Float64Array.of(4, 2, 2, 3), Float64Array.of(2, 5)), [-0.5, 2], 'two unknowns');
 });

@@ -6,11 +6,13 @@ import base64
 from typing import Any
 
 import numpy as np
+from scipy.optimize import nnls
 
 from laplace_core import Settings, Study, load_world, study
 from laplace_core.inverse import LINEAR, decode_matrix, is_linear, transform_matrix
 from laplace_core.inverse.bands import bands
 from laplace_core.inverse.components import sweep_of
+from laplace_core.inverse.feasible import reduced_system
 from laplace_core.inverse.solvers import selecting
 from laplace_core.payloads.inverse import FOLLOWS, payload, swept
 from laplace_core.study.course import course
@@ -44,9 +46,32 @@ def fixture() -> dict[str, Any]:
         along = course(shown, np.geomspace(1e-3, 10.0, 7))
         held[name] = base64.b64encode(payload(shown, action, found, along)).decode()
         for _ in range(EACH):
-            alpha = float(f"{10 ** rng.uniform(-3.5, 1.5):.4g}")
+            alpha = float(f"{10 ** rng.uniform(-8.0 if FOLLOWS in name else -3.5, 1.5):.4g}")
             cases.append({"payload": name, "alpha": alpha, **expected(shown, action, alpha, int(rng.integers(18)))})
-    return {"payloads": held, "cases": cases}
+    return {
+        "payloads": held,
+        "cases": cases,
+        "columns": [columns(shown) for shown in studies().values() if _follows(shown)],
+    }
+
+
+def columns(shown: Study) -> dict[str, Any]:
+    """The first action's bins of a non-negative problem, and what ``scipy.optimize.nnls`` makes of them, with alpha as
+    further rows, from large alphas to tiny ones."""
+    problem = problem_for(shown.gamma_space, shown.settings)
+    turn, system = reduced_system(problem.weights[:, None] * problem.transform)
+    targets = (problem.weights[:, None] * problem.masses[0]).T @ turn
+    found, rows = [], system.shape[1]
+    for share in 10.0 ** -np.arange(10):
+        alpha = float(share * np.linalg.norm(system, 2))
+        stacked = np.vstack([system, alpha * np.eye(rows)])
+        masses = [nnls(stacked, np.append(z, np.zeros(rows)), maxiter=50 * rows)[0] for z in targets]
+        found.append({"alpha": alpha, "masses": packed(np.array(masses).T)})
+    return {"system": packed(system), "targets": packed(targets), "rows": rows, "found": found}
+
+
+def _follows(shown: Study) -> bool:
+    return shown.settings.solver == FOLLOWS
 
 
 def expected(shown: Study, action: int, alpha: float, row: int) -> dict[str, Any]:

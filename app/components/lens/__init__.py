@@ -114,6 +114,7 @@ def lens(
     lead: Mapping[str, Any] | None = None,
     followed: Mapping[str, Any] | None = None,
     rule: str | None = None,
+    coming: str | None = None,
     follows: bool = False,
     story: Mapping[str, Any] | None = None,
 ) -> None:
@@ -132,6 +133,7 @@ def lens(
         lead: ``id`` and ``step`` of the episode whose player (:mod:`app.components.player`) the lens follows.
         followed: what was observed, to be drawn on the timeline; see :func:`laplace_core.trained.rollouts.followed`.
         rule: the title of the rule that chose alpha; None of an alpha that was set by hand.
+        coming: the solver whose timeline is being computed, while that of another one is drawn: it is not offered.
         follows: whether the action that is shown is the one that was taken, at every step.
         story: the guided story, where the page has one: the step ``at`` that is shown, and all ``steps``.
     """
@@ -153,6 +155,7 @@ def lens(
         "lead": None if lead is None else dict(lead),
         "followed": None if followed is None else dict(followed),
         "rule": rule,
+        "coming": coming,
         "follows": follows,
         "story": None if story is None else dict(story),
         "plotly": assets.plotly_js(),

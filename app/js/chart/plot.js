@@ -30,6 +30,10 @@ function themed(layout, host) {
     modebar: { bgcolor: 'rgba(0,0,0,0)', color: 'rgba(138, 143, 152, 0.8)', activecolor: colour },
   };
   const page = style.getPropertyValue('--st-background-color').trim();
+  if (layout.annotations)
+    painted.annotations = layout.annotations.map((each) =>
+      each.bgcolor ? { ...each, bgcolor: page || '#fff' } : each,
+    );
   // A legend within the picture hides the curves under it.
   if (layout.legend?.bgcolor && /^#[0-9a-f]{6}$/i.test(page))
     painted.legend = { ...layout.legend, bgcolor: `${page}d9` };

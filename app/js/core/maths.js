@@ -282,7 +282,7 @@ export function see(model, state, most = Infinity) {
         const full = allMasses(model, grid, { columns, map, hum, soft, thetas, H, open }, state, a);
         return columnsOf(reduced, transposed(product(turned, full, q, grid.G, wide), q, wide), K);
       });
-      return solver.at(Math.max(state.alpha, header.least * solver.size));
+      return solver.at(state.alpha);
     });
     const rows = (a) =>
       Float64Array.from({ length: K * H }, (_, i) => each[a][Math.floor(i / H) * wide + (i % H) + end]);

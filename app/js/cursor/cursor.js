@@ -12,10 +12,11 @@ const shelves = {};
  * @param {string} words
  * @param {string} title
  * @param {() => void} does
+ * @param {string | false} [named] - what it is called, false: by the words on it
  * @returns {HTMLButtonElement}
  */
-export const button = (words, title, does) =>
-  element('button', { type: 'button', title, 'aria-label': title, onclick: does }, words);
+export const button = (words, title, does, named = title) =>
+  element('button', { type: 'button', title, 'aria-label': named, onclick: does }, words);
 
 /**
  * What Streamlit calls with every message, a small JSON and, if it is not held yet, a payload for `open`. While what

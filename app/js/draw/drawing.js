@@ -2,7 +2,7 @@
 /** @import { Axes, Box, Colours, LineStyle, Pen, Range, Scale, SvgPen } from '../types.js' */
 import { inkOf } from './colours.js';
 
-const ACTIONS = ['#0072B2', '#E69F00', '#009E73', '#D55E00', '#CC79A7', '#56B4E9', '#8C6D31', '#7A7A7A'];
+const ACTIONS = ['#0072B2', '#E69F00', '#009E73', '#D55E00', '#CC79A7', '#56B4E9', '#8B46FF', '#7A5C28'];
 
 /**
  * The colour of an action.
@@ -325,13 +325,14 @@ export const line = (pen, xs, ys, style) =>
 
 const channelsOf = (colour) => [1, 3, 5].map((i) => parseInt(colour.slice(i, i + 2), 16));
 
-// 512 colours from -UNDER to 1: red below zero, viridis above.
+// 512 colours from -UNDER to 1: magenta below zero, viridis above. The lightness of viridis grows from zero to the top; what
+// is below zero stays far darker than the top, and is blue where that is yellow to eyes without the green cones.
 const SCALE = (() => {
   const zero = UNDER / (1 + UNDER),
     /** @type {[number, string][]} */
     stops = [
-      [0, '#ff3b3b'],
-      [0.75 * zero, '#a11a4a'],
+      [0, '#d63af9'],
+      [0.75 * zero, '#a01090'],
       ...VIRIDIS.map(
         (colour, i) => /** @type {[number, string]} */ ([zero + ((1 - zero) * i) / (VIRIDIS.length - 1), colour]),
       ),

@@ -10,7 +10,7 @@ export const GHOST = { width: 1.2, dash: [7, 3] }; // the view pinned as A
  * @param {{ left?: number, right?: number, top?: number, bottom?: number }} [margins]
  * @returns {Box}
  */
-export const inside = (w, h, { left = 46, right = 10, top = 28, bottom = 34 } = {}) => ({
+export const inside = (w, h, { left = 46, right = 10, top = 31, bottom = 34 } = {}) => ({
   x: left,
   y: top,
   w: w - left - right,
@@ -85,6 +85,30 @@ export const top = (values) => values.reduce((a, b) => Math.max(a, b), 0);
  */
 export const leastSpan = ({ arrays }) =>
   arrays.rewards ? 0.05 * Math.max(1e-9, ...arrays.rewards.map(Math.abs)) : 1e-3;
+
+// Of actions, so that their lines can be told apart without their colours: disc, square, triangle, diamond.
+const SHAPES = [
+  { corners: 12, turn: 0, size: 1 },
+  { corners: 4, turn: Math.PI / 4, size: 1.2 },
+  { corners: 3, turn: -Math.PI / 2, size: 1.4 },
+  { corners: 4, turn: 0, size: 1.4 },
+];
+
+/**
+ * Corners of the mark of an action: four shapes, and again from the fifth action on.
+ * @param {number} a
+ * @param {number} x
+ * @param {number} y
+ * @param {number} r
+ * @returns {Path}
+ */
+export function markOf(a, x, y, r) {
+  const { corners, turn, size } = SHAPES[a % SHAPES.length];
+  return Array.from({ length: corners }, (_, i) => {
+    const angle = turn + (2 * Math.PI * i) / corners;
+    return [x + size * r * Math.cos(angle), y + size * r * Math.sin(angle)];
+  });
+}
 
 /**
  * Corners of a disc.

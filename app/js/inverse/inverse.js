@@ -4,11 +4,13 @@
 import { coloursOf } from '../draw/colours.js';
 import { sheet, short } from '../draw/drawing.js';
 import { element } from '../draw/elements.js';
+import { onUndo } from '../draw/keys.js';
 import { made, nearest } from './maths.js';
 import { read } from './model.js';
 import { panelsOf } from './panels.js';
 
 const HELD = 2, // payloads; Python counts on as many
+  MOST = 200, // states that can be gone back to
   REST = 120; // ms after which keys that are held down are one release
 /** @type {Map<string, InverseModel>} */
 const models = new Map();
@@ -72,10 +74,12 @@ function mount(host, firstModel, firstTold, report) {
     told = firstTold,
     waiting = 0,
     later = 0,
+    describing = 0,
     reported = firstTold.state,
     uncoloured = true;
   const scene = /** @type {InverseScene} */ ({ model, told, state: told.state, images: {} });
-  const frames = /** @type {number[]} */ ([]);
+  const frames = /** @type {number[]} */ ([]),
+    history = { states: [firstTold.state], at: 0 };
 
   const sentence = element('p', {}),
     said = element('div', { class: 'verdict', role: 'status' }, sentence),
@@ -113,7 +117,7 @@ function mount(host, firstModel, firstTold, report) {
         element('summary', { 'aria-label': `what ${panel.title} shows` }, '?'),
         element('div', {}, element('span', {}, panel.why[0]), element('code', {}, panel.why[1])),
       );
-    const head = element('div', { class: 'head' }, element('h4', {}, panel.title), note, why),
+    const head = element('div', { class: 'head' }, element('h2', {}, panel.title), note, why),
       box = element('div', { class: `panel ${panel.name}` }, head, canvas);
     const view = { panel, canvas, box, note, scale: /** @type {any} */ (null) };
     if (panel.drag) listen(view);
@@ -189,10 +193,29 @@ function mount(host, firstModel, firstTold, report) {
     clearTimeout(later);
     later = window.setTimeout(() => {
       if (JSON.stringify(scene.state) === JSON.stringify(reported)) return;
+      remember(scene.state);
       reported = scene.state;
       report(scene.state);
     }, REST);
   }
+
+  // ---- what the hand did, and the way back
+
+  function remember(state) {
+    if (JSON.stringify(state) === JSON.stringify(history.states[history.at])) return;
+    history.states.splice(history.at + 1, Infinity, state);
+    if (history.states.length > MOST) history.states.shift();
+    history.at = history.states.length - 1;
+  }
+
+  onUndo(host, (way) => {
+    const at = history.at + (way === 'undo' ? -1 : 1);
+    if (!history.states[at]) return;
+    history.at = at;
+    scene.state = history.states[at];
+    draw();
+    rest();
+  });
 
   // ---- drawing
 
@@ -204,7 +227,24 @@ function mount(host, firstModel, firstTold, report) {
       paint();
       frames.push(performance.now() - began);
       if (frames.length > 500) frames.shift();
+      clearTimeout(describing);
+      describing = window.setTimeout(describe, REST);
     });
+  }
+
+  // Says in numbers what the pictures show, once they stand still.
+  function describe() {
+    if (!host.isConnected) return;
+    const { alphas } = model.arrays,
+      alpha = `alpha ${short(scene.state.alpha)}`;
+    for (const { panel, canvas } of views) {
+      const words = panel.words?.(scene) ?? panel.note?.(scene) ?? '';
+      if (panel.drag) {
+        canvas.setAttribute('aria-valuetext', words ? `${alpha}; ${words}` : alpha);
+        canvas.setAttribute('aria-valuemin', String(alphas[model.header.first]));
+        canvas.setAttribute('aria-valuemax', String(alphas[alphas.length - 1]));
+      } else canvas.setAttribute('aria-label', `${panel.title}: ${words}`);
+    }
   }
 
   function paint() {
@@ -248,7 +288,7 @@ function mount(host, firstModel, firstTold, report) {
       const moved = news.revision !== told.revision;
       if (next !== model) scene.images = {};
       [model, told] = [next, news];
-      if (moved) scene.state = reported = news.state;
+      if (moved) remember((scene.state = reported = news.state));
       draw();
     },
   };

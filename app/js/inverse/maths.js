@@ -45,9 +45,7 @@ export function made(model, alpha) {
     { kept } = found;
   const scaled = model.components.map((value, i) => value * kept[Math.floor(i / B)]);
   const follows = model.nonnegative,
-    tau = follows
-      ? follows.at(Math.max(alpha, header.least * follows.size))
-      : (arrays.decoded ?? product(arrays.rows, scaled, K, r, B));
+    tau = follows ? follows.at(alpha) : (arrays.decoded ?? product(arrays.rows, scaled, K, r, B));
   const rewards = product(tau, arrays.bin_values, K, B, 1),
     back = product(transform, rewards, G, K, 1),
     still = Boolean(arrays.decoded) && Math.abs(alpha / (header.decoded_at ?? alpha) - 1) > 1e-6;

@@ -308,6 +308,9 @@ const bestOf = (error) => {
   return best;
 };
 
+// Five steps, the closer together the nearer they are.
+const stepsOf = ({ K }) => [...new Set([0, 1, 2, 3, 4].map((i) => Math.round((K - 1) ** (i / 4) - (i ? 0 : 1))))];
+
 /** @type {InversePanel} */
 const kernels = {
   name: 'kernels',
@@ -316,9 +319,17 @@ const kernels = {
     'The window of each marked step: a reward at any step under the bump appears at the marked step.',
     'rows of R = D F, at five steps',
   ],
+  words: ({ model, made }) =>
+    stepsOf(model)
+      .map((k) => {
+        const kernel = averagingKernel(model, made.kept, k),
+          peak = kernel.indexOf(top(kernel));
+        return `step ${short(k * model.dt)} is seen most at step ${short(peak * model.dt)}, weight ${short(kernel[peak])}`;
+      })
+      .join('; '),
   draw(pen, w, h, { model, made, colours }) {
     const { K, dt } = model,
-      steps = [...new Set([0, 1, 2, 3, 4].map((i) => Math.round((K - 1) ** (i / 4) - (i ? 0 : 1))))],
+      steps = stepsOf(model),
       all = steps.map((k) => averagingKernel(model, made.kept, k)),
       last = Math.max(1, (K - 1) * dt);
     const y = rounded(
@@ -371,7 +382,13 @@ const fit = {
     if (!deviations) return '';
     const off = offBy(model, made),
       beyond = off.filter((value) => value > 2).length;
-    return `${beyond} of ${model.G} are off by more than 2 standard deviations`;
+    return `${beyond} of ${model.G} off by more than 2 deviations`;
+  },
+  words({ model, made }) {
+    const misses = Array.from(model.means, (value, g) =>
+      Math.abs((1 - model.arrays.gammas[g]) * (value - made.back[g])),
+    );
+    return `${fit.note?.(/** @type {any} */ ({ model, made })) || `${model.G} values`}; the largest misfit is ${short(top(misses))}`;
   },
   draw(pen, w, h, { model, made, state, colours }) {
     const { gammas, deviations } = model.arrays,
@@ -433,6 +450,18 @@ function space(pen, w, h, { model, colours, images }, name, values) {
   return scale;
 }
 
+// The largest and the smallest probability of a space, and where they lie.
+function extremes({ B, dt, bins }, values) {
+  const at = (found) => {
+    const i = values.indexOf(found);
+    return `${short(found)} at step ${short(Math.floor(i / B) * dt)} and reward ${short(bins.thetas[i % B])}`;
+  };
+  const [low, high] = values.reduce(([a, b], value) => [Math.min(a, value), Math.max(b, value)], [0, 0]);
+  return `the largest probability is ${at(high)}${low < 0 ? `, the smallest ${at(low)}` : ''}`;
+}
+
+const first = (values) => Array.from(values.subarray(0, 4), (value) => short(value)).join(', ');
+
 // Columns from the left, with fractions.
 function placed(thetas, theta) {
   let h = 0;
@@ -445,11 +474,12 @@ const tauSpace = {
   name: 'tau-space',
   title: 'Tau-space',
   why: [
-    'The probability of each reward at each future step, as the solver decodes it at this alpha. Red is below 0.',
+    'The probability of each reward at each future step, as the solver decodes it at this alpha. Magenta is below 0.',
     'x = argmin |W(Fx − z)|² + α²|Lx|², or another filter of the same components',
   ],
   note: ({ made, model }) =>
     made.still ? `${model.header.solver}: at alpha ${short(model.header.decoded_at ?? 0)}, until release` : '',
+  words: ({ model, made }) => `${model.K} future steps; ${extremes(model, made.tau)}`,
   draw: (pen, w, h, scene) => space(pen, w, h, scene, 'decoded', scene.made.tau),
 };
 
@@ -461,6 +491,7 @@ const truth = {
     'The true timeline of the world, which no solver sees, blurred by the activation like the values.',
     'P(r_τ = v, episode still running), in the bins of tau-space',
   ],
+  words: ({ model }) => `${model.K} future steps; ${extremes(model, model.arrays.truth)}`,
   draw: (pen, w, h, scene) => space(pen, w, h, scene, 'true', scene.model.arrays.truth),
 };
 
@@ -477,6 +508,8 @@ const rewards = {
   ],
   note: ({ model, told, state }) =>
     model.arrays.deviations && !model.arrays.reference && !bandAt(told, state) ? 'band: after release' : '',
+  words: ({ model: { arrays }, made }) =>
+    `at the first steps ${first(made.rewards)}` + (arrays.true_rewards ? `, true ${first(arrays.true_rewards)}` : ''),
   draw(pen, w, h, { model, made, told, state, colours }) {
     const { K, dt, arrays } = model,
       { rewards: found } = made,

@@ -329,10 +329,14 @@ export function toolbar(model, wish, told) {
       element('option', { value }, words),
     ),
   );
-  const does = (words, name, title = name) =>
-    button('tool', words, () => wish(name, true), { 'aria-label': name, title });
-  const undo = does('↶', 'undo'),
-    redo = does('↷', 'redo'),
+  const does = (words, name, title = name, keys = '') =>
+    button('tool', words, () => wish(name, true), {
+      'aria-label': name,
+      title,
+      'aria-keyshortcuts': keys || undefined,
+    });
+  const undo = does('↶', 'undo', 'undo (Ctrl+Z)', 'Control+Z'),
+    redo = does('↷', 'redo', 'redo (Ctrl+Shift+Z)', 'Control+Shift+Z'),
     reset = does('reset', 'reset', 'back to the world’s own settings');
   const pin = button('tool', 'pin as A', () => wish('pin', true), {
     title: 'keep this view as A and compare what you change with it',

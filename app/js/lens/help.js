@@ -52,5 +52,5 @@ export function framed({ name, title, why: [words, formula] }, picture, files) {
   help.addEventListener('focusout', ({ relatedTarget }) => {
     if (!(relatedTarget instanceof Node && help.contains(relatedTarget))) help.open = false;
   });
-  return element('div', { class: `picture of-${name}` }, element('h3', { class: 'unseen' }, title), picture, help);
+  return element('div', { class: `picture of-${name}` }, element('h2', { class: 'unseen' }, title), picture, help);
 }

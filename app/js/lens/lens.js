@@ -5,6 +5,7 @@ import { coloursOf } from '../draw/colours.js';
 import { element } from '../draw/elements.js';
 import { ALPHAS, footer, sliders, switchboard, toolbar, turnsStrip } from './controls.js';
 import { sheet, short } from '../draw/drawing.js';
+import { onUndo } from '../draw/keys.js';
 import { hub } from '../hub.js';
 import { saveCsv, saveHtml, savePanel, savePng, saveSvg } from './export.js';
 import { isSpace, listen } from './hand.js';
@@ -410,7 +411,9 @@ export function mount(root, model, told, tell) {
     const buttons = [
       ...(heard?.remedies ?? []).map((label, remedy) => /** @type {[string, {}]} */ ([label, { remedy }])),
       ...(told.live
-        ? offers(model, seen).map(([label, solver]) => /** @type {[string, {}]} */ ([label, { solver }]))
+        ? offers(model, seen)
+            .filter(([label, solver]) => solver !== told.coming && !heard?.remedies.includes(label))
+            .map(([label, solver]) => /** @type {[string, {}]} */ ([label, { solver }]))
         : []),
     ];
     const whole = `${WORDS[tone]}. ${words}`,
@@ -467,6 +470,7 @@ export function mount(root, model, told, tell) {
     if (event.target === host) recolour();
   }); // its colour follows the theme
   new ResizeObserver(draw).observe(host);
+  onUndo(host, (way) => wish(way, true));
   if (told.world) scene.world?.show(told.world);
   draw();
   /** @returns {any[]} controls of all kinds */

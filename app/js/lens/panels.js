@@ -2,7 +2,7 @@
 // `scene` is { model, state, seen, pinned, hover, colours, kernel, resolution, images }.
 /** @import { Panel, Told } from '../types.js' */
 import { NEUTRAL, actionColour, axes, line, rounded, short, ticks } from '../draw/drawing.js';
-import { GHOST, disc, inside, marked, titled } from '../draw/frame.js';
+import { GHOST, disc, inside, markOf, marked, titled } from '../draw/frame.js';
 import { shares } from '../core/filters.js';
 import { gammaSpace } from '../core/maths.js';
 import { bandsOf } from '../core/reading.js';
@@ -277,7 +277,9 @@ const rewardsPanel = {
       if (simulated) drawSimulated(pen, simulated.reward, simulated.rewardError, scale);
       line(pen, xs, rewards.map(Y), { stroke: actionColour(a), width: 2.2 });
       if (K <= 40)
-        rewards.forEach((value, k) => pen.path(disc(xs[k], Y(value), 2.8), { fill: actionColour(a), close: true }));
+        rewards.forEach((value, k) =>
+          pen.path(markOf(a, xs[k], Y(value), 2.8), { fill: actionColour(a), close: true }),
+        );
     });
     pen.clip(lower.x, lower.y, lower.w, lower.h, () => {
       const known = seen.truth?.steps.survival[a];

@@ -282,7 +282,7 @@ export const tauPanel = {
   name: 'tau-space',
   title: 'Tau-space',
   why: [
-    'The probability of each reward θ at each future step τ, decoded from gamma-space. A certain reward reads as 1; red is ' +
+    'The probability of each reward θ at each future step τ, decoded from gamma-space. A certain reward reads as 1; magenta is ' +
       'below 0.',
     'P = V diag(s / (s² + α²)) Uᵀ Z, with γ^τ = U diag(s) Vᵀ; summed over θ ± 2 / slope',
   ],

@@ -2,7 +2,7 @@
 /** @import { Model, Panel, Seen } from '../types.js' */
 import { tieSize } from '../core/algebra.js';
 import { actionColour, axes, line, rounded, short, ticks } from '../draw/drawing.js';
-import { GHOST, disc, inside, leastSpan, marked, titled } from '../draw/frame.js';
+import { GHOST, disc, inside, leastSpan, markOf, marked, titled } from '../draw/frame.js';
 
 const leader = (model, { chosenAt, values }, k) =>
   Number.isFinite(values[0][k])
@@ -79,6 +79,7 @@ export const valuesPanel = {
         ],
         { stroke: actionColour(a), width: a === state.action ? 4 : 2 },
       );
+      pen.path(markOf(a, at + 7, y, 3.6), { fill: actionColour(a), close: true });
       pen.text(words, at + 18, y + 4, { size: 11, colour: colours.text });
     });
     const left_ = names.length - legend.length;
@@ -103,8 +104,12 @@ export const valuesPanel = {
           known.map((k) => [xs[k], Y(values[k])]),
           { stroke: actionColour(a), width: a === state.action ? 2.4 : 1.8 },
         );
-        if (K <= 40)
-          for (const k of known) pen.path(disc(xs[k], Y(values[k]), 2.6), { fill: actionColour(a), close: true });
+        // Of many steps only some are marked, each action at steps of its own.
+        const every = Math.ceil(K / 40) * (K > 40 ? 5 : 1),
+          offset = Math.floor((a * every) / names.length);
+        for (const k of known)
+          if (k % every === offset)
+            pen.path(markOf(a, xs[k], Y(values[k]), 2.8), { fill: actionColour(a), close: true });
       });
       for (const [T, value] of crossings(model, seen))
         pen.path(disc(X(T), Y(value), 4), { stroke: colours.text, width: 1.5, fill: colours.paper, close: true });

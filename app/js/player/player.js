@@ -36,20 +36,28 @@ function mount(host, reel, told, report) {
   const canvas = element('canvas', {
     class: 'reel',
     role: 'img',
-    'aria-label': 'rewards and TD errors of the episode',
+    'aria-label':
+      `Rewards and TD errors of an episode of ${reel.steps} steps: return ${short(returns[last], 4)}, ` +
+      `largest TD error ${short(reel.surprise[order[0]])} at step ${order[0]}`,
   });
   const at = stepper({ host, told, last, name: 'step', label: 'step of the episode', show, report });
   const differs = button(
     differ ? `non-greedy › ${differ}` : 'always greedy',
     'next step with an action that is not the greedy one',
     () => at.to(nextMarked(reel.differs, at.step)),
+    false,
   );
   differs.disabled = !differ;
-  const surprise = button('TD error ›', 'step with the largest TD error; press again for the next largest', () => {
-    // on from the last one, while it is still shown
-    rank = order[rank] === at.step ? (rank + 1) % Math.min(order.length, 10) : 0;
-    at.to(order[rank]);
-  });
+  const surprise = button(
+    'TD error ›',
+    'step with the largest TD error; press again for the next largest',
+    () => {
+      // on from the last one, while it is still shown
+      rank = order[rank] === at.step ? (rank + 1) % Math.min(order.length, 10) : 0;
+      at.to(order[rank]);
+    },
+    false,
+  );
   const artefact = button('artefact ›', '', () => at.to(nextMarked(begins, at.step)));
   const where = element('b', {}),
     here = element('span', { class: 'here' });

@@ -4,6 +4,7 @@ import { PAPER } from '../draw/colours.js';
 import { element } from '../draw/elements.js';
 import { resolution } from '../core/maths.js';
 import { nameOf, save } from '../lens/export.js';
+import { WORLD } from '../lens/help.js';
 import { captionOf } from './caption.js';
 import { PER_MM, WIDTHS } from './layout.js';
 import { pdfOf } from './document.js';
@@ -15,7 +16,8 @@ const FORMATS = ['PDF', 'SVG', 'PNG'];
 // The graph of the world in light colours, as dots: plotly draws it.
 async function worldOf(box, w, h) {
   const { data, layout } = /** @type {any} */ (box);
-  const light = { ...layout, paper_bgcolor: PAPER.paper, plot_bgcolor: PAPER.paper, width: w, height: h };
+  const annotations = layout.annotations?.map((each) => (each.bgcolor ? { ...each, bgcolor: PAPER.paper } : each));
+  const light = { ...layout, annotations, paper_bgcolor: PAPER.paper, plot_bgcolor: PAPER.paper, width: w, height: h };
   const address = await globalThis.Plotly.toImage(
     { data, layout: { ...light, font: { ...layout.font, color: PAPER.text, size: 11 } } },
     { format: 'png', width: w, height: h, scale: 600 / 96 },
@@ -48,6 +50,9 @@ function onPaper(scene, draw) {
  */
 export const printable = ({ world, panels }) => [...(world ? ['world'] : []), ...panels.map(({ panel }) => panel.name)];
 
+// What a panel is called on the page.
+const titleOf = ({ panels }, name) => panels.find(({ panel }) => panel.name === name)?.panel.title ?? WORLD.title;
+
 /**
  * A sheet of panels with its caption, and what draws it.
  * @param {Saved} lens
@@ -67,7 +72,10 @@ export async function sheetFor(lens, names, mm) {
   });
   return {
     sheet,
-    about: { title: `${scene.model.header.world}: ${chosen.join(', ')}`, caption },
+    about: {
+      title: `${scene.model.header.world}: ${chosen.map((name) => titleOf(lens, name)).join(', ')}`,
+      caption,
+    },
     draw: (pen) => onPaper(scene, () => drawSheet(pen, sheet, panels, lines)),
   };
 }
@@ -88,14 +96,9 @@ export function openPrint(lens) {
   const { host } = lens,
     names = printable(lens),
     live = Boolean(lens.told.live);
-  const field = (type, name, value, checked, disabled = false) =>
-    element(
-      'label',
-      {},
-      element('input', { type, name, value, checked, disabled }),
-      ` ${value}${name === 'mm' ? ' mm' : ''}`,
-    );
-  const boxes = names.map((name) => field('checkbox', 'panel', name, name === 'tau-space'));
+  const field = (type, name, value, words, checked, disabled = false) =>
+    element('label', {}, element('input', { type, name, value, checked, disabled }), ` ${words}`);
+  const boxes = names.map((name) => field('checkbox', 'panel', name, titleOf(lens, name), name === 'tau-space'));
   const group = (legend, ...parts) => element('fieldset', {}, element('legend', {}, legend), ...parts);
   const preview = element('img', { alt: '' }),
     status = element('p', { role: 'status' }),
@@ -104,11 +107,11 @@ export function openPrint(lens) {
     'form',
     { method: 'dialog' },
     group('Panels', ...boxes, element('button', { type: 'button', class: 'tool', onclick: all }, 'All panels')),
-    group('Width', ...WIDTHS.map((mm, i) => field('radio', 'mm', mm, !i))),
+    group('Width', ...WIDTHS.map((mm, i) => field('radio', 'mm', mm, `${mm} mm`, !i))),
     group(
       'File',
       ...FORMATS.map((name) =>
-        field('radio', 'format', name, name === (live ? 'PDF' : 'SVG'), !live && name === 'PDF'),
+        field('radio', 'format', name, name, name === (live ? 'PDF' : 'SVG'), !live && name === 'PDF'),
       ),
     ),
     ...(live ? [] : [element('p', {}, 'A PDF is saved in the workbench: its writer is too large for this file.')]),

@@ -34,12 +34,17 @@ function mount(host, race, told, report) {
   const canvas = element('canvas', {
     class: 'course',
     role: 'img',
-    'aria-label': 'returns of both sides until the deadline, and their difference',
+    'aria-label':
+      `Returns until the deadline T = ${race.horizon}: ` +
+      sides
+        .map((side, i) => `${told.names[i]} ${short(side.returns[side.steps], 4)} after ${side.steps} steps`)
+        .join(', '),
   });
   const parting = button(
     race.parting === null ? 'never apart' : `first apart · ${race.parting + 1}`,
     'the first step at which the actions differ',
     () => at.to(race.parting + 1),
+    false,
   );
   parting.disabled = race.parting === null;
   const where = element('b', {}),
@@ -88,7 +93,7 @@ function lane(race, side, name, colour, actions) {
   const facts = element(
     'div',
     { class: 'facts' },
-    element('h4', {}, element('i', { style: `background: ${colour}` }), name),
+    element('h2', {}, element('i', { style: `background: ${colour}` }), name),
     element('div', { class: 'row total' }, element('span', {}, 'return'), total),
     element('div', { class: 'row' }, element('span', {}, 'action'), did),
     element('div', { class: 'row' }, element('span', {}, 'reward'), got),

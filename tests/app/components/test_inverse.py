@@ -10,7 +10,7 @@ import pytest
 from app.components.inverse import State, checked
 from laplace_core import Settings, load_world, study
 from laplace_core.inverse import choose_alpha
-from laplace_core.inverse.bands import layers_of, reward_gain
+from laplace_core.inverse.bands import bins_of, reward_gain
 from laplace_core.inverse.feasible import feasible
 from laplace_core.inverse.nonnegative import nonnegative
 from laplace_core.payloads.inverse import DRAWS, band, payload, swept
@@ -56,7 +56,7 @@ def test_the_band_of_a_solver_that_is_not_linear_is_that_of_its_draws():
     deviations = noise_of(s, space.gammas)
     for action in range(2):
         found = band(shown, action, independent=True, progress=lambda done, of: seen.append((done, of)))
-        layers = layers_of(space, s.steps, deviations, time_step=s.time_step).of_action(action)
+        layers = bins_of(space, s.steps, deviations, time_step=s.time_step).of_action(action)
         fitted = feasible(layers.problem, 0.0)
         reference = (fitted.masses @ layers.sizes)[0]
         drawn = layers.redrawn(layers.problem.masses - fitted.residual, DRAWS, 0)

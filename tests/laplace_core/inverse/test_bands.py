@@ -3,16 +3,19 @@
 from dataclasses import replace
 
 import numpy as np
+import pytest
 
 from laplace_core.code.gamma_space import with_noise
 from laplace_core.inverse import decode, decode_matrix
 from laplace_core.inverse.bands import (
+    LAYERS,
     bands,
     bands_by_draws,
     layer_noise,
     layers_of,
     tikhonov_of_layers,
 )
+from laplace_core.inverse.channels import channel_weights
 from laplace_core.inverse.feasible import feasible
 from laplace_core.inverse.nonnegative import nonnegative
 from tests.support.random_gamma_spaces import noisy_space
@@ -29,12 +32,29 @@ def test_the_noise_band_is_the_spread_of_decoded_noise():
     np.testing.assert_allclose(found.noise, np.std(decoded, axis=0), rtol=0.15)
 
 
-def test_noise_that_all_sensitivities_share_is_seen_where_they_end():
-    # The same error at all of them cancels between neighbours: nothing is left of bins without open ends.
+@pytest.mark.parametrize("open_ends", [False, True])
+def test_noise_that_neighbouring_sensitivities_share_is_the_spread_of_such_noise(open_ends):
+    # 400 draws, each with one error for each layer of sensitivities and one for the constant channel.
     _, noisy, deviations = noisy_space(NOISE)
-    assert bands(noisy, ROWS, ALPHA, deviations, independent=False).noise.max() < 1e-12
-    opened = bands(replace(noisy, open_ends=True), ROWS, ALPHA, deviations, independent=False)
-    assert opened.noise.max() > 0.1 * NOISE
+    space = replace(noisy, open_ends=open_ends)
+    found = bands(space, ROWS, ALPHA, deviations, independent=False)
+    weights, _ = channel_weights(space.thetas, LAYERS)
+    errors = deviations[:, None] * np.random.default_rng(0).normal(size=(400, space.gammas.size, LAYERS + 1))
+    values = space.values[:1] + errors[..., 1:] @ (weights > 0.0)
+    drawn = replace(space, values=values, constant=space.constant[:1] + errors[..., 0])
+    decoded = decode(drawn.differences, space.gammas, ROWS, ALPHA) @ space.bin_values
+    np.testing.assert_allclose(found.noise[0], decoded.std(axis=0), rtol=0.15)
+    assert found.noise.max() > 0.1 * NOISE
+
+
+def test_shared_noise_is_the_same_to_an_exact_band_and_to_one_of_draws():
+    _, noisy, deviations = noisy_space(NOISE)
+    space = replace(noisy, open_ends=True)
+    exact = bands(space, ROWS, ALPHA, deviations, independent=False).noise
+    layers = layers_of(space, ROWS, deviations, independent=False)
+    np.testing.assert_allclose(exact[0], layer_noise(layers, ALPHA))
+    drawn = bands_by_draws(tikhonov_of_layers, layers, ALPHA, draws=300).noise
+    np.testing.assert_allclose(drawn, exact, rtol=0.2)
 
 
 def test_bias_is_what_the_inverse_does_to_the_timeline_that_fits():

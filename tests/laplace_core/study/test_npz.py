@@ -10,9 +10,11 @@ import pytest
 
 from laplace_core import InputError, load_world
 from laplace_core.cli import main
+from laplace_core.code.gamma_space import with_noise
+from laplace_core.inverse.bands import reward_gain
 from laplace_core.study import npz as saved_module
-from laplace_core.study.npz import npz_bytes, read_gamma_space, save_study, states_of, study_arrays
-from laplace_core.study.pipeline import GammaSpace, study, study_of_gamma_space
+from laplace_core.study.npz import bands_of_study, npz_bytes, read_gamma_space, save_study, states_of, study_arrays
+from laplace_core.study.pipeline import GammaSpace, decoder, read_study, study, study_of_gamma_space
 from laplace_core.study.settings import Settings
 from tests.support.hostile import assert_nothing_written, assert_one_sentence
 from tests.support.malformed_saved import (
@@ -341,3 +343,41 @@ def test_a_shape_without_its_numbers_takes_no_memory(own):
         assert tracemalloc.get_traced_memory()[1] < 10_000_000
     finally:
         tracemalloc.stop()
+
+
+# --- bands ---
+
+
+@pytest.mark.parametrize(
+    "changes",
+    [
+        {"solver": "nonnegative", "weighting": "equal"},
+        {"solver": "nonnegative", "weighting": "deviation"},
+        {"solver": "nonnegative", "weighting": "equal", "shift": True},
+        {"solver": "nonnegative", "weighting": "equal", "filter": "savgol"},
+        {"solver": "tikhonov", "weighting": "equal", "shift": True},
+    ],
+    ids=lambda changes: " ".join(map(str, changes.values())),
+)
+def test_the_band_of_a_file_is_the_spread_of_what_is_drawn(changes):
+    # A slow twin: the same world under 100 noises, decoded by the same settings. The band of a solver that is not
+    # linear is itself the spread of 20 draws around a fitted timeline and not around the true one.
+    settings = Settings(world="two_branch", steps=8, thetas=30, alpha=0.3, noise_level=0.01, **changes)
+    exact = study(load_world("two_branch"), settings)
+    drawn = [
+        read_study(with_noise(exact.gamma_space, 0.01, seed), exact.settings).expected_reward for seed in range(100)
+    ]
+    spread, found = np.std(drawn, axis=0), bands_of_study(exact).noise
+    ratio = np.sqrt((found**2).mean(axis=-1) / (spread**2).mean(axis=-1))
+    assert np.all((ratio > 0.7) & (ratio < 1.4)), ratio
+
+
+def test_a_file_of_a_network_has_a_band_of_errors_that_sensitivities_share():
+    space = study(load_world("two_branch"), Settings(world="two_branch", thetas=30)).gamma_space
+    own = study_of_gamma_space(space, Settings(noise_level=0.01, steps=8, alpha=0.3))
+    shared = bands_of_study(own).noise
+    inverse = decoder(space.gammas, own.settings)
+    deviations = 0.01 / (1.0 - space.gammas)
+    gain = reward_gain(space, independent=False)
+    np.testing.assert_allclose(shared[0], gain * np.sqrt(inverse**2 @ deviations**2))
+    assert gain > 1.0  # a step of reward for each layer, in units of reward

@@ -380,3 +380,40 @@ def test_one_action_without_a_world_is_a_value_and_no_choice():
 def test_a_study_says_what_it_takes(wrong):
     with pytest.raises(InputError, match="takes a world"):
         study(*wrong)
+
+
+# --- other solvers ---
+
+
+@pytest.mark.parametrize(
+    ("world", "settings", "label"),
+    [
+        ("rise_and_fade", {"alpha": 1e-4}, "Use the non-negative solver"),
+        ("cliff_grid", {"thetas": 30}, "Use the feasible timeline"),
+    ],
+)
+def test_a_solver_that_knows_more_is_a_remedy_where_it_repairs_the_view(world, settings, label):
+    found = look(world, **settings)
+    verdict = at(found, found.horizons[-1])
+    assert verdict.timeline != "sound"
+    assert verdict.cause.name == "unconstrained inverse"
+    assert "Nothing keeps a linear inverse" in verdict.sentence
+    assert verdict.remedies[0].label == label
+    assert at(under(found, verdict.remedies[0]), found.horizons[-1], explain=False, action=verdict.chosen).faultless
+
+
+def test_a_solver_that_takes_too_long_is_not_tried_and_that_is_said():
+    found = look("double_chain", noise=0.003)
+    verdict = at(found, found.horizons[-1])
+    assert verdict.cause is None
+    assert "Not tried, as it takes too long here: the feasible one." in verdict.sentence
+    trials = Trials(found, found.row)
+    assert [change.changes for change in trials.solvers] == [{"solver": "nonnegative"}]
+    assert trials.affordable  # what is left out does not make the search too large
+
+
+def test_no_other_solver_is_tried_where_a_linear_one_is_within_the_limits():
+    for settings in ({"alpha": 1e-4}, {"solver": "nonnegative"}, {"fold": True, "steps": 5}):
+        found = look("two_branch", **settings)
+        trials = Trials(found, found.row)
+        assert trials.solvers == trials.too_slow == ()
