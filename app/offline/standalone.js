@@ -1741,7 +1741,7 @@ function captionOf(scene, names) {
     header.state && `state ${header.state}`,
     `action ${header.actions[state.action]}`,
     `α = ${short(state.alpha)}`,
-    "solver Tikhonov, filter factors s²/(s² + α²)",
+    header.solver === "tikhonov" ? "solver Tikhonov, filter factors s²/(s² + α²)" : `solver ${header.solver}`,
     `T = ${some(+short(state.horizon), "step")}`,
     state.used && `${some(state.used, "step")} used`,
     state.softness && `deadline softness ${short(state.softness)} T`,

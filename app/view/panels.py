@@ -202,7 +202,7 @@ def artefacts(view: View, coming: str | None = None) -> None:
     """The artefacts in the tau-space of the shown action: name, size, a sentence, remedies.
 
     Args:
-        coming: the solver that this view stands in for, which is not offered.
+        coming: the solver that this view replaces for now, which is not offered.
     """
     if view.subject.added:
         st.caption("Interpolated discounts repeat the errors of their neighbours: noise does more than it shows.")

@@ -219,9 +219,9 @@ test('a caption names every setting', () => {
   const given = fixture('table'),
     model = read(bytesOf(given.payload)),
     { state } = given;
-  const caption = (change, names = ['tau-space', 'values']) => {
+  const caption = (change, names = ['tau-space', 'values'], header = model.header) => {
     const changed = { ...state, ...change };
-    return captionOf({ model, state: changed, seen: see(model, changed) }, names);
+    return captionOf({ model: { ...model, header }, state: changed, seen: see(model, changed) }, names);
   };
   const words = caption({ alpha: 0.2, horizon: 3, slope: 25, normalise: 'paper', action: 0 });
   const wanted = ['World two_branch', 'state start', 'action short', 'α = 0.2', 'Tikhonov', 'T = 3 steps'];
@@ -233,6 +233,8 @@ test('a caption names every setting', () => {
   assert.ok(words.includes('White outline: true timeline'));
   assert.ok(caption({ look: 'surface' }).includes('Orange line: true timeline'));
   assert.ok(!caption({}, ['kernel']).includes('White outline'));
+  const feasible = caption({}, ['tau-space'], { ...model.header, solver: 'feasible' });
+  assert.ok(feasible.includes('solver feasible') && !feasible.includes('Tikhonov'), feasible);
 });
 
 test('colours are taken apart for writers that know no CSS', () => {

@@ -73,8 +73,8 @@ def test_a_search_that_another_visitor_ends_meanwhile_is_shown(monkeypatch):
     monkeypatch.setattr(compute, "AT_ONCE", 0.0)  # every search takes long
     drawn, told = panels.artefacts, []
 
-    def ended_elsewhere(view):
-        drawn(view)
+    def ended_elsewhere(view, coming=None):
+        drawn(view, coming)
         told.append(compute.is_explained(view))
         compute.verdict_for(view)
 
