@@ -182,3 +182,16 @@ def test_the_verdict_is_whole_at_every_width(page, address, subtests):
             page.set_viewport_size({"width": width, "height": 900})
             settled(page)
             assert page.evaluate(_CLIPPED) == [0, 0, 0, 0]
+
+
+def test_the_graph_of_the_world_keeps_its_size_in_another_theme(page, address):
+    open_at(page, address, "world=cliff_grid")
+    settled(page)
+    graph = page.locator(".laplace-lens .world")
+    sizes = "(graph) => [graph.clientHeight, graph._fullLayout.height]"
+    height, drawn = graph.evaluate(sizes)
+    assert drawn == height
+    page.emulate_media(color_scheme="dark")
+    page.wait_for_function("() => document.querySelector('.laplace-lens .world')._fullLayout.font.color === '#e6e9ed'")
+    settled(page)
+    assert graph.evaluate(sizes) == [height, height]

@@ -27,6 +27,7 @@ function themed(layout, host) {
     plot_bgcolor: 'rgba(0,0,0,0)',
     font: { family: style.fontFamily, color: colour, size: 12 },
     autosize: true,
+    height: host.clientHeight || layout.height, // the place that the page gives it, which may be lower
     modebar: { bgcolor: 'rgba(0,0,0,0)', color: 'rgba(138, 143, 152, 0.8)', activecolor: colour },
   };
   const page = style.getPropertyValue('--st-background-color').trim();
