@@ -73,7 +73,7 @@ def test_a_search_that_another_visitor_ends_meanwhile_is_shown(monkeypatch):
     monkeypatch.setattr(compute, "AT_ONCE", 0.0)  # every search takes long
     drawn, told = panels.artefacts, []
 
-    def ended_elsewhere(view):
+    def ended_elsewhere(view, coming):
         drawn(view)
         told.append(compute.is_explained(view))
         compute.verdict_for(view)
