@@ -10,6 +10,7 @@ from app.components.waiting import offer, progress
 from app.session.jobs import Wish, background, leave
 from app.view import compute
 from laplace_core import Study
+from laplace_core.inverse.feasible import MOST_TOGETHER
 from laplace_core.inverse.interior import calling
 from laplace_core.inverse.solvers import selecting
 from laplace_core.subjects import View
@@ -90,11 +91,13 @@ def _said(wish: Wish[tuple[Study, Study | None]], job: Job[tuple[Study, Study | 
 
 def _made(view: View, progress: Progress) -> tuple[Study, Study | None]:
     """The study, and the one that the lens draws from where that is another one."""
-    done = 0
+    actions, discounts, thetas = compute.study_for(linear(view)).gamma_space.values.shape
+    together = max(1, MOST_TOGETHER // (discounts * (thetas + 1) * view.settings.steps))  # actions that are, about
+    done, of = 0, STEPS * -(-actions // together)
 
     def step() -> None:
         nonlocal done
-        progress(min(done, STEPS), STEPS)
+        progress(min(done, of), of)
         done += 1
 
     with calling(step):
