@@ -29,16 +29,10 @@ SEED = 1000
 """Of the worlds that are fitted; studies use others."""
 PROBLEMS = 4
 """Of each world, each with a grid and a noise of its own."""
-ALPHAS, SOME_ALPHAS, FEW_ALPHAS = (
-    np.geomspace(low, 100.0, count) for low, count in ((1e-6, 56), (1e-6, 28), (1e-4, 13))
-)
-"""Of a linear solver, of the non-negative one, and of a slow one."""
-NONNEGATIVE_PROBLEMS = 2
-"""Problems of each world that the non-negative solver is fitted to."""
-SLOW, SLOW_WORLDS, SLOW_PROBLEMS = ("feasible",), 120, 1
+ALPHAS, FEW_ALPHAS = np.geomspace(1e-6, 100.0, 56), np.geomspace(1e-4, 100.0, 13)
+"""Of a linear solver, and of a slow one."""
+SLOW, SLOW_WORLDS, SLOW_PROBLEMS = ("nonnegative", "feasible"), 120, 1
 """Slow solvers, and how many worlds and problems of each they are fitted to."""
-NETWORKED = (*LINEAR, "nonnegative")
-"""Solvers that have a network of their own."""
 GOOD, NEAR = 1.2, 1.3
 NOTHING = 1e-6
 WEIGHTINGS = ("weighted", "equal")
@@ -69,13 +63,10 @@ def examples_of(world: int) -> list[Example]:
         noise, gammas = 10.0 ** rng.uniform(-5.0, -1.3), _gammas(rng)
         weighted = case.problem(noise, seed=int(rng.integers(10**6)), gammas=gammas)
         equal = Problem(weighted.masses, weighted.gammas, weighted.steps, weighted.time_step)
-        alphas_of = dict.fromkeys(LINEAR, ALPHAS)
-        if number < NONNEGATIVE_PROBLEMS:
-            alphas_of["nonnegative"] = SOME_ALPHAS
-        if world < SLOW_WORLDS and number < SLOW_PROBLEMS:
-            alphas_of |= dict.fromkeys(SLOW, FEW_ALPHAS)
+        slow = SLOW if world < SLOW_WORLDS and number < SLOW_PROBLEMS else ()
         for weighting, problem in zip(WEIGHTINGS, (weighted, equal), strict=True):
-            for solver, alphas in alphas_of.items():
+            for solver in (*LINEAR, *slow):
+                alphas = ALPHAS if solver in LINEAR else FEW_ALPHAS
                 distances = [
                     mean_time_distance(
                         solve(problem, solver, alpha).masses, case.masses, case.settings.time_step
@@ -175,9 +166,9 @@ def report(
         "that was not fitted",
         f"{'solver':11} " + " ".join(f"{name:>10}" for name in WEIGHTINGS),
     ]
-    networks: dict[str, dict[str, Any]] = {solver: {} for solver in NETWORKED}
+    networks: dict[str, dict[str, Any]] = {solver: {} for solver in LINEAR}
     coefficients: dict[str, dict[str, list[float]]] = {solver: {} for solver in SLOW}
-    shares: dict[str, dict[str, float]] = {solver: {} for solver in (*NETWORKED, *SLOW)}
+    shares: dict[str, dict[str, float]] = {solver: {} for solver in (*LINEAR, *SLOW)}
     for weighting in WEIGHTINGS:
         own = [each for each in examples if each.weighting == weighting]
         whole, chosen = _fit(own), [_chosen(_fit(_half(own, half)), _half(own, 1 - half)) for half in (0, 1)]
@@ -205,9 +196,9 @@ def _half(examples: list[Example], half: int) -> list[Example]:
 
 
 def _fit(examples: list[Example]) -> dict[str, Network | np.ndarray]:
-    """By solver: a network of those that are fast, the weights of a sum of the slow ones; nothing from no examples."""
-    own = {solver: [each for each in examples if each.solver == solver] for solver in (*NETWORKED, *SLOW)}
-    networks = {solver: fitted_network(own[solver]) for solver in NETWORKED if own[solver]}
+    """By solver: a network of the linear ones, the weights of a sum of the slow ones; nothing from no examples."""
+    own = {solver: [each for each in examples if each.solver == solver] for solver in (*LINEAR, *SLOW)}
+    networks = {solver: fitted_network(own[solver]) for solver in LINEAR if own[solver]}
     sums = {solver: fitted_sum(own[solver], networks["tikhonov"]) for solver in SLOW if own[solver]}
     return {**networks, **sums}
 
