@@ -4154,6 +4154,7 @@ function mount(root, model, told, tell) {
     state = { ...next, horizon: Math.min(model.horizons[model.K - 1], next.horizon) };
     state.used = Math.max(0, Math.min(state.used, Math.ceil(state.horizon) - 1));
     dragging = !released;
+    moveHandles();
     draw();
     if (!released) return;
     clearTimeout(later);
@@ -4162,6 +4163,13 @@ function mount(root, model, told, tell) {
       remember2(state);
       report({ state });
     }, 120);
+  }
+  function moveHandles() {
+    for (const each of handles) each.sync(state, told.rule);
+  }
+  function unreported() {
+    const reported = history.states[history.at], changed = Object.entries(state).filter(([name, value]) => value !== reported[name]);
+    return changed.length ? Object.fromEntries(changed) : void 0;
   }
   function remember2(next) {
     history.states.splice(history.at + 1, Infinity, next);
@@ -4288,7 +4296,7 @@ function mount(root, model, told, tell) {
       const { canvas } = each, found = sheet(canvas, scene.colours.font);
       if (found) canvas.scale = drawOne(found.pen, each, found.width, found.height) ?? canvas.scale;
     }
-    for (const each of handles) each.sync(state, told.rule);
+    moveHandles();
     board.sync(state);
     story.show(told, aboutWords(scene));
     for (const box of pictures.querySelectorAll(".picture"))
@@ -4362,6 +4370,7 @@ function mount(root, model, told, tell) {
   new ResizeObserver(draw).observe(host);
   onUndo(host, (way) => wish(way, true));
   if (told.world) scene.world?.show(told.world);
+  moveHandles();
   draw();
   const controls = () => [...host.querySelectorAll("button, input, select, canvas")];
   const nameOf2 = (control) => `${control.className} ${control.name ?? ""} ${control.textContent}`;
@@ -4378,7 +4387,12 @@ function mount(root, model, told, tell) {
       }
       told = { ...told, ...news };
       followTaken();
-      if (moved && JSON.stringify(told.state) !== JSON.stringify(state)) remember2(state = told.state);
+      if (moved && JSON.stringify(told.state) !== JSON.stringify(state)) {
+        const changed = unreported();
+        remember2(state = told.state);
+        moveHandles();
+        if (changed) set({ ...state, ...changed }, !dragging);
+      }
       if (told.world) scene.world?.show(told.world);
       draw();
     },
@@ -4403,12 +4417,11 @@ function mount(root, model, told, tell) {
       clearTimeout(later);
       clearTimeout(turning);
       cancelAnimationFrame(playing);
-      const reported = history.states[history.at], changed = Object.entries(state).filter(([name, value]) => value !== reported[name]);
       const focus = controls().find((control) => control === document.activeElement);
       return {
         scene: { zoom: scene.zoom, camera: scene.camera },
         focus: focus && nameOf2(focus),
-        pending: changed.length ? Object.fromEntries(changed) : void 0
+        pending: unreported()
       };
     }
   };

@@ -149,6 +149,33 @@ def test_an_answer_that_a_payload_is_missing_repeats_the_release_that_it_replace
     assert answers.count({"missing": "not held"}) == 8
 
 
+def test_a_key_between_a_state_of_the_server_and_the_next_frame_is_kept(page, demo):
+    """The server sets T while a change of alpha is not released yet; sliders stand right before anything is drawn."""
+    open_lens(page, demo)
+    found = page.evaluate(
+        """() => {
+          const { lens } = document.querySelector('.laplace-lens');
+          const slider = (name) => document.querySelector(`input[name=${name}]`);
+          const left = (name) => { slider(name).stepDown(); slider(name).dispatchEvent(new Event('input')); };
+          const before = { ...lens.state };
+          left('alpha');
+          const first = lens.state.alpha;
+          lens.show(lens.model, { state: { ...before, horizon: 2 } }, true);
+          const after = { ...lens.state };
+          left('alpha');
+          left('horizon');
+          return { before, first, after, last: lens.state };
+        }"""
+    )
+    before, first, after, last = (found[name] for name in ("before", "first", "after", "last"))
+    assert before["horizon"] > 2
+    assert (after["alpha"], after["horizon"]) == (first, 2)
+    assert last["alpha"] < first < before["alpha"]
+    assert last["horizon"] < 2
+    settled(page)
+    assert page.evaluate("() => document.querySelector('.laplace-lens').lens.state") == last
+
+
 def test_one_place_is_marked_in_every_picture(page, demo):
     open_lens(page, demo)
     ask_why(page)

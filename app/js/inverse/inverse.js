@@ -288,7 +288,14 @@ function mount(host, firstModel, firstTold, report) {
       const moved = news.revision !== told.revision;
       if (next !== model) scene.images = {};
       [model, told] = [next, news];
-      if (moved) remember((scene.state = reported = news.state));
+      if (moved) {
+        const changed = Object.entries(scene.state).filter(([name, value]) => value !== reported[name]);
+        remember((scene.state = reported = news.state));
+        if (changed.length) {
+          set(Object.fromEntries(changed));
+          rest();
+        }
+      }
       draw();
     },
   };

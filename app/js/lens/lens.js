@@ -240,6 +240,7 @@ export function mount(root, model, told, tell) {
     state = { ...next, horizon: Math.min(model.horizons[model.K - 1], next.horizon) };
     state.used = Math.max(0, Math.min(state.used, Math.ceil(state.horizon) - 1));
     dragging = !released;
+    moveHandles();
     draw();
     if (!released) return;
     clearTimeout(later); // keys held down are one release
@@ -248,6 +249,18 @@ export function mount(root, model, told, tell) {
       remember(state);
       report({ state });
     }, 120);
+  }
+
+  // At once, and not with the next frame: a key moves a slider from where it stands.
+  function moveHandles() {
+    for (const each of handles) each.sync(state, told.rule);
+  }
+
+  // What a hand has changed since its last release; undefined where that is nothing.
+  function unreported() {
+    const reported = history.states[history.at],
+      changed = Object.entries(state).filter(([name, value]) => value !== reported[name]);
+    return changed.length ? Object.fromEntries(changed) : undefined;
   }
 
   function remember(next) {
@@ -391,7 +404,7 @@ export function mount(root, model, told, tell) {
         found = sheet(canvas, scene.colours.font);
       if (found) canvas.scale = drawOne(found.pen, each, found.width, found.height) ?? canvas.scale;
     }
-    for (const each of handles) each.sync(state, told.rule);
+    moveHandles();
     board.sync(state);
     story.show(told, aboutWords(scene));
     for (const box of pictures.querySelectorAll('.picture'))
@@ -472,6 +485,7 @@ export function mount(root, model, told, tell) {
   new ResizeObserver(draw).observe(host);
   onUndo(host, (way) => wish(way, true));
   if (told.world) scene.world?.show(told.world);
+  moveHandles();
   draw();
   /** @returns {any[]} controls of all kinds */
   const controls = () => [...host.querySelectorAll('button, input, select, canvas')];
@@ -493,7 +507,12 @@ export function mount(root, model, told, tell) {
         }
         told = { ...told, ...news };
         followTaken();
-        if (moved && JSON.stringify(told.state) !== JSON.stringify(state)) remember((state = told.state));
+        if (moved && JSON.stringify(told.state) !== JSON.stringify(state)) {
+          const changed = unreported();
+          remember((state = told.state));
+          moveHandles();
+          if (changed) set({ ...state, ...changed }, !dragging);
+        }
         if (told.world) scene.world?.show(told.world);
         draw();
       },
@@ -518,13 +537,11 @@ export function mount(root, model, told, tell) {
         clearTimeout(later);
         clearTimeout(turning);
         cancelAnimationFrame(playing);
-        const reported = history.states[history.at],
-          changed = Object.entries(state).filter(([name, value]) => value !== reported[name]);
         const focus = controls().find((control) => control === document.activeElement);
         return {
           scene: { zoom: scene.zoom, camera: scene.camera },
           focus: focus && nameOf(focus),
-          pending: changed.length ? Object.fromEntries(changed) : undefined,
+          pending: unreported(),
         };
       },
     });
