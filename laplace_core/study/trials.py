@@ -61,8 +61,9 @@ STEEP = 1.1 * SLOPE_TIMES_SPACING
 """A slope above this, in units of 1/spacing, rounds rewards."""
 APART = 9.0
 """A slope of this, in units of 1/gap, keeps two rewards apart: it leaves sigmoid(-4.5) = .011 on either side."""
-MOST_WORK = 3e10
-"""Products that a search may cost before it is left out: half a minute if it comes to the worst."""
+MOST_WORK, MOST_FOR_SOLVERS = 3e10, 5e9
+"""Products that a search may cost before it is left out, half a minute if it comes to the worst; and those of its
+trials of other solvers, before they are."""
 
 WHY = {
     "repeated reward": "Rows that are nearly empty are rescaled to probability 1, and a residue of an earlier reward "
@@ -268,7 +269,7 @@ class Trials:
     @cached_property
     def solvers(self) -> tuple[Remedy, ...]:
         """Solvers to which it cannot happen what a linear one has done, as many as are affordable, the faster first."""
-        left, tried = MOST_WORK - self._own_work, []
+        left, tried = min(MOST_FOR_SOLVERS, MOST_WORK - self._own_work), []
         for change in self._other_solvers:
             left -= self._work_of(change)
             if left < 0:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import contextlib
 import os
+import re
 import shutil
 import socket
 import subprocess
@@ -256,4 +257,4 @@ def grab(page: Any, name: str) -> Callable[[float], None]:
 
 def runs_of_demo(page: Any) -> int:
     """Runs of the server as the page of the lens alone counts them."""
-    return int(page.get_by_text("runs ").inner_text().split()[1].rstrip(","))
+    return int(page.get_by_text(re.compile(r"^runs \d")).inner_text().split()[1].rstrip(","))

@@ -382,7 +382,7 @@ const fit = {
     if (!deviations) return '';
     const off = offBy(model, made),
       beyond = off.filter((value) => value > 2).length;
-    return `${beyond} of ${model.G} are off by more than 2 standard deviations`;
+    return `${beyond} of ${model.G} off by over 2 deviations`;
   },
   words({ model, made }) {
     const misses = Array.from(model.means, (value, g) =>
