@@ -109,7 +109,9 @@ _CLIPPED = """() => {
 }"""
 
 
-@pytest.mark.parametrize("name", PAGES)
+@pytest.mark.parametrize(
+    "name", [pytest.param(name, marks=() if name in ("worlds", "inverse") else pytest.mark.long) for name in PAGES]
+)
 def test_a_page_is_named_described_skipped_to_by_keys_and_whole_in_any_window(page, address, name, subtests):
     """A zoom of 200% of a window of 1440x900 is one of 720x450."""
     opened(page, address, name)

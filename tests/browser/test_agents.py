@@ -67,7 +67,10 @@ def saved(page, name: str) -> bytes:
     return Path(download.value.path()).read_bytes()
 
 
-@pytest.mark.parametrize("environment", ["CartPole-v1", "Acrobot-v1", "LunarLander-v3"])
+@pytest.mark.parametrize(
+    "environment",
+    ["CartPole-v1", *(pytest.param(name, marks=pytest.mark.long) for name in ("Acrobot-v1", "LunarLander-v3"))],
+)
 def test_the_whole_path_and_its_numbers(page, address, environment):
     loaded, rollout = by_the_library(environment)
     rolled_out(page, address, environment)

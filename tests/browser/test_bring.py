@@ -138,7 +138,7 @@ def test_files_are_dropped_in_and_bad_ones_refused(page, address):
         (1440, 900, OWN),
         (390, 844, OWN),
         (390, 844, f"world=timeline&timeline={FIRST_TIMELINE}"),
-        (390, 844, "world=cliff_grid&source=learned"),
+        pytest.param(390, 844, "world=cliff_grid&source=learned", marks=pytest.mark.long),
     ],
     ids=["desktop", "own", "timeline", "learned"],
 )

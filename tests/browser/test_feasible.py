@@ -78,6 +78,7 @@ def test_the_linear_timeline_is_drawn_until_the_feasible_one_is_there(page, addr
     comes_to_show(page, feasible)
 
 
+@pytest.mark.long
 def test_what_is_asked_for_last_is_computed(page, address):
     open_at(page, address, alpha=0.11)
     choose(page)
@@ -90,6 +91,7 @@ def test_what_is_asked_for_last_is_computed(page, address):
     comes_to_show(page, decoded(solver="feasible", alpha=alpha))
 
 
+@pytest.mark.long
 def test_the_page_of_the_inverse_draws_the_linear_timeline_first(page, address):
     page.goto(f"{address}/inverse?world=two_branch&{query(alpha=0.13)}")
     page.wait_for_function("() => document.querySelector('.laplace-inverse')?.inverse?.scene?.made")

@@ -91,7 +91,7 @@ def test_the_non_negative_timeline_follows_the_drag_and_has_nothing_below_0(page
     settled(page)
 
 
-@pytest.mark.parametrize("solver", ["nonnegative", "feasible"])
+@pytest.mark.parametrize("solver", ["nonnegative", pytest.param("feasible", marks=pytest.mark.long)])
 def test_the_band_of_a_solver_that_is_not_linear_is_drawn_after_release(page, address, solver):
     open_at(page, address, f"world=two_branch&noise=0.01&action=long&solver={solver}")
     note, host = page.locator(".laplace-inverse .rewards .note"), "document.querySelector('.laplace-inverse').inverse"
@@ -107,6 +107,7 @@ def test_the_band_of_a_solver_that_is_not_linear_is_drawn_after_release(page, ad
     settled(page)
 
 
+@pytest.mark.long
 def test_the_feasible_timeline_answers_when_alpha_is_let_go_of(page, address):
     open_at(page, address, "world=two_branch&noise=0.001&action=long&solver=feasible")
     before = drawn(page)

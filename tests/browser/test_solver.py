@@ -34,7 +34,7 @@ def alpha(page):
     return page.locator(".slider", has=page.locator("input[name=alpha]")).locator("output")
 
 
-@pytest.mark.parametrize("name", PAGES)
+@pytest.mark.parametrize("name", ["worlds", pytest.param("agents", marks=pytest.mark.long)])
 def test_a_solver_and_a_rule_are_chosen_and_their_link_shows_the_same_picture(page, address, name):
     open_at(page, address, PAGES[name])
     first = tau_space(page)
@@ -72,6 +72,7 @@ def test_a_solver_and_a_rule_are_chosen_and_their_link_shows_the_same_picture(pa
     expect(page.get_by_role("combobox", name="Alpha rule")).to_have_value("By hand")
 
 
+@pytest.mark.long
 def test_survival_above_1_offers_the_feasible_timeline_in_one_click(page, address):
     open_at(page, address, "?world=two_branch&thetas=20&noise=0.01&alpha=0.01")
     assert page.evaluate("() => Math.max(...document.querySelector('.laplace-lens').lens.seen.survival.flatMap("

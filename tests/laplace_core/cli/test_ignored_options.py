@@ -62,7 +62,7 @@ def test_an_option_of_another_rule_is_refused(subtests, agents, capsys):
 def test_an_alpha_by_name_is_refused_by_its_own_words(agents, capsys):
     for rule in ("readout", "fading"):
         words = ["evaluate", agents["laplace"], "--horizon", "3", "--rule", rule, "--alpha", "auto"]
-        assert_refused(capsys, words, "--alpha by name", f"{rule!r}", "of decoded")
+        assert_refused(capsys, words, "--alpha by name", f"{rule!r}", "for decoded")
 
 
 def test_an_option_of_the_rule_is_heard(agents, capsys):
