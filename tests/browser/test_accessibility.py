@@ -59,7 +59,10 @@ def violations(page, of="document"):
     return [f"{each['id']}: {node['target']} {node['failureSummary']}" for each in found for node in each["nodes"]]
 
 
-@pytest.mark.parametrize("name", PAGES)
+@pytest.mark.parametrize(
+    "name",
+    [pytest.param(name, marks=() if name in ("worlds", "inverse", "agents") else pytest.mark.long) for name in PAGES],
+)
 def test_axe_finds_nothing_in_either_theme(page, address, name):
     if not AXE.exists():
         pytest.fail("axe-core is not installed: run `npm ci`.")

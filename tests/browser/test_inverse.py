@@ -54,7 +54,7 @@ def hold(page, name, across, up=0.5):
     return to
 
 
-@pytest.mark.parametrize("name", ["lcurve", "rule-gcv"])
+@pytest.mark.parametrize("name", ["lcurve", pytest.param("rule-gcv", marks=pytest.mark.long)])
 def test_a_drag_moves_the_timeline_at_once_and_the_link_when_it_ends(page, address, name):
     sentence = open_at(page, address, "world=two_branch&noise=0.001&action=long")
     expect(sentence).to_contain_text("Automatic, by the fitted network, takes alpha")
@@ -178,7 +178,9 @@ def in_the_middle(page, name):
 SCROLLED = "() => document.querySelector('[data-testid=stMain]').scrollTop"
 
 
-@pytest.mark.parametrize("name", ["lcurve", "rule-gcv", "flips"])
+@pytest.mark.parametrize(
+    "name", ["lcurve", *(pytest.param(name, marks=pytest.mark.long) for name in ("rule-gcv", "flips"))]
+)
 def test_a_finger_drags_alpha(phone, address, name):
     open_at(phone, address, "world=two_decisions&noise=0.002&alpha=0.3&selector=typed")
     width, height = in_the_middle(phone, name)
@@ -240,7 +242,9 @@ def test_a_row_of_the_leaderboard_opens_its_solver(page, address):
 
 
 @pytest.mark.parametrize("scheme", ["light", "dark"])
-@pytest.mark.parametrize(("width", "height"), [(1440, 900), (1024, 768), (390, 844)])
+@pytest.mark.parametrize(
+    ("width", "height"), [(1440, 900), pytest.param(1024, 768, marks=pytest.mark.long), (390, 844)]
+)
 def test_nothing_is_wider_than_the_screen(page, address, scheme, width, height):
     page.set_viewport_size({"width": width, "height": height})
     page.emulate_media(color_scheme=scheme)
