@@ -123,11 +123,13 @@ def test_help_of_hold_names_its_parts():
         assert part in shown.stdout
 
 
+@pytest.mark.long
 def test_rollouts_and_races_asked_at_once_all_finish():
     (finished,) = asked(short=True)
     assert finished.met, finished.note
 
 
+@pytest.mark.long
 def test_points_of_work_refuse_a_file_that_is_half_written(tmp_path, subtests):
     listed = {victim.name: victim for victim in victims(tmp_path)}
     files = {"search": "search/a/run.json", "learning": "l.safetensors"}

@@ -33,7 +33,7 @@ from tests.support.lens_reference import seen, unpacked
 
 ROOT = Path(__file__).resolve().parent.parent
 NODE = Path(sysconfig.get_path("scripts")) / "node"
-VIEWS = int(os.environ.get("LENS_VIEWS", "50"))
+VIEWS = int(os.environ.get("LENS_VIEWS", "20"))
 """`make verify` asks for 1,000."""
 
 

@@ -104,6 +104,7 @@ LAST_ENTRY = f'''    "last": Rule(
 '''
 
 
+@pytest.mark.long
 def test_a_rule_of_control_in_its_file(workshop):
     rules = "laplace_core/acting/rules.py"
     workshop.insert(rules, "@dataclass(frozen=True)\nclass Rule:", f"{inspect.getsource(last_action)}\n\n")
@@ -159,6 +160,7 @@ SWITCH_ENTRY = """    "Switch-v0": Environment(
 """
 
 
+@pytest.mark.long
 def test_an_environment(workshop):
     (workshop.packages / "toy_switch.py").write_text(SWITCH_PACKAGE)
     workshop.insert("laplace_core/environments/catalogue.py", '    "CartPole-v0": replace(', SWITCH_ENTRY)
@@ -226,6 +228,7 @@ class HuberSettings(DqnSettings):
 HUBER_IMPORT = "from laplace_core.agents.huber import HuberAgent\n"
 
 
+@pytest.mark.long
 def test_an_algorithm(workshop):
     agents = "laplace_core/agents"
     (workshop.root / agents / "huber.py").write_text(HUBER_AGENT)
@@ -302,6 +305,7 @@ DISCOUNT_LABEL = """    "discount of the values": Label(
 """
 
 
+@pytest.mark.long
 def test_an_artefact(workshop):
     measures, labels = "laplace_core/study/artefacts/deadline.py", "laplace_core/experiments/labels.py"
     workshop.insert(measures, "MEASURES: dict[", DISCOUNT_MEASURE)

@@ -33,6 +33,9 @@ from laplace_core.supervise.process import ONE_THREAD
 Key = TypeVar("Key", bound=Hashable)
 Result = TypeVar("Result")
 
+LOW = 10
+"""Niceness of the process: it gets a tenth of a core that others want. At 19 it gets a hundredth, and never ends a search
+on a busy server."""
 IDLE = 60.0
 """Seconds without a call after which the process ends."""
 GIVEN = 2.0
@@ -184,9 +187,10 @@ class _Process:
 
     def _read(self) -> None:
         assert self._process.stdout is not None  # it is a pipe
-        with contextlib.suppress(EOFError, OSError, pickle.UnpicklingError):
+        # Closed here and not where the process is ended: a file must not be closed while another thread reads it.
+        with self._process.stdout as answers, contextlib.suppress(EOFError, OSError, pickle.UnpicklingError):
             while True:
-                self._answers.put(pickle.load(self._process.stdout))  # noqa: S301 - from our own process
+                self._answers.put(pickle.load(answers))  # noqa: S301 - from our own process
         self._answers.put(None)
 
     def send(self, function: Callable[..., object], arguments: tuple[object, ...]) -> None:
@@ -223,16 +227,16 @@ class _Process:
     def end(self) -> None:
         self._process.kill()
         self._process.wait()
-        for pipe in (self._process.stdin, self._process.stdout):
-            with contextlib.suppress(OSError):
-                pipe.close() if pipe is not None else None
+        assert self._process.stdin is not None  # it is a pipe
+        with contextlib.suppress(OSError):
+            self._process.stdin.close()
 
 
 def serve(parent: int) -> None:
     """Make the calls that come in through standard input, until it is closed or the parent is gone."""
     end_with(parent)
     if hasattr(os, "nice"):
-        os.nice(19)
+        os.nice(LOW)
     BUDGET.limit = _CACHES
     with os.fdopen(os.dup(1), "wb") as answers, os.fdopen(os.dup(0), "rb") as calls:
         os.dup2(2, 1)  # what a library prints is no answer

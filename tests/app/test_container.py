@@ -64,6 +64,7 @@ def test_the_base_is_one_image_and_no_other():
     assert re.fullmatch(r"python:3\.11\.\d+-slim-bookworm@sha256:[0-9a-f]{64}", base)
 
 
+@pytest.mark.long
 def test_runs_lie_in_a_volume_that_whoever_runs_it_may_write(image):
     told = dict(instructions())
     assert told["VOLUME"] == "/srv/runs"
@@ -104,7 +105,7 @@ def files(folder: Path) -> dict[Path, int]:
     return {path: path.stat().st_mtime_ns for path in folder.rglob("*")}
 
 
-@pytest.mark.parametrize("path", ["", "/laplace"])
+@pytest.mark.parametrize("path", ["/laplace", pytest.param("", marks=pytest.mark.long)])
 def test_the_image_serves_a_page_and_its_files_is_healthy_and_writes_nothing(image, tmp_path, path):
     with socket.socket() as probe:
         probe.bind(("127.0.0.1", 0))

@@ -18,7 +18,7 @@ from app.race import schema as race
 from app.train import schema as train
 from app.worlds import schema as worlds
 from tests.support.hostile_inputs import LINKS, files, links
-from tests.support.pages import MAIN, opened
+from tests.support.pages import MAIN, PATIENCE, opened
 
 MEMORY = 400_000
 """Kilobytes by which all of them together may raise the process's peak."""
@@ -27,7 +27,7 @@ MEMORY = 400_000
 def follow(link: str) -> AppTest:
     """The page of a link."""
     parts = urlsplit(link)
-    page = AppTest.from_file(MAIN, default_timeout=60)
+    page = AppTest.from_file(MAIN, default_timeout=PATIENCE)
     page.switch_page(f"screens/{parts.path.strip('/') or 'worlds'}.py")
     for name, value in parse_qsl(parts.query, keep_blank_values=True):
         page.query_params[name] = value

@@ -8,6 +8,8 @@ import subprocess
 import sys
 from pathlib import Path
 
+import pytest
+
 ROOT = Path(__file__).resolve().parents[2]
 
 # Packages from elsewhere keep what they use on this system, which they do without on others; ours get nothing of it.
@@ -110,5 +112,6 @@ def test_every_page_opens_without_what_only_unix_has(tmp_path):
     assert run(PAGES, ",".join(pages), tmp_path) == "opened"
 
 
+@pytest.mark.long
 def test_runs_and_learners_are_supervised_without_what_only_unix_has(tmp_path):
     assert run(SUPERVISED, str(tmp_path / "supervised"), tmp_path) == "supervised"

@@ -92,7 +92,10 @@ WATCH = """
   const reasons = (watched.reasons = () => [
     due && `a run is ${due}`, timers.size && `${timers.size} timers`, frames.size && `${frames.size} frames`,
     document.querySelector('[data-testid=stApp]')?.dataset.testScriptState !== 'notRunning' && 'the script runs',
+    document.getAnimations().some(moves) && 'something moves',
   ].filter(Boolean));
+  const moves = ({ playState, effect }) => playState === 'running' && isFinite(effect.getComputedTiming().endTime);
+  window.addEventListener('scroll', () => { still = 0; }, true); // a finger's throw goes on after the finger
   watched.still = () => (still = reasons().length ? 0 : still + 1) >= AWAKE;
 })();
 """
@@ -167,8 +170,8 @@ def module_of(page: Any, name: str) -> Any:
 def settled(page: Any) -> None:
     """Wait until the page has come to rest.
 
-    No run of the server is due or going on, no timer of up to a second and no frame is waited for. A change that a
-    hand has made is then drawn, described, sent and answered.
+    No run of the server is due or going on, no timer of up to a second and no frame is waited for, and nothing
+    moves or scrolls. A change that a hand has made is then drawn, described, sent and answered.
     """
     from playwright.sync_api import TimeoutError as Late
 

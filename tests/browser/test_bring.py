@@ -81,6 +81,7 @@ def test_a_reward_typed_into_the_table_moves_the_picture_and_the_link(page, addr
     comes_to_show(page, study(world, Settings(alpha=0.2)).decoded.tau_space[0])
 
 
+@pytest.mark.long
 def test_edits_are_there_again_after_back(page, address):
     verdict = open_at(page, address, OWN + "&alpha=0.2")
     type_into_table(page, 0, 3, "11")

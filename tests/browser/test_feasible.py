@@ -59,6 +59,7 @@ def choose(page):
     expect(page.get_by_text(COMING)).to_be_visible()
 
 
+@pytest.mark.long
 def test_the_linear_timeline_is_drawn_until_the_feasible_one_is_there(page, address, linear, feasible):
     open_at(page, address)
     comes_to_show(page, linear)

@@ -227,6 +227,7 @@ def test_back_brings_the_alpha_before(page, address):
     settled(page)
 
 
+@pytest.mark.long
 def test_a_row_of_the_leaderboard_opens_its_solver(page, address):
     open_at(page, address, "world=two_branch&noise=0.001&action=long")
     page.get_by_text("Leaderboard: every solver with its own alpha").click()
@@ -269,7 +270,9 @@ class Walk:
         box.click()
         box.fill(option)
         expect(self.page.get_by_role("option", name=option, exact=True)).to_be_visible()
+        asked = runs_asked(self.page)
         box.press("Enter")  # a list that opens while a section unfolds moves away from under a click
+        self.page.wait_for_function("(asked) => window.watched.runs > asked", arg=asked)
         self.clicks += 2
         settled(self.page)
 
@@ -337,6 +340,7 @@ def test_a_new_user_shows_that_values_of_mixed_policies_are_no_process(page, add
     assert walk.clicks <= 7
 
 
+@pytest.mark.long
 def test_a_new_user_compares_rules_on_random_worlds_and_takes_the_cases_along(page, address):
     walk = Walk(page, address)
     walk.press("Study solvers and rules on many worlds")

@@ -76,6 +76,7 @@ def test_the_pictures_move_while_it_learns_and_cancel_ends_the_process(page, add
     np.testing.assert_array_equal(tau_space(page), kept)
 
 
+@pytest.mark.long
 def test_zoom_and_an_open_section_survive_the_looks_at_a_learner(page, address):
     open_at(page, address, ENDLESS)
     exact = tau_space(page)
@@ -102,6 +103,7 @@ def test_zoom_and_an_open_section_survive_the_looks_at_a_learner(page, address):
     expect(strip(page)).to_contain_text("cancelled at")
 
 
+@pytest.mark.long
 def test_several_seeds_end_in_bands_and_a_reload_brings_the_same(page, address):
     open_at(page, address, "world=two_branch&p.slip=0.2&source=learned&l.episodes=80&l.seeds=3")
     press_learn(page)

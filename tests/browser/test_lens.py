@@ -4,11 +4,15 @@ from __future__ import annotations
 
 import re
 import xml.etree.ElementTree as ET
+from base64 import b64encode
 
 import numpy as np
 import pytest
 from playwright.sync_api import expect
 
+from laplace_core import Settings, load_world, study
+from laplace_core.payloads.lens import payload
+from laplace_core.payloads.packing import pack
 from tests.browser.support import ask_why, grab, module_of, open_at, runs_asked, runs_of_demo, settled
 from tests.support.lens_agreement import compared_in, fixture, network, payloads, random_cases
 
@@ -38,6 +42,7 @@ def test_javascript_agrees_with_the_library_in_a_browser(chromium):
     assert max(result["off"].values()) <= 1e-4, result["off"]
 
 
+@pytest.mark.long
 def test_the_first_view_and_each_remedy_by_one_switch(page, demo):
     verdict = open_lens(page, demo)
     expect(verdict).to_have_class(re.compile("bad"))
@@ -145,8 +150,34 @@ def test_an_answer_that_a_payload_is_missing_repeats_the_release_that_it_replace
         })"""
     )
     assert state["alpha"] > 0.2
-    assert answers.count({"missing": "not held", "state": state}) == 1  # of the revision that the browser is at
+    repeated = [answer for answer in answers if "state" in answer]
+    assert [answer["state"] for answer in repeated] == [state]  # of the revision that the browser is at
+    assert repeated[0]["revision"] == answers.index(repeated[0])
     assert answers.count({"missing": "not held"}) == 8
+
+
+def test_a_payload_that_was_sent_before_a_release_was_heard_does_not_take_it_back(page, demo):
+    """A lens of another shape takes the place of the one that the hand moved, with the state before the release."""
+    open_lens(page, demo)
+    before = page.evaluate("() => document.querySelector('.laplace-lens').lens.state")
+    page.locator("input[name=alpha]").focus()
+    page.keyboard.press("ArrowRight")
+    settled(page)
+    data = payload(study(load_world("fig6_chain"), Settings(world="fig6_chain")))[0]
+    header = {"name": "demo", "id": "not held", "state": before, "base": before}
+    messages = [b64encode(pack(header | {"revision": revision}, data)).decode() for revision in range(9)]
+    alphas = module_of(page, "lens/entry.js").evaluate(
+        """({ default: show }, messages) => messages.map((message) => {
+          const data = Uint8Array.from(atob(message), (letter) => letter.charCodeAt(0));
+          const parentElement = document.createElement('div');
+          show({ data, parentElement, setTriggerValue: () => {} });
+          return parentElement.querySelector('.laplace-lens').lens.state.alpha;
+        })""",
+        messages,
+    )
+    moved = [alpha for alpha in alphas if alpha != before["alpha"]]
+    assert len(moved) == 1, "of the revision that the browser is at"
+    assert moved[0] > before["alpha"]
 
 
 def test_a_key_between_a_state_of_the_server_and_the_next_frame_is_kept(page, demo):

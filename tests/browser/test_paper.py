@@ -16,7 +16,7 @@ SIZES = {"wide": (1440, 900), "phone": (390, 844)}
 _OVERFLOWS = "() => document.querySelector('[data-testid=stMain]').scrollWidth > innerWidth"
 
 
-@pytest.mark.parametrize("size", SIZES)
+@pytest.mark.parametrize("size", ["wide", pytest.param("phone", marks=pytest.mark.long)])
 def test_a_figure_is_found_in_the_list_and_opened_in_the_workbench(page, address, size):
     width, height = SIZES[size]
     page.set_viewport_size({"width": width, "height": height})

@@ -142,6 +142,7 @@ def test_a_png_has_600_dots_to_the_inch_and_a_sheet_of_all_panels_no_hole(page, 
     expect(dialog.get_by_role("button", name="Save", exact=True)).to_be_disabled()
 
 
+@pytest.mark.long
 def test_the_graph_of_a_world_is_printed_with_the_rest(page, address, tmp_path):
     page.emulate_media(color_scheme="dark")
     open_at(page, address)

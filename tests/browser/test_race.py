@@ -97,6 +97,7 @@ LONG = "d.T=1000&d.left=decoded&d.right=decoded"
 """Some 2,000 steps that are decoded one by one: a minute, more or less."""
 
 
+@pytest.mark.long
 def test_a_link_to_long_races_leaves_them_to_a_person_who_sees_the_cost_and_the_place_in_line(page, chromium, address):
     page.goto(f"{address}/race?{LONG}&d.start=1&d.many=yes&d.starts=500")
     page.get_by_text(re.compile(r"^This takes about \d+ (seconds|minutes)\.$")).wait_for()

@@ -15,7 +15,7 @@ from tests.browser.support import FLAGS, MAIN, PATIENCE, WATCH, comes_to_show, f
 from tests.support import proxy
 from tests.support.malformed_worlds import TEXT
 
-pytestmark = pytest.mark.browser
+pytestmark = [pytest.mark.browser, pytest.mark.long]
 SITE = "laplace.test"
 """A name that the browser knows for this machine: a server takes connections from 127.0.0.1 whatever a proxy says."""
 

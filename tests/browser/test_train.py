@@ -124,6 +124,7 @@ def removed(page, name: str) -> None:
     expect(card(page, name)).to_have_count(0)
 
 
+@pytest.mark.long
 def test_another_browser_sees_a_run_and_cannot_change_it(page, chromium, address):
     name = started(page, address, 21)
     stranger = chromium.new_context()
@@ -139,6 +140,7 @@ def test_another_browser_sees_a_run_and_cannot_change_it(page, chromium, address
     removed(page, name)
 
 
+@pytest.mark.long
 def test_two_tabs_of_one_browser_that_open_at_once_are_one_owner(chromium, address):
     context = chromium.new_context()
     first, second = context.new_page(), context.new_page()
@@ -176,6 +178,7 @@ WATCH_CARDS = """
 """
 
 
+@pytest.mark.long
 def test_a_card_never_holds_the_buttons_of_another_run(page, address):
     """When a new run moves the cards, each of which gets another place."""
     names = [started(page, address, 31)]

@@ -173,6 +173,7 @@ _CLIPPED = """() => {
 }"""
 
 
+@pytest.mark.long
 def test_the_verdict_is_whole_at_every_width(page, address, subtests):
     """Windows of 390 to 1920 pixels; a zoom of 200% is a window of half the width."""
     open_at(page, address, "world=fig6_chain&alpha=10")

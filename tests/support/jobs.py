@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import signal
+import threading
 import time
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -46,6 +47,25 @@ def note_and_wait(argument: tuple[str, int]) -> None:
     (Path(argument[0]) / str(os.getpid())).touch()
     while True:
         time.sleep(0.05)
+
+
+class Paused:
+    """What is read from a pickle only once it goes on, in the process that reads it."""
+
+    is_read, goes_on = threading.Event(), threading.Event()
+
+    def __reduce__(self) -> tuple[object, tuple[()]]:
+        return Paused._read, ()
+
+    @staticmethod
+    def _read() -> None:
+        Paused.is_read.set()
+        Paused.goes_on.wait()
+
+
+def long_answer() -> tuple[Paused, bytes]:
+    """More than a pipe holds: its end is sent only while it is read."""
+    return Paused(), bytes(1_000_000)
 
 
 def note_and_wait_after(argument: tuple[str, int]) -> int:

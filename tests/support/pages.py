@@ -25,11 +25,13 @@ from laplace_core.tabular.work import Runs, Watched
 from tests.support.lens_reference import seen
 
 MAIN = str(Path(__file__).resolve().parents[2] / "app" / "main.py")
+PATIENCE = 600
+"""Seconds after which a run of a page is a failure: a busy machine may be slow for long."""
 
 
 def opened(*unfolded: str, screen: str | None = None, **query: str) -> AppTest:
     """The page of a link; what lies in a closed expander or popover is not on it unless ``unfolded`` names it."""
-    page = AppTest.from_file(MAIN, default_timeout=60)
+    page = AppTest.from_file(MAIN, default_timeout=PATIENCE)
     if screen is not None:
         page.switch_page(f"screens/{screen}.py")
     for key in unfolded:

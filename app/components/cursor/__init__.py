@@ -43,7 +43,7 @@ def under_cursor(
         step = answer.get("step")
         number = isinstance(step, int | float) and not isinstance(step, bool)
         if step is not None and number and 0 <= step < 1e6 and answer.get("id") == digest:
-            channel.release(int(step))
+            channel.release(int(step), answer.get("revision"))
             if on_step is not None:
                 on_step(int(step))
 

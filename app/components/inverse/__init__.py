@@ -69,8 +69,7 @@ def inverse(
         answer = st.session_state[widget].released
         if isinstance(answer, Mapping) and (channel.answered(answer, _HELD) or "state" in answer):
             found = checked(answer.get("state"), state)
-            channel.release(asdict(found))
-            on_release(found)
+            on_release(State(**channel.release(asdict(found), answer.get("revision"))))
 
     packed = pack(header, channel.due(digest, data))
     assets.component("inverse")(key=widget, data=packed, on_released_change=released, height="content")

@@ -9,7 +9,7 @@ from __future__ import annotations
 import base64
 import json
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from typing import Any
 
 import streamlit as st
@@ -166,7 +166,7 @@ def lens(
         if not isinstance(answer, Mapping) or (not channel.answered(answer, _HELD) and "state" not in answer):
             return
         report = _released(answer, presets)
-        channel.release(report.state)
+        report = replace(report, state=channel.release(report.state, answer.get("revision")))
         if on_release is not None:
             on_release(report)
 

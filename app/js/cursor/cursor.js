@@ -47,8 +47,8 @@ export const component = ({ kind, open, mount, shown = (told) => told.id }) => {
     const opened = await found(told.id, data.subarray(4 + length));
     let kept = mounted.get(parentElement);
     if (!opened) {
-      const unheard = kept?.unheard !== undefined && { step: kept.unheard, id: kept.id };
-      setTriggerValue('rested', { missing: told.id, ...unheard });
+      const { unheard: step, id, revision } = kept ?? {};
+      setTriggerValue('rested', { missing: told.id, ...(step !== undefined && { step, id, revision }) });
       return;
     }
     if (kept && kept.shown === shown(told) && kept.host.isConnected) {
@@ -68,7 +68,8 @@ export const component = ({ kind, open, mount, shown = (told) => told.id }) => {
     // step that Python has not confirmed yet.
     const report = (heard) => {
       made.unheard = heard.step ?? made.unheard;
-      kept.report('rested', made.unheard === undefined ? heard : { ...heard, step: made.unheard });
+      const { revision, unheard } = kept;
+      kept.report('rested', { ...heard, revision, ...(unheard !== undefined && { step: unheard }) });
     };
     kept = Object.assign(made, mount(host, opened, told, report));
     Object.assign(kept, { shown: shown(told), revision: told.revision, report: setTriggerValue });

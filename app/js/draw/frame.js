@@ -86,7 +86,7 @@ export const top = (values) => values.reduce((a, b) => Math.max(a, b), 0);
 export const leastSpan = ({ arrays }) =>
   arrays.rewards ? 0.05 * Math.max(1e-9, ...arrays.rewards.map(Math.abs)) : 1e-3;
 
-// Of actions, so that their lines can be told apart without their colours: disc, square, triangle, diamond.
+// Of actions, so that their lines differ without their colours: disc, square, triangle, diamond.
 const SHAPES = [
   { corners: 12, turn: 0, size: 1 },
   { corners: 4, turn: Math.PI / 4, size: 1.2 },

@@ -1,5 +1,5 @@
 // The page of the inverse inside Streamlit: one alpha, dragged on any of its pictures. The server answers releases only;
-// the rule of payloads, revisions and releases is written down in app/session/message.py.
+// the rule of payloads, revisions and releases is written down in laplace_core/exchange/messages.py.
 /** @import { InverseModel, InverseScene, InverseTold, Message } from '../types.js' */
 import { coloursOf } from '../draw/colours.js';
 import { sheet, short } from '../draw/drawing.js';
@@ -41,15 +41,16 @@ export default function ({ data, parentElement, setTriggerValue }) {
   if (!model) {
     // This answer takes the place of a release that Python has not read: so it repeats it.
     const last = released.get(told.name);
-    setTriggerValue('released', { missing: told.id, ...(last?.revision === told.revision && { state: last.state }) });
+    const repeated = last?.revision === told.revision && { revision: told.revision, state: last.state };
+    setTriggerValue('released', { missing: told.id, ...repeated });
     return;
   }
   const kept = mounted.get(parentElement),
     shape = JSON.stringify([told.name, model.header.rules, Object.keys(model.arrays)]);
   const report = (state) => {
     const { name, id, revision } = mounted.get(parentElement).told();
-    released.set(name, { id, revision, state });
-    setTriggerValue('released', { id, state });
+    released.set(name, { revision, state });
+    setTriggerValue('released', { id, revision, state });
   };
   if (kept && kept.host.isConnected && kept.shape === shape) {
     kept.report = report;
@@ -60,7 +61,7 @@ export default function ({ data, parentElement, setTriggerValue }) {
     host = /** @type {HTMLElement} */ (there ?? element('div', { class: 'laplace-inverse' }));
   if (!there) parentElement.append(host);
   const last = released.get(told.name);
-  if (last?.id === told.id && last.revision === told.revision) told.state = last.state;
+  if (last?.revision === told.revision) told.state = last.state;
   const fresh = { host, shape, report };
   Object.assign(
     fresh,

@@ -39,7 +39,8 @@ export default function ({ data, parentElement, setTriggerValue }) {
   if (!given) {
     // This answer takes the place of a release that Python has not read: so it repeats it.
     const last = released.get(name);
-    setTriggerValue('released', { missing: id, ...(last?.revision === revision && { state: last.state }) });
+    const repeated = last?.revision === revision && { revision, state: last.state };
+    setTriggerValue('released', { missing: id, ...repeated });
     return;
   }
   const [model, told] = led(given, { ...message, live: true, template }),
@@ -55,13 +56,13 @@ export default function ({ data, parentElement, setTriggerValue }) {
     box = there ?? element('div', { class: 'laplace-lens-box' });
   if (!there) parentElement.append(box);
   const last = released.get(name),
-    state = last?.id === id && last.revision === revision ? last.state : message.state;
+    state = last?.revision === revision ? last.state : message.state;
   const fresh = { id, revision, shape, world: model.header.world, report: setTriggerValue };
   mounted.set(parentElement, fresh);
   // The same world in another shape, learned after exact, keeps what the hand did and is about to do.
   const before = kept?.world === model.header.world ? kept.lens.leave() : undefined;
   fresh.lens = mount(box, model, { ...told, state, kept: before }, (heard) => {
-    released.set(name, { id: fresh.id, revision: fresh.revision, state: heard.state });
-    fresh.report('released', { ...heard, id: fresh.id });
+    released.set(name, { revision: fresh.revision, state: heard.state });
+    fresh.report('released', { ...heard, id: fresh.id, revision: fresh.revision });
   });
 }

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import struct
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -29,9 +28,7 @@ from laplace_core.study.settings import resolve_for_gamma_space
 from laplace_core.trained import observations, truths
 from laplace_core.training.checkpoint import load_checkpoint, new_agent, save_checkpoint
 from tests.support.lens_reference import unpacked
-from tests.support.pages import charts, link, run, wait
-
-MAIN = str(Path(__file__).resolve().parents[3] / "app" / "main.py")
+from tests.support.pages import MAIN, PATIENCE, charts, link, run, wait
 
 
 @pytest.fixture
@@ -47,7 +44,7 @@ def shipped(tmp_path, monkeypatch):
 
 
 def opened(**query: str) -> AppTest:
-    page = AppTest.from_file(MAIN, default_timeout=60)
+    page = AppTest.from_file(MAIN, default_timeout=PATIENCE)
     page.switch_page("screens/agents.py")
     for name, value in query.items():
         page.query_params[name] = value

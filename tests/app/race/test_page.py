@@ -27,7 +27,7 @@ from laplace_core.payloads.track import payload
 from laplace_core.trained import races as trained
 from laplace_core.trained.races import Control
 from laplace_core.training.checkpoint import Loaded, load_checkpoint, new_agent, save_checkpoint
-from tests.support.pages import MAIN, charts, link, press, run, wait
+from tests.support.pages import MAIN, PATIENCE, charts, link, press, run, wait
 
 
 def saved(path: Path, settings) -> None:
@@ -52,7 +52,7 @@ def settled(page: AppTest) -> AppTest:
 
 
 def opened(**query: str) -> AppTest:
-    page = AppTest.from_file(MAIN, default_timeout=60)
+    page = AppTest.from_file(MAIN, default_timeout=PATIENCE)
     page.switch_page("screens/race.py")
     for name, value in query.items():
         page.query_params[name.replace("_", ".", 1) if name.startswith("d_") else name] = value

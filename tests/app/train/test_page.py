@@ -17,7 +17,7 @@ from laplace_core.training.queue import Queue
 from laplace_core.training.run_folder import read_config
 from tests.support import pages
 from tests.support.hostile import assert_one_sentence
-from tests.support.pages import MAIN, labels, link, press, run, wait
+from tests.support.pages import MAIN, PATIENCE, labels, link, press, run, wait
 from tests.support.quick_runs import SMALL, stand_in, states
 from tests.support.train_page import FORM, NAME, opened, words
 
@@ -138,7 +138,7 @@ def test_runs_of_a_stopped_server_go_on_whichever_page_is_opened(tmp_path, monke
     monkeypatch.undo()
     stand_in(monkeypatch)
     monkeypatch.setenv(training_runs.VARIABLE, str(tmp_path / "left"))
-    page = run(AppTest.from_file(MAIN, default_timeout=60))
+    page = run(AppTest.from_file(MAIN, default_timeout=PATIENCE))
     wait(page, lambda page: states(before)[name] == "training")
     assert states(training_runs.queue()) == {name: "training"}  # the page's own queue sees the same
     training_runs.queue().stop(name)

@@ -151,6 +151,7 @@ def test_a_learned_view_is_pinned_as_it_was_learned():
     assert pictures(run(again)) == pictures(page)
 
 
+@pytest.mark.long
 def test_a_pinned_run_is_not_stopped_by_what_is_learned_beside_it():
     pinned = link(pin(learn(**{"p.slip": "0.2"})))["pin"]
     page = opened(pin=pinned, **QUICK | {"l.seed": "5"})

@@ -138,7 +138,7 @@ def test_an_unknown_rule_is_refused(run, capsys):
     assert_refused(capsys, ["evaluate", str(run / "best.safetensors"), "--rule", "lucky"], "lucky")
 
 
-@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGINT])
+@pytest.mark.parametrize("number", [signal.SIGTERM, pytest.param(signal.SIGINT, marks=pytest.mark.long)])
 def test_a_signal_ends_a_run_with_a_resume_point_and_says_how_to_go_on(number, tmp_path):
     folder = tmp_path / "run"
     words = ["train", "laplace", "two_branch", *SMALL, "--steps", "100000", "--evaluate-every", "100000"]

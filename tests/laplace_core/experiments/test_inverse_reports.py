@@ -8,6 +8,7 @@ from laplace_core.cli import main
 from laplace_core.experiments.inverse import alarms, bumps, certificates, timelines
 
 
+@pytest.mark.long
 def test_certificates(capsys):
     assert main(["report", "inverse-certificates", "--cases", "2", "--json"]) == 0
     rows = json.loads(capsys.readouterr().out)["rows"]

@@ -182,6 +182,7 @@ def without_times(row: dict) -> dict:
     return {name: value for name, value in row.items() if name not in ("seconds", "date", "command")}
 
 
+@pytest.mark.long
 def test_an_interrupted_training_goes_on_to_the_same_result(tmp_path, monkeypatch):
     """SIGTERM to the command in the middle of a training of CartPole, whose state can be saved."""
     cell = Cell("CartPole", "laplace", "CartPole-v1", BRIEF, seeds=(0,))

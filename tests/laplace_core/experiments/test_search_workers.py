@@ -207,6 +207,7 @@ def without_seconds(rows: list[dict]) -> list[dict]:
     return [{name: value for name, value in row.items() if name != "seconds"} for row in rows]
 
 
+@pytest.mark.long
 def test_a_search_that_is_killed_goes_on_from_its_checkpoints_to_the_same_result(tmp_path, capsys):
     """Compared with a search never interrupted: the same values are tried, and found to be worth the same."""
     killed, whole = tmp_path / "killed", tmp_path / "whole"

@@ -28,7 +28,7 @@ def test_a_consistent_space_raises_no_alarm():
     assert 0.3 < found.misfit / found.usual < 3.0
 
 
-@pytest.mark.parametrize("noise", [1e-3, 1e-4, 1e-5])
+@pytest.mark.parametrize("noise", [1e-3, 1e-4, pytest.param(1e-5, marks=pytest.mark.long)])
 def test_the_best_fit_is_no_worse_than_the_truth_however_small_the_noise(noise):
     """The true timeline is feasible, so its misfit, the sum of squares of the whitened noise, bounds the smallest.
 

@@ -210,9 +210,9 @@ VIEWS = [
     ("fig6_chain", 4, {"alpha": 10.0}),
     ("rise_and_fade", 5, {"steps": 5}),
     ("discounting_chain", 60, {"normalise": "survival"}),
-    ("cliff_grid", 40, {"noise": 1e-3}),
-    ("cliff_grid", 17, {}),
-    ("gym:FrozenLake-v1", 30, {"normalise": "paper"}),
+    pytest.param("cliff_grid", 40, {"noise": 1e-3}, marks=pytest.mark.long),
+    pytest.param("cliff_grid", 17, {}, marks=pytest.mark.long),
+    pytest.param("gym:FrozenLake-v1", 30, {"normalise": "paper"}, marks=pytest.mark.long),
     ("gym:Taxi-v4", 60, {"noise": 1e-3}),
 ]
 

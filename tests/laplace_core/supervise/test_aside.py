@@ -16,7 +16,7 @@ import pytest
 from laplace_core import InputError
 from laplace_core.supervise import aside
 from laplace_core.supervise.aside import Aside
-from tests.support.jobs import die, die_once, note_and_wait, priority, refuse, square, unsendable
+from tests.support.jobs import Paused, die, die_once, long_answer, note_and_wait, priority, refuse, square, unsendable
 from tests.support.quick_runs import until
 
 ROOT = Path(__file__).parents[3]
@@ -107,6 +107,19 @@ def test_the_call_of_a_session_that_has_left_is_given_up(made, tmp_path):
     assert kept == {"short": 4}
 
 
+def test_a_process_that_is_ended_in_the_middle_of_an_answer_ends_its_reader(monkeypatch):
+    """And raises no error there: a file that one thread closed while another read it did."""
+    raised = []
+    monkeypatch.setattr(threading, "excepthook", raised.append)
+    process = aside._Process()
+    process.send(long_answer, ())
+    assert Paused.is_read.wait(60)
+    process.end()
+    Paused.goes_on.set()
+    until(lambda: "answers from aside" not in [thread.name for thread in threading.enumerate()])
+    assert not raised
+
+
 def test_small_calls_go_first(made, tmp_path):
     calls, kept = made()
     calls.ask("a", "long", note_and_wait, (str(tmp_path), 0))
@@ -141,7 +154,7 @@ def test_the_process_has_low_priority_and_ends_when_nothing_is_asked(made, monke
     calls, kept = made()
     calls.ask("a", "nice", priority)
     assert calls.is_over("nice", 60)
-    assert kept["nice"] == 19
+    assert kept["nice"] == aside.LOW
     until(lambda: not set(psutil.Process().children()) - before)
     calls.ask("a", "again", square, 2)  # and begins again
     assert calls.is_over("again", 60)

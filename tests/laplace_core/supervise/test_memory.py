@@ -35,6 +35,7 @@ def _pages(how: str) -> int:
     return int(done.stdout)
 
 
+@pytest.mark.long
 @pytest.mark.skipif(platform.libc_ver()[0] != "glibc", reason="only glibc is told how to keep memory")
 def test_tensors_are_made_of_the_pages_of_the_last_ones():
     """Fifty tensors of 4 MiB, of 1,024 pages each: all are fetched unless they are kept, and then at most a few."""

@@ -175,7 +175,9 @@ def test_sigterm_ends_it_and_leaves_a_whole_file(tmp_path):
     assert [entry.name for entry in tmp_path.iterdir()] == ["agent.safetensors"]
 
 
-@pytest.mark.parametrize(("end", "snapshots"), [(signal.SIGTERM, 1), (signal.SIGKILL, 2)])
+@pytest.mark.parametrize(
+    ("end", "snapshots"), [pytest.param(signal.SIGTERM, 1, marks=pytest.mark.long), (signal.SIGKILL, 2)]
+)
 def test_killed_at_any_moment_the_file_is_whole(tmp_path, end, snapshots):
     """Killed in the middle of a snapshot, after some whole ones: something is in the file that is to take its place."""
     out = tmp_path / "agent.safetensors"

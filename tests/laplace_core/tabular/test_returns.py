@@ -169,6 +169,7 @@ def test_independent_steps_come_from_the_tau_space_that_is_seen(learned):
     np.testing.assert_array_equal(found.codes["independent_steps"], wanted)
 
 
+@pytest.mark.long
 def test_where_steps_are_independent_they_say_the_truth():
     learning = Learning(load_world("fig6_chain"), LearnSettings(peers=True, episodes=3_000))
     for _ in learning:

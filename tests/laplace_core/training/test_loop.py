@@ -136,7 +136,7 @@ def test_a_run_left_anywhere_goes_on_to_the_same_end(tmp_path, whole, step):
     assert same_weights(folder, whole)
 
 
-@pytest.mark.parametrize("checkpoints", [1, 5])
+@pytest.mark.parametrize("checkpoints", [1, pytest.param(5, marks=pytest.mark.long)])
 def test_a_killed_run_goes_on_to_the_same_end(tmp_path, whole, checkpoints):
     """SIGKILL while the child is at work on what follows its first or fifth file."""
     folder = tmp_path / "run"

@@ -39,7 +39,9 @@ def trained(algorithm: str, world: str, folder: Path, **changes) -> Agent:
     return load_checkpoint(folder / "last.safetensors").agent
 
 
-@pytest.mark.parametrize("algorithm", PEERS)
+@pytest.mark.parametrize(
+    "algorithm", [pytest.param(name, marks=() if name in ("c51", "dqn") else pytest.mark.long) for name in PEERS]
+)
 def test_a_peer_learns_the_values_and_the_return_of_its_world(algorithm, tmp_path):
     """double_chain: at the start chance decides between .6 at step 2 and 1 at step 6, so that the return has two atoms.
 

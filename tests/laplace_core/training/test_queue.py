@@ -258,6 +258,7 @@ def test_a_run_that_another_process_trains_is_not_resumed(tmp_path):
     assert read_process(tmp_path / "one") is None  # nobody trains it any more
 
 
+@pytest.mark.long
 def test_a_real_run_that_was_stopped_and_resumed_is_one_that_was_not(tmp_path):
     """By the queue's own thread and the real command; the stop comes at no particular step."""
     runs, settings = Queue(tmp_path / "runs"), replace(SMALL, steps=1500, evaluate_every=700, checkpoint_every=1500)
