@@ -34,8 +34,8 @@ Key = TypeVar("Key", bound=Hashable)
 Result = TypeVar("Result")
 
 LOW = 10
-"""Niceness of the process: it gets a tenth of a core that others want. At 19 it gets a hundredth, and never ends a search
-on a busy server."""
+"""Niceness of the process: it gets a tenth of a core that others want. At 19 it would get a hundredth, and a search on
+a busy server would not end."""
 IDLE = 60.0
 """Seconds without a call after which the process ends."""
 GIVEN = 2.0

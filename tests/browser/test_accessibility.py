@@ -151,9 +151,8 @@ def test_a_page_is_named_described_skipped_to_by_keys_and_whole_in_any_window(pa
         with subtests.test(width=width):
             page.set_viewport_size({"width": width, "height": height})
             settled(page)
-            with contextlib.suppress(
-                playwright.TimeoutError
-            ):  # the sidebar may open a while after its window has the room for it
+            # The sidebar may open a while after its window has the room for it.
+            with contextlib.suppress(playwright.TimeoutError):
                 page.wait_for_function(f"() => !({_CLIPPED})().length")
             assert page.evaluate(_CLIPPED) == []
 
