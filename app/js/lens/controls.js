@@ -72,7 +72,7 @@ export const SLIDERS = [
   [
     'horizon',
     'horizon T',
-    '',
+    'steps',
     'Deadline of the episode, in steps of the world.',
     ({ horizons, dt, K }) => linear(horizons[0], dt, K - 1),
   ],
