@@ -57,9 +57,12 @@ def shown(view: View) -> Shown:
 
 
 def independent(view: View) -> bool:
-    """Whether the errors of different sensitivities are independent: those of noise that was put in are, and those of
-    tabular learners are nearer to it than to being one."""
-    return isinstance(view.subject, Exact | Learner)
+    """Whether errors of different sensitivities are independent.
+
+    Those of noise that was put in are. A learner learns all sensitivities from the same steps: its errors are nearer to
+    one error that all share.
+    """
+    return isinstance(view.subject, Exact)
 
 
 def key_of(view: View) -> Hashable:
@@ -100,7 +103,7 @@ def _payload(subject: Subject, settings: Resolved, action: int) -> bytes:
     if isinstance(subject, Learner) and settings.noise_levels is not None:
         assert isinstance(study.settings, ResolvedForWorld)  # a learner has a world
         gain = reward_gain_over_seeds(subject.learned, study.settings)
-    data = payload(study, action, found, along, independent=isinstance(subject, Exact | Learner), gain=gain)
+    data = payload(study, action, found, along, independent=isinstance(subject, Exact), gain=gain)
     if len(data) > MOST_PAYLOAD * 1_000_000:
         raise InputError(
             f"these pictures would take {len(data) / 1e6:.0f} MB in the browser, above {MOST_PAYLOAD}: lower thetas, "

@@ -90,13 +90,13 @@ def bands_of_study(study: Study) -> Bands | None:
     """Errors of the expected rewards of a study, ``(A, K)``, before any rescaling; None where no noise level is given.
 
     Of a linear solver the noise is exact; of another one it is measured over a few draws. Errors of different
-    sensitivities are taken to be independent in a study of a world, and not in what a network has learned.
+    sensitivities are taken to be independent in exact values, and not in what was learned, from steps that they share.
     """
     s, space = study.settings, study.gamma_space
     deviations = noise_of(s, space.gammas)
     if deviations is None:
         return None
-    independent = isinstance(study, WorldStudy)
+    independent = isinstance(study, WorldStudy) and study.learned is None
     if is_linear(s.solver):
         matrix = inverted(np.eye(space.gammas.size), space.gammas, s)
         return bands(space, s.steps, s.alpha, deviations, time_step=s.time_step, independent=independent, matrix=matrix)

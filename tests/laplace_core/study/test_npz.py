@@ -14,7 +14,7 @@ from laplace_core.code.gamma_space import with_noise
 from laplace_core.inverse.bands import reward_gain
 from laplace_core.study import npz as saved_module
 from laplace_core.study.npz import bands_of_study, npz_bytes, read_gamma_space, save_study, states_of, study_arrays
-from laplace_core.study.pipeline import GammaSpace, decoder, read_study, study, study_of_gamma_space
+from laplace_core.study.pipeline import GammaSpace, basis_of, decoder, read_study, study, study_of_gamma_space
 from laplace_core.study.settings import Settings
 from tests.support.hostile import assert_nothing_written, assert_one_sentence
 from tests.support.malformed_saved import (
@@ -381,3 +381,14 @@ def test_a_file_of_a_network_has_a_band_of_errors_that_sensitivities_share():
     gain = reward_gain(space, independent=False)
     np.testing.assert_allclose(shared[0], gain * np.sqrt(inverse**2 @ deviations**2))
     assert gain > 1.0  # a step of reward for each layer, in units of reward
+
+
+def test_a_file_of_a_learner_has_a_band_of_errors_that_sensitivities_share():
+    """As the page of the inverse and the verdict have it: all are learned from the same steps."""
+    world, settings = load_world("two_branch"), Settings(world="two_branch", noise_level=0.01, steps=8, thetas=30)
+    exact = study(world, settings)
+    learned = study(world, settings, learned=basis_of(exact))
+    ratio = bands_of_study(learned).noise / bands_of_study(exact).noise
+    gains = [reward_gain(exact.gamma_space, independent=each) for each in (False, True)]
+    np.testing.assert_allclose(ratio, gains[0] / gains[1])
+    assert abs(gains[0] / gains[1] - 1.0) > 0.1

@@ -9,6 +9,7 @@ import pytest
 
 from laplace_core import InputError, Settings, load_world, study
 from laplace_core.inverse import choose_alpha, problem_of
+from laplace_core.inverse.bands import reward_gain
 from laplace_core.study.pipeline import deviations_of, grids, noise_of
 from laplace_core.study.settings import resolve
 from laplace_core.tabular import (
@@ -112,3 +113,15 @@ def test_the_gain_is_that_of_each_seeds_expected_reward(learned, settings):
     deviations = noise_over_seeds(learned, settings) / (1 - learned.gammas)
     expected = np.sqrt(np.mean((errors / deviations) ** 2))
     assert reward_gain_over_seeds(learned, settings) == pytest.approx(expected, rel=1e-9)
+
+
+@pytest.mark.parametrize(("world", "params"), [("two_branch", PARAMS), ("rise_and_fade", ())])
+def test_the_errors_of_a_learner_are_nearer_to_one_error_than_to_independent_ones(world, params):
+    learning = Learning(load_world(world, dict(params)), LearnSettings(episodes=60, seeds=8, gammas=15))
+    for _ in learning:
+        pass
+    found = learning.snapshot()
+    s = resolve(Settings(world=world, params=params, gammas=15), found.world)
+    measured = reward_gain_over_seeds(found, s)
+    shared, independent = (reward_gain(study_of(found, s, 0).gamma_space, independent=each) for each in (False, True))
+    assert abs(np.log(measured / shared)) < abs(np.log(measured / independent))
