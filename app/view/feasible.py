@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 import streamlit as st
+from streamlit.delta_generator import DeltaGenerator
 
 from app.components.waiting import offer, progress
 from app.session.jobs import Wish, background, leave
@@ -46,7 +47,7 @@ def drawn(view: View) -> tuple[View, str | None]:
     Raises:
         InputError: settings that do not fit each other.
     """
-    if view.settings.solver != SOLVER or compute.is_known(view):
+    if view.settings.solver != SOLVER:
         leave(SLOT)
         return view, None
     shown = linear(view)
@@ -54,6 +55,10 @@ def drawn(view: View) -> tuple[View, str | None]:
     seconds = _seconds(view)
     if seconds <= AT_ONCE:
         leave(SLOT)
+        return view, None
+    if compute.is_known(view):
+        leave(SLOT)
+        _said_of_what_is_there()
         return view, None
     base = compute.unread(view)
     wish = wish_for(base, seconds)
@@ -63,6 +68,7 @@ def drawn(view: View) -> tuple[View, str | None]:
     if job is not None and not job.going and not job.gone:
         compute.remember(base, *job.result())  # or raises the sentence that refuses it
         compute.is_known(view)
+        _said_of_what_is_there()
         return view, None
     _said(wish, job)
     return shown, SOLVER
@@ -81,12 +87,26 @@ def wish_for(view: View, seconds: float) -> Wish[tuple[Study, Study | None]]:
 
 
 def _said(wish: Wish[tuple[Study, Study | None]], job: Job[tuple[Study, Study | None]] | None) -> None:
-    with st.container(key="feasible_timeline"):
+    with _line():
         if job is None or not job.going:
-            offer(wish, "Compute the feasible timeline", key="compute_feasible", words="This is the linear timeline.")
+            words, button = st.columns([3, 2], vertical_alignment="center")
+            offer(
+                wish, "Compute the feasible timeline", key="compute_feasible", words="This is the linear timeline.",
+                place=words, button_place=button,
+            )  # fmt: skip
         else:
             words = "The feasible timeline is being computed; this is the linear one."
             progress(job, words, wish.cancel, key="cancel_feasible")
+
+
+def _said_of_what_is_there() -> None:
+    with _line():
+        st.caption("This is the feasible timeline.")
+
+
+def _line() -> DeltaGenerator:
+    """One line above the pictures, as high whatever it says: what comes and goes in it moves no picture."""
+    return st.container(key="feasible_timeline")
 
 
 def _made(view: View, progress: Progress) -> tuple[Study, Study | None]:

@@ -65,12 +65,16 @@ def test_the_linear_timeline_is_drawn_until_the_feasible_one_is_there(page, addr
     comes_to_show(page, linear)
     choose(page)
     comes_to_show(page, linear)
+    top = page.locator(".laplace-lens").bounding_box()["y"]
     cancel(page)
     comes_to_show(page, linear)
+    tops = [page.locator(".laplace-lens").bounding_box()["y"]]
     page.get_by_role("button", name="Compute the feasible timeline").click()
     comes_to_show(page, feasible)
     settled(page)
     expect(page.get_by_text(re.compile("linear (one|timeline)"))).to_have_count(0)
+    tops.append(page.locator(".laplace-lens").bounding_box()["y"])
+    assert tops == pytest.approx([top, top], abs=1.0), "the pictures stay where they are"
 
     # Another horizon is read from the same timeline.
     page.locator("input[name=horizon]").press("ArrowLeft")
