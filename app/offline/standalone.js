@@ -2271,7 +2271,7 @@ var SLIDERS = [
   [
     "horizon",
     "horizon T",
-    "",
+    "steps",
     "Deadline of the episode, in steps of the world.",
     ({ horizons, dt, K }) => linear(horizons[0], dt, K - 1)
   ],

@@ -85,6 +85,12 @@ const alphaRange = ({ arrays: { alphas }, header: { first } }) => {
   return high > low ? [low, high] : [low - 1, high + 1];
 };
 
+// The place of an alpha on the L-curve; that of an alpha beyond the sweep is at the edge.
+function dotOf({ residual, size }, { X, Y, box }) {
+  const within = (value, low, high) => Math.min(high, Math.max(low, value));
+  return [within(X(Math.log10(residual)), box.x, box.x + box.w), within(Y(Math.log10(size)), box.y, box.y + box.h)];
+}
+
 /** @type {InversePanel} */
 const lcurve = {
   name: 'lcurve',
@@ -111,14 +117,14 @@ const lcurve = {
       colours,
     });
     line(pen, xs.map(scale.X), ys.map(scale.Y), { stroke: colours.primary, width: 2 });
-    const within = (value, low, high) => Math.min(high, Math.max(low, value)), // an alpha beyond the sweep: at its end
-      px = within(scale.X(Math.log10(made.residual)), box.x, box.x + box.w),
-      py = within(scale.Y(Math.log10(made.size)), box.y, box.y + box.h);
+    const [px, py] = dotOf(made, scale);
     pen.path(disc(px, py, 6), { fill: CURSOR, stroke: colours.paper, width: 1.5, close: true });
     return scale;
   },
-  handle: ({ made }, { X, Y }, px, py) =>
-    Math.hypot(px - X(Math.log10(made.residual)), py - Y(Math.log10(made.size))) < FINGER,
+  handle(scene, scale, px, py) {
+    const [x, y] = dotOf(scene.made, scale);
+    return Math.hypot(px - x, py - y) < FINGER;
+  },
   drag({ model, images }, { X, Y }, px, py) {
     const alphas = model.arrays.alphas.slice(model.header.first),
       xs = images.misfits,
