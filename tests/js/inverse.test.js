@@ -71,6 +71,19 @@ test('the nearest alpha is nearest in the logarithm', () => {
   assert.equal(nearest(Float64Array.of(0.01, 1, 100), 0.05), 0);
 });
 
+test('a finger takes hold of the dot of the L-curve where it is drawn, also of an alpha beyond the sweep', () => {
+  const model = models['0 tikhonov'],
+    words = Object.fromEntries(model.header.rules.map((name) => [name, { title: name, why: '', formula: '' }])),
+    { handle } = panelsOf(model, words).curve,
+    box = { x: 50, y: 10, w: 200, h: 100 },
+    scale = /** @type {any} */ ({ X: (value) => 100 + 10 * value, Y: (value) => 60 - 10 * value, box });
+  assert.ok(handle);
+  const scene = (residual, size) => /** @type {any} */ ({ made: { residual, size } });
+  assert.ok(handle(scene(1, 1), scale, 100, 60));
+  assert.ok(!handle(scene(1, 1), scale, 250, 10));
+  assert.ok(handle(scene(1e40, 1e40), scale, 250, 10), 'it is drawn at the corner');
+});
+
 test('a hand on the L-curve and on the curve of a rule sets an alpha of the sweep', () => {
   const model = models['0 tikhonov'],
     { alphas, residual, size } = model.arrays,
