@@ -58,7 +58,7 @@ verify: .venv/.verify
 	$(BIN)/python -m laplace_core report grids --horizon 50 --check
 	$(BIN)/python -m laplace_core report grids --horizon 200 --noise 0.01 --check
 	$(BIN)/python -m laplace_core report inverse-certificates --check
-	$(BIN)/python -m laplace_core report inverse-consistency --check
+	$(BIN)/python -m laplace_core report inverse-consistency --jobs 2 --check
 	$(BIN)/python -m laplace_core report inverse-bumps --check
 	$(BIN)/python -m laplace_core report inverse-feasible --check
 	$(BIN)/python -m laplace_core report inverse-agents --check
