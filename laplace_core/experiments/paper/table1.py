@@ -28,7 +28,7 @@ from laplace_core.study.horizon import deadline_weights
 from laplace_core.training.checkpoint import Loaded, load_checkpoint
 
 ENVIRONMENT, HORIZONS = "LunarLander-v3", (50, 100, 200, None)
-CHECKPOINTS = Path("checkpoints")
+CHECKPOINTS = Path(__file__).resolve().parents[3] / "checkpoints"
 SEEDS = tuple(f"seeds/laplace_{ENVIRONMENT}_{seed}" for seed in range(5))
 PEERS = ("c51", "qrdqn", "dqn")
 RULES = ("greedy", "matched", "fading")
