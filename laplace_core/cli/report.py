@@ -9,6 +9,7 @@ from importlib import import_module
 from pathlib import Path
 
 from laplace_core.cli.options import checked_number
+from laplace_core.errors import InputError
 from laplace_core.files.atomic import write_whole
 from laplace_core.training.defaults import settings_of
 
@@ -40,6 +41,7 @@ def add_report(verbs: argparse._SubParsersAction[argparse.ArgumentParser]) -> No
 
     auto = kinds.add_parser("auto", help="fit the coefficients of the selector auto to random worlds")
     auto.add_argument("--worlds", default="1000", metavar="N", help="random worlds (default: 1000)")
+    auto.add_argument("--solvers", metavar="NAMES", help="solvers to fit, separated by commas (default: all)")
     auto.add_argument("--jobs", default="1", metavar="N", help="processes at a time (default: 1)")
     auto.add_argument("--out", metavar="FILE.json", help="write the coefficients there")
     auto.add_argument("--json", action="store_true", help="print JSON")
@@ -190,7 +192,14 @@ def _auto(options: argparse.Namespace) -> None:
     jobs = checked_number("jobs", options.jobs, int, 1, high=256)
     from laplace_core.experiments.inverse import auto_fit
 
-    numbers, text = auto_fit.report(worlds, jobs)
+    fitted = (*auto_fit.LEARNED, *auto_fit.SLOW)
+    solvers = fitted if options.solvers is None else tuple(options.solvers.split(","))
+    for name in solvers:
+        if name not in fitted:
+            raise InputError(f"solver {name[:40]!r} is not one of {', '.join(fitted)}.")
+    if set(solvers) & set(auto_fit.SLOW) and "tikhonov" not in solvers:
+        raise InputError("the feasible solver is fitted to what the network of tikhonov says: name tikhonov as well.")
+    numbers, text = auto_fit.report(worlds, jobs, solvers=solvers)
     if options.out is not None:
         write_whole(Path(options.out), auto_fit.as_file(numbers))
     print(json.dumps(numbers, indent=1) if options.json else text)

@@ -4,11 +4,11 @@ Rules such as cross-validation make the *prediction* of gamma-space best. What a
 factor that depends on the transform and on the data, and no rule knows it. Here log alpha is a function of a few
 numbers that any problem has (:data:`FEATURES`): among them two rules that need no noise level, marginal likelihood and
 quasi-optimality, both on the masses that are to be decoded, and a profile of what Tikhonov would leave of the masses at
-a dozen alphas (:data:`PROFILE`). For each linear solver, with and without deviations of the discounts, a network of two
-hidden layers gives log alpha; for the slow ones, of which examples are few, a weighted sum of the first eight numbers
-and of what the network says for Tikhonov.
-Both are those which come nearest to the alphas whose timelines are nearest to the truth
-(``python -m laplace_core report auto``). How good the result is on other worlds: ``python -m laplace_core study``.
+a dozen alphas (:data:`PROFILE`). For each linear solver and the non-negative one, with and without deviations of the
+discounts, a network of two hidden layers gives log alpha; for the feasible one, of which examples are few, a weighted
+sum of the first eight numbers and of what the network says for Tikhonov. Both are those which come nearest to the
+alphas whose timelines are nearest to the truth (``python -m laplace_core report auto``). How good the result is on
+other worlds: ``python -m laplace_core study``.
 """
 
 from __future__ import annotations

@@ -1,15 +1,17 @@
 """The coefficients of the selector ``auto``, fitted to random worlds of known truth.
 
-Every world is decoded from several grids of discounts, with noise of several sizes, by every linear solver with many
-alphas. A network learns the logarithm of alpha of each linear solver by descent on the distance itself: first on its
-logarithm, then more and more on whether it is at most ``NEAR`` times the least. For the slow solvers alphas whose
-distance is at most ``GOOD`` times the least are good, and the weights of a sum are those whose alphas lie in or nearest
-to these intervals, in the logarithm, by least absolute deviations.
+Every world is decoded from several grids of discounts, with noise of several sizes, by every linear solver and the
+non-negative one with many alphas. A network learns the logarithm of alpha of each of these solvers by descent on the
+distance itself: first on its logarithm, then more and more on whether it is at most ``NEAR`` times the least. For the
+slow solver, the feasible one, alphas whose distance is at most ``GOOD`` times the least are good, and the weights of a
+sum are those whose alphas lie in or nearest to these intervals, in the logarithm, by least absolute deviations.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import json
+from collections.abc import Callable, Sequence
+from functools import partial
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -19,7 +21,7 @@ from laplace_core.code.encoding import PAPER_GAMMAS, discount_grid
 from laplace_core.experiments.inverse.random_cases import random_case
 from laplace_core.files.plain_json import as_json
 from laplace_core.inverse import LINEAR, solve
-from laplace_core.inverse.auto import FARTHEST, FEATURES, Network, features, summed
+from laplace_core.inverse.auto import COEFFICIENTS, FARTHEST, FEATURES, Network, features, summed
 from laplace_core.inverse.components import sweep_of
 from laplace_core.inverse.distances import mean_time_distance
 from laplace_core.inverse.problem import Problem
@@ -29,10 +31,16 @@ SEED = 1000
 """Of the worlds that are fitted; studies use others."""
 PROBLEMS = 4
 """Of each world, each with a grid and a noise of its own."""
-ALPHAS, FEW_ALPHAS = np.geomspace(1e-6, 100.0, 56), np.geomspace(1e-4, 100.0, 13)
-"""Of a linear solver, and of a slow one."""
-SLOW, SLOW_WORLDS, SLOW_PROBLEMS = ("nonnegative", "feasible"), 120, 1
-"""Slow solvers, and how many worlds and problems of each they are fitted to."""
+ALPHAS, SOME_ALPHAS, FEW_ALPHAS = (
+    np.geomspace(1e-6, 100.0, 56),
+    np.geomspace(1e-6, 30.0, 23),
+    np.geomspace(1e-4, 100.0, 13),
+)
+"""Of a linear solver, of the non-negative one, and of a slow one."""
+LEARNED = (*LINEAR, "nonnegative")
+"""Solvers whose alpha a network gives."""
+SLOW, SLOW_WORLDS, SLOW_PROBLEMS = ("feasible",), 120, 1
+"""Slow solvers, whose alpha a sum gives, and how many worlds and problems of each they are fitted to."""
 GOOD, NEAR = 1.2, 1.3
 NOTHING = 1e-6
 WEIGHTINGS = ("weighted", "equal")
@@ -54,8 +62,8 @@ class Example(NamedTuple):
     distances: np.ndarray
 
 
-def examples_of(world: int) -> list[Example]:
-    """All examples of one random world."""
+def examples_of(world: int, solvers: Sequence[str] = (*LEARNED, *SLOW)) -> list[Example]:
+    """All examples of one random world; they do not depend on which other solvers there are."""
     rng = np.random.default_rng([SEED, world, 1])
     case = random_case(np.random.default_rng([SEED, world]))
     examples = []
@@ -65,8 +73,8 @@ def examples_of(world: int) -> list[Example]:
         equal = Problem(weighted.masses, weighted.gammas, weighted.steps, weighted.time_step)
         slow = SLOW if world < SLOW_WORLDS and number < SLOW_PROBLEMS else ()
         for weighting, problem in zip(WEIGHTINGS, (weighted, equal), strict=True):
-            for solver in (*LINEAR, *slow):
-                alphas = ALPHAS if solver in LINEAR else FEW_ALPHAS
+            for solver in [each for each in solvers if each in LEARNED or each in slow]:
+                alphas = ALPHAS if solver in LINEAR else FEW_ALPHAS if solver in SLOW else SOME_ALPHAS
                 distances = [
                     mean_time_distance(
                         solve(problem, solver, alpha).masses, case.masses, case.settings.time_step
@@ -153,11 +161,17 @@ def near(examples: list[Example], chosen: np.ndarray) -> float:
 
 
 def report(
-    worlds: int, processes: int, progress: Callable[[int, int], None] = lambda done, of: None
-) -> tuple[dict[str, Any], str]:
-    """The file of coefficients, and a table: how near a fit to half of the worlds comes on the other half."""
+    worlds: int, processes: int, progress: Callable[[int, int], None] = lambda done, of: None,
+    solvers: Sequence[str] = (*LEARNED, *SLOW),
+) -> tuple[dict[str, Any], str]:  # fmt: skip
+    """The file of coefficients, and a table: how near a fit to half of the worlds comes on the other half.
+
+    Args:
+        solvers: that are fitted. A sum goes over what the network of Tikhonov says, so that a slow solver needs it as
+            well. Of the others the file keeps what it has (:data:`laplace_core.inverse.auto.COEFFICIENTS`).
+    """
     examples: list[Example] = []
-    for done, (_, several) in enumerate(in_parallel(examples_of, range(worlds), processes)):
+    for done, (_, several) in enumerate(in_parallel(partial(examples_of, solvers=solvers), range(worlds), processes)):
         examples += several
         progress(done + 1, worlds)
     examples.sort(key=lambda each: each.world)
@@ -166,9 +180,14 @@ def report(
         "that was not fitted",
         f"{'solver':11} " + " ".join(f"{name:>10}" for name in WEIGHTINGS),
     ]
-    networks: dict[str, dict[str, Any]] = {solver: {} for solver in LINEAR}
-    coefficients: dict[str, dict[str, list[float]]] = {solver: {} for solver in SLOW}
-    shares: dict[str, dict[str, float]] = {solver: {} for solver in (*LINEAR, *SLOW)}
+    held = {} if set(solvers) >= {*LEARNED, *SLOW} else json.loads(COEFFICIENTS.read_text(encoding="utf-8"))
+    networks: dict[str, dict[str, Any]] = {
+        solver: {} if solver in solvers else held["networks"][solver] for solver in LEARNED
+    }
+    coefficients: dict[str, dict[str, list[float]]] = {
+        solver: {} if solver in solvers else held["coefficients"][solver] for solver in SLOW
+    }
+    shares: dict[str, dict[str, float]] = {solver: {} for solver in solvers}
     for weighting in WEIGHTINGS:
         own = [each for each in examples if each.weighting == weighting]
         whole, chosen = _fit(own), [_chosen(_fit(_half(own, half)), _half(own, 1 - half)) for half in (0, 1)]
@@ -182,9 +201,11 @@ def report(
             )
     for solver, each in shares.items():
         lines.append(f"{solver:11} " + " ".join(f"{each[name]:10.1%}" for name in WEIGHTINGS))
-    command = f"python -m laplace_core report auto --worlds {worlds}"
+    chosen_solvers = "" if not held else f" --solvers {','.join(solvers)}"
+    command = f"python -m laplace_core report auto --worlds {worlds}{chosen_solvers}"
+    commands = {**held.get("commands", {}), **dict.fromkeys(solvers, command)}
     numbers = {
-        "command": command, "features": list(FEATURES), "networks": networks, "coefficients": coefficients,
+        "commands": commands, "features": list(FEATURES), "networks": networks, "coefficients": coefficients,
         "near": shares,
     }  # fmt: skip
     return numbers, "\n".join(lines)
@@ -197,8 +218,8 @@ def _half(examples: list[Example], half: int) -> list[Example]:
 
 def _fit(examples: list[Example]) -> dict[str, Network | np.ndarray]:
     """By solver: a network of the linear ones, the weights of a sum of the slow ones; nothing from no examples."""
-    own = {solver: [each for each in examples if each.solver == solver] for solver in (*LINEAR, *SLOW)}
-    networks = {solver: fitted_network(own[solver]) for solver in LINEAR if own[solver]}
+    own = {solver: [each for each in examples if each.solver == solver] for solver in (*LEARNED, *SLOW)}
+    networks = {solver: fitted_network(own[solver]) for solver in LEARNED if own[solver]}
     sums = {solver: fitted_sum(own[solver], networks["tikhonov"]) for solver in SLOW if own[solver]}
     return {**networks, **sums}
 
@@ -211,9 +232,12 @@ def _chosen(
     for solver, fit in fits.items():
         own = [each for each in examples if each.solver == solver]
         numbers = np.array([each.features for each in own]).reshape(len(own), len(FEATURES))
-        tikhonov = fits["tikhonov"]
-        assert isinstance(tikhonov, Network)  # it is linear
-        alphas = fit.log_alpha(numbers) if isinstance(fit, Network) else summed(numbers, tikhonov) @ fit
+        if isinstance(fit, Network):
+            alphas = fit.log_alpha(numbers)
+        else:
+            tikhonov = fits["tikhonov"]
+            assert isinstance(tikhonov, Network)  # it is linear
+            alphas = summed(numbers, tikhonov) @ fit
         chosen[solver] = own, alphas
     return chosen
 
@@ -226,4 +250,4 @@ def _listed(network: Network) -> dict[str, Any]:
 
 def as_file(numbers: dict[str, Any]) -> bytes:
     """The file of coefficients as JSON."""
-    return as_json({name: numbers[name] for name in ("command", "features", "networks", "coefficients")})
+    return as_json({name: numbers[name] for name in ("commands", "features", "networks", "coefficients")})

@@ -7,6 +7,7 @@ import json
 import numpy as np
 import pytest
 
+from laplace_core.cli import main
 from laplace_core.experiments.inverse import auto_fit
 from laplace_core.experiments.inverse.auto_fit import (
     Example,
@@ -18,7 +19,7 @@ from laplace_core.experiments.inverse.auto_fit import (
     report,
 )
 from laplace_core.inverse import LINEAR
-from laplace_core.inverse.auto import FEATURES, network_of, summed
+from laplace_core.inverse.auto import COEFFICIENTS, FEATURES, network_of, summed
 
 ALPHAS = np.geomspace(1e-6, 100.0, 56)
 
@@ -72,6 +73,7 @@ def fitted():
         patch.setattr(auto_fit, "PROBLEMS", 1)
         patch.setattr(auto_fit, "SLOW_WORLDS", 2)
         patch.setattr(auto_fit, "FEW_ALPHAS", np.geomspace(1e-2, 10.0, 3))
+        patch.setattr(auto_fit, "SOME_ALPHAS", np.geomspace(1e-2, 10.0, 3))
         told: list[tuple[int, int]] = []
         numbers, text = report(2, 1, lambda done, of: told.append((done, of)))
     return numbers, text, told
@@ -81,13 +83,13 @@ def test_the_report_has_a_line_for_each_solver_and_a_file_that_can_be_read(fitte
     numbers, text, told = fitted
     assert told == [(1, 2), (2, 2)]
     held = json.loads(as_file(numbers))
-    assert list(held["networks"]) == list(LINEAR)
+    assert list(held["networks"]) == [*LINEAR, "nonnegative"]
     assert list(held["coefficients"]) == list(auto_fit.SLOW)
     for sets in held["networks"].values():
         for weighting in auto_fit.WEIGHTINGS:
             assert np.isfinite(network_of(sets[weighting]).log_alpha(np.zeros(len(FEATURES))))
     assert all(len(sets["equal"]) == 9 for sets in held["coefficients"].values())
-    assert [line.split()[0] for line in text.splitlines()[2:]] == [*LINEAR, *auto_fit.SLOW]
+    assert [line.split()[0] for line in text.splitlines()[2:]] == [*LINEAR, "nonnegative", *auto_fit.SLOW]
     assert all(0.0 <= share <= 1.0 for sets in numbers["near"].values() for share in sets.values())
 
 
@@ -96,9 +98,34 @@ def test_examples_have_the_distance_of_every_alpha(monkeypatch):
     monkeypatch.setattr(auto_fit, "SLOW_WORLDS", 0)
     examples = examples_of(3)
     assert [(each.weighting, each.solver) for each in examples] == [
-        (weighting, solver) for weighting in auto_fit.WEIGHTINGS for solver in LINEAR
+        (weighting, solver) for weighting in auto_fit.WEIGHTINGS for solver in (*LINEAR, "nonnegative")
     ]
     for each in examples:
         assert each.distances.shape == each.alphas.shape
         assert each.distances.min() > 0.0
         assert each.features.shape == (len(FEATURES),)
+
+
+def test_some_solvers_are_fitted_and_the_others_stay_as_they_are(fitted, monkeypatch):
+    monkeypatch.setattr(auto_fit, "EPOCHS", 3)
+    monkeypatch.setattr(auto_fit, "PROBLEMS", 1)
+    monkeypatch.setattr(auto_fit, "SOME_ALPHAS", np.geomspace(1e-2, 10.0, 3))
+    whole = json.loads(as_file(fitted[0]))
+    shipped = json.loads(COEFFICIENTS.read_text())
+    numbers, text = report(2, 1, solvers=("nonnegative",))
+    held = json.loads(as_file(numbers))
+    assert held["networks"].pop("nonnegative") == whole["networks"]["nonnegative"], "the same examples and the same fit"
+    assert held["networks"] == {name: sets for name, sets in shipped["networks"].items() if name != "nonnegative"}
+    assert held["coefficients"] == {"feasible": shipped["coefficients"]["feasible"]}
+    assert held["commands"]["nonnegative"].endswith("--worlds 2 --solvers nonnegative")
+    assert held["commands"]["tikhonov"] == shipped["commands"]["tikhonov"]
+    assert [line.split()[0] for line in text.splitlines()[2:]] == ["nonnegative"]
+
+
+@pytest.mark.parametrize(
+    ("names", "words"),
+    [("tikonov", "solver 'tikonov' is not one of tikhonov"), ("feasible", "name tikhonov as well"), ("", "solver ''")],
+)
+def test_solvers_that_cannot_be_fitted_are_refused(names, words, capsys):
+    assert main(["report", "auto", "--worlds", "2", "--solvers", names]) == 2
+    assert words in capsys.readouterr().err
