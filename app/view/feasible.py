@@ -89,10 +89,10 @@ def wish_for(view: View, seconds: float) -> Wish[tuple[Study, Study | None]]:
 def _said(wish: Wish[tuple[Study, Study | None]], job: Job[tuple[Study, Study | None]] | None) -> None:
     with _line():
         if job is None or not job.going:
-            words, button = st.columns([3, 2], vertical_alignment="center")
+            line, button = st.columns([3, 2], vertical_alignment="center")
             offer(
                 wish, "Compute the feasible timeline", key="compute_feasible", words="This is the linear timeline.",
-                place=words, button_place=button,
+                place=line, button_place=button,
             )  # fmt: skip
         else:
             words = "The feasible timeline is being computed; this is the linear one."
