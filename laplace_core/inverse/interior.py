@@ -197,7 +197,7 @@ def _step(A: np.ndarray, axis: Axis, penalty: np.ndarray, point: _Point, residua
     inner = weighted @ np.swapaxes(A, -1, -2)
     rank = np.arange(A.shape[-2])
     inner[..., rank, rank] += 1.0 + 2e-13 * inner[..., rank, rank]  # what rounding may take from the identity
-    whitened = np.linalg.inv(np.linalg.cholesky(inner)) @ weighted
+    whitened = _inverted(np.linalg.cholesky(inner)) @ weighted
     lumped = axis.survival(whitened).reshape(n, -1, stretches)
     free = d / zd
     later = _later(free, stretches)
@@ -235,6 +235,15 @@ def _step(A: np.ndarray, axis: Axis, penalty: np.ndarray, point: _Point, residua
     centre = (left / gap) ** 3 * gap
     move = direction(x * zx + aim.x * aim.zx - centre[:, None, None], d * zd + aim.d * aim.zd - centre[:, None])
     return _moved(point, move, np.minimum(1.0, TO_THE_EDGE * _to_the_edge(point, move)))
+
+
+def _inverted(lower: np.ndarray) -> np.ndarray:
+    """Inverses of lower triangular matrices, ``(..., r, r)``, in their place."""
+    from scipy.linalg.lapack import dtrtri  # slow to import
+
+    for one in lower.reshape(-1, *lower.shape[-2:]):
+        dtrtri(one.T, overwrite_c=True)  # LAPACK counts by columns: to it this is the upper triangle
+    return lower
 
 
 def _squares(lumped: np.ndarray) -> np.ndarray:

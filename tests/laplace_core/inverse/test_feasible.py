@@ -8,6 +8,7 @@ from laplace_core import InputError
 from laplace_core.code.encoding import discount_grid
 from laplace_core.inverse.axis import axis_of, growth_for
 from laplace_core.inverse.feasible import FeasibleSolution, feasible
+from laplace_core.inverse.interior import _inverted
 from laplace_core.inverse.problem import Problem, problem_of
 from laplace_core.inverse.project import projected
 from tests.support.random_gamma_spaces import noisy_space
@@ -191,3 +192,14 @@ def test_a_feasible_gamma_space_stays_what_it_is():
     found = projected(exact, deviations)
     change = (found.values - exact.values) / deviations[:, None]
     assert np.abs(change).max() < 0.1  # in units of the noise
+
+
+@pytest.mark.parametrize("shape", [(1, 7, 1), (2, 3, 4), (5, 15)])
+def test_triangular_matrices_are_inverted_in_their_place(shape):
+    rng = np.random.default_rng(0)
+    square = rng.normal(size=(*shape, shape[-1]))
+    lower = np.linalg.cholesky(square @ np.swapaxes(square, -1, -2) + np.eye(shape[-1]))
+    expected = np.linalg.inv(lower)
+    found = _inverted(lower)
+    assert found is lower
+    np.testing.assert_allclose(found, expected, atol=1e-14)
