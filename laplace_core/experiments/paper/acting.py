@@ -22,6 +22,8 @@ from laplace_core.training.checkpoint import load_checkpoint
 RULES = ("greedy", "matched", "fading")
 SOLVERS = {"tikhonov": (3, 40), "tikhonov1": (3, 20), "neural": (3, 20), "nonnegative": (3, 20), "feasible": (1, 10)}
 """Agents and episodes of each solver."""
+IN_FULL = {"nonnegative": (1, 10)}
+"""The same of whole episodes, where a solver takes minutes for each."""
 LONGEST = {"neural": 200, "feasible": 50}
 """The longest T of a solver: the neural inverse that ships has 200 rows, and the feasible one takes days for more."""
 NOISES = (1e-3, 3e-3, 1e-2)
@@ -58,7 +60,7 @@ def _parts() -> list[Options]:
     for horizon in HORIZONS:
         for rule in RULES:
             parts += [{"agent": seed, "rule": rule, "horizon": horizon, "episodes": 100} for seed in SEEDS]
-        for solver, (agents, episodes) in SOLVERS.items():
+        for solver, (agents, episodes) in (SOLVERS | (IN_FULL if horizon is None else {})).items():
             if (horizon or 1_000) <= LONGEST.get(solver, 1_000):
                 parts += [
                     {"agent": seed, "rule": solver, "horizon": horizon, "episodes": episodes}
